@@ -234,12 +234,10 @@ CellReading read_cell_config(const std::filesystem::path& file, const std::vecto
   config.executive.report_fluent = executive.text("report_fluent", {});
   config.executive.settle = std::chrono::milliseconds(executive.integer("settle_ms", 3'000, {0, 600'000}));
   // What moves outside of a simulation is started by somebody who sees it.
-  const std::string starter = config.safety.io.shared_memory && !root.has("fleet") ? "operator" : "auto";
+  const std::string starter = config.safety.io.shared_memory ? "operator" : "auto";
   config.executive.start = executive.choice("start", starter, {"auto", "operator"}) == "operator"
                                ? RunStart::Operator
                                : RunStart::Auto;
-  if (config.executive.start == RunStart::Operator && root.has("fleet"))
-    executive.report("start", "a fleet starts by itself", "leave it out, or hold the fleet", "0546");
   config.executive.what_if =
       std::chrono::milliseconds(executive.integer("what_if_ms", 10'000, {1, 86'400'000}));
   config.executive.what_if_mb =

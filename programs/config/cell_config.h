@@ -104,7 +104,7 @@ struct ExecutiveConfig {
   std::string report_fluent;                // what the report follows per action; empty: the metric
   std::chrono::milliseconds settle{3'000};  // plant time over which sensors are averaged before a decision
   // "operator": a plan is shown and waits until somebody starts it, also after a restart of the supervisor
-  // when the run before had ended; not of a fleet
+  // when the run before had ended
   RunStart start = RunStart::Auto;
   std::chrono::milliseconds what_if{10'000};  // budget of a plan that is only looked at
   std::size_t what_if_mb = 512;               // likewise: by which the supervisor may grow for it

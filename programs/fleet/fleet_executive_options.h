@@ -71,6 +71,7 @@ inline std::vector<fleet::TimedRequest> fleet_requests(const CellConfig& config)
 inline fleet::FleetExecutiveOptions fleet_executive_options(const CellConfig& config) {
   return {.cell = config.name,
           .max_replans = config.executive.max_replans,
+          .operator_starts = config.executive.start == RunStart::Operator,
           .barrier = config.clock.mode == ClockMode::Simulated,
           .late = config.fleet.late,
           .hold = config.fleet.hold,

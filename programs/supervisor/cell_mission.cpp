@@ -72,7 +72,7 @@ class PlannedMission final : public CellMission {
   std::optional<std::pair<std::uint64_t, std::uint64_t>> told_;  // revisions of outlook and what-if
 };
 
-// Its runs begin at the starts of its problem and its goals are loads: neither a start from where the
+// Its run begins at the starts of its problem and its goals are loads: neither another start from where the
 // vehicles are nor a plan beside the one that is driven is to be had.
 class FleetMission final : public CellMission {
  public:
@@ -93,8 +93,7 @@ class FleetMission final : public CellMission {
   }
 
   result::Result<void> obey(const OperatorRequest& request) override {
-    if (std::holds_alternative<StartRequest>(request))
-      return not_here("a fleet begins where its problem has it begin: start the supervisor again");
+    if (const auto* start = std::get_if<StartRequest>(&request)) return obey(*start);
     if (std::holds_alternative<WhatIfRequest>(request) ||
         std::holds_alternative<CancelWhatIfRequest>(request))
       return not_here("a fleet has no what-if on the page: `stepwright fleet` plans without driving");
@@ -116,6 +115,12 @@ class FleetMission final : public CellMission {
   std::optional<std::string> new_outlook() override { return std::nullopt; }
 
  private:
+  result::Result<void> obey(const StartRequest& start) {
+    if (over_) return not_here("a fleet begins where its problem has it begin: start the supervisor again");
+    if (!start.goal.empty()) return not_here("a fleet has orders, no goals: start it without one");
+    return executive_->request_start();
+  }
+
   fleet::FleetExecutiveOptions options_;
   fleet::FleetDesk desk_;
   std::optional<fleet::FleetExecutive> executive_;

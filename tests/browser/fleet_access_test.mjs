@@ -35,7 +35,7 @@ async function holds(page) {
   await page.getByRole('button', { name: 'Hold' }).click();
   await submit(page, 'Hold the run', 'the supervisor has accepted the hold');
   await phaseIs(page, 'and all come to rest', 'held');
-  check((await asksApi(page, '/api/plan/start', {})) === '400 X0003', 'a fleet begins where its problem has it begin');
+  check((await asksApi(page, '/api/plan/start', {})) === '409 X0008', 'a fleet that is under way is not started');
   check((await asksApi(page, '/api/plan/what-if', { goal: '(a)', id: '1' })) === '400 X0003', 'and has no what-if');
 }
 

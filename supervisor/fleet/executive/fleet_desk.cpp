@@ -12,8 +12,10 @@
 namespace stepwright::fleet {
 namespace {
 
-// Of each search for orders; far more than the problems of a hall take.
+// Of searches for orders; far more than the problems of a hall take. And of searches for other paths, where
+// there is no order on the first ones.
 constexpr std::uint64_t kConflicts = 20'000;
+constexpr std::uint64_t kExpansions = 1'000'000;
 // So many vehicles at most drive out of the way of others first. Places where they can are counted too.
 constexpr std::uint32_t kGiveWay = 3;
 
@@ -101,6 +103,7 @@ result::Result<FleetOutcome> FleetDesk::plan(const FleetLedger& ledger, const Fl
   prepare.planning.time = options_.time;
   prepare.planning.path_factor = options_.path_factor;
   prepare.planning.conflicts = kConflicts;
+  prepare.planning.expansions = kExpansions;
   prepare.planning.give_way = kGiveWay;
   prepare.planning.cancel = request.cancel;
   auto answer = plan_fleet(with_reserve(problem, options_.reserve), floor_, planning_options(prepare));
@@ -108,7 +111,7 @@ result::Result<FleetOutcome> FleetDesk::plan(const FleetLedger& ledger, const Fl
     for (const result::Diagnostic& wrong : answer.error()) {
       const auto goal = named(wrong.message, goal_keys);
       const auto task = named(wrong.message, task_keys);
-      if (goal) outcome.no_way_to.push_back(outcome.rest.goals[*goal]);
+      if (goal) outcome.no_way_to.push_back(no_way(outcome.rest, *goal));
       if (task) outcome.no_way_to_task.push_back(outcome.rest.tasks[*task]);
     }
     outcome.reason = result::to_string(answer.error());
@@ -156,6 +159,14 @@ result::Result<PreparedFleet> FleetDesk::program_of(FleetPlan plan, std::uint32_
   prepared.program = *std::move(program);
   prepared.container = *std::move(container);
   return prepared;
+}
+
+// What is aboard begins where its vehicle does, at a location that the rest alone has.
+NoWay FleetDesk::no_way(const RestProblem& rest, std::size_t goal) const {
+  const MissionGoal& of = rest.problem.goals[goal];
+  NoWay part{.goal = rest.goals[goal], .aboard_of = {}};
+  if (of.from >= problem_.locations.size() && of.vehicle) part.aboard_of = rest.vehicles[*of.vehicle];
+  return part;
 }
 
 }  // namespace stepwright::fleet

@@ -48,13 +48,19 @@ struct FleetRequest {
   const std::atomic<bool>* cancel = nullptr;  // not owned; may be null
 };
 
+// A part of a goal to which nobody finds a way.
+struct NoWay {
+  std::size_t goal = 0;  // of the ledger
+  std::optional<std::uint32_t>
+      aboard_of;  // what this vehicle has aboard; nothing: what is still to be fetched
+};
+
 struct FleetOutcome {
-  PreparedFleet prepared;  // with missions of all vehicles, standing ones included
-  RestProblem rest;        // what was planned
-  std::vector<std::size_t>
-      no_way_to;  // goals of the ledger to which nobody finds a way; nothing is planned then
-  std::vector<std::size_t> no_way_to_task;
-  std::string reason;  // why there is no plan
+  PreparedFleet prepared;                   // with missions of all vehicles, standing ones included
+  RestProblem rest;                         // what was planned
+  std::vector<NoWay> no_way_to;             // nothing is planned then
+  std::vector<std::size_t> no_way_to_task;  // of the ledger's; likewise
+  std::string reason;                       // why there is no plan
 };
 
 class FleetDesk {
@@ -81,6 +87,7 @@ class FleetDesk {
 
  private:
   FleetDesk(FleetDeskOptions options, MissionProblem problem, FleetFloor floor);
+  NoWay no_way(const RestProblem& rest, std::size_t goal) const;
 
   FleetDeskOptions options_;
   MissionProblem problem_;

@@ -62,32 +62,21 @@ RunRecord FleetExecutive::run() {
   return record_;
 }
 
-bool FleetExecutive::start_afresh() {
-  FleetRequest request{.rest = {.starts = desk_.first_starts()}, .cancel = &abort_};
-  request.revision = ++revision_;
-  auto outcome = desk_.plan(ledger_, request);
-  if (!outcome) return give_up(result::to_string(outcome.error()), IncidentKind::ProgramFault);
-  if (!outcome->prepared.program) {
-    const bool proved = outcome->prepared.answer.proof == Proof::AllPaths;
-    const bool wrong = !outcome->no_way_to.empty() || !outcome->no_way_to_task.empty();
-    return give_up(outcome->reason, IncidentKind::ProgramFault,
-                   wrong    ? result::ExitCode::BadInput
-                   : proved ? result::ExitCode::NoPlan
-                            : result::ExitCode::BudgetExhausted);
-  }
-  return await_runtime() && launch(*std::move(outcome), request);
-}
-
 // False with phase Planning: there is nothing to go on with.
 bool FleetExecutive::resume() {
   if (options_.journal.empty()) return false;
   auto journal = read_fleet_journal(options_.journal);
   if (!journal) return give_up(result::to_string(journal.error()), IncidentKind::ProgramFault);
-  if (!*journal || (*journal)->record.episodes.empty()) return false;
+  if (!*journal) return false;
   FleetJournal& known = **journal;
   if (known.record.phase == Phase::Done || known.record.phase == Phase::Safe) return false;
   if (!ledger_.restore(known.ledger)) {
     return give_up("the journal is of another problem", IncidentKind::ProgramFault);
+  }
+  if (known.record.phase == Phase::Ready || known.record.episodes.empty()) {  // nothing had begun
+    blocked_ = std::move(known.blocked);
+    next_request_ = known.next_request;
+    return false;
   }
   known.request.cancel = &abort_;
   auto outcome = desk_.plan(ledger_, known.request);
@@ -133,7 +122,7 @@ void FleetExecutive::write_journal() {
   if (options_.journal.empty() || !follow_) return;
   // A journal that cannot be written costs a restart its memory, not this run.
   (void)write_fleet_journal(options_.journal, {.record = record_,
-                                               .ledger = planned_from_,
+                                               .ledger = running_ ? planned_from_ : ledger_.state(),
                                                .request = planned_as_,
                                                .blocked = blocked_,
                                                .next_request = next_request_,
@@ -194,10 +183,11 @@ std::vector<std::string> FleetExecutive::missed() const {
     if (goal.delivered >= goal.amount) continue;
     std::string text = fmt::format("{} of {} of '{}' are not delivered", goal.amount - goal.delivered,
                                    goal.amount, problem.goals[k].name);
-    for (std::size_t v = 0; v < ledger_.vehicles().size(); ++v) {
+    for (std::uint32_t v = 0; v < ledger_.vehicles().size(); ++v) {
       const auto aboard = ledger_.vehicles()[v].aboard.find(k);
       if (aboard == ledger_.vehicles()[v].aboard.end()) continue;
-      text += fmt::format(" ({} aboard of {})", aboard->second, problem.vehicles[v].name);
+      text += fmt::format(" ({} aboard of {}{})", aboard->second, problem.vehicles[v].name,
+                          shut_in(v) ? ", which cannot leave where it stands" : "");
     }
     if (!goal.why.empty()) text += ": " + goal.why;
     sentences.push_back(std::move(text));
@@ -205,8 +195,28 @@ std::vector<std::string> FleetExecutive::missed() const {
   return sentences;
 }
 
+// It took no part in the plan although it is not lost.
+bool FleetExecutive::shut_in(std::uint32_t v) const {
+  const auto& starts = planned_as_.rest.starts;
+  return v < starts.size() && !starts[v].able && !ledger_.vehicles()[v].lost;
+}
+
+// Somebody was shut in, and others have driven away since.
+bool FleetExecutive::has_more_room() const {
+  bool any = false, moved = false;
+  for (std::uint32_t v = 0; v < ledger_.vehicles().size(); ++v) {
+    any = any || shut_in(v);
+    moved = moved || (!shut_in(v) && follow_->plan().missions[v].path.size() > 1);
+  }
+  return any && moved;
+}
+
 bool FleetExecutive::finish() {
   const std::vector<std::string> left = missed();
+  if (!left.empty() && has_more_room()) {
+    ledger_.reopen();
+    return replan({IncidentKind::Position, {"others have driven away from who could not leave"}, {}});
+  }
   if (!left.empty()) {
     const std::string text = fmt::format("all that could be done is done: {}", fmt::join(left, "; "));
     open_incident({IncidentKind::Position, {text}, {}});
@@ -259,6 +269,9 @@ result::Result<void> FleetExecutive::request(const FleetChange& change) {
       return good;
   }
   const std::lock_guard lock(requests_mutex_);
+  if (stage_ == Stage::Ready &&
+      (std::holds_alternative<HoldChange>(change) || std::holds_alternative<ResumeChange>(change)))
+    return result::fail("X0008", {}, "nothing moves yet", "the run waits for its start");
   requests_.push_back(change);
   return {};
 }

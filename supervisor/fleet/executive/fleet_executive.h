@@ -7,6 +7,8 @@
 // somebody lets it go on, and so does an operator who asks for it (then all come to rest first); then
 // everybody is planned for anew from where he stands.
 //
+// Where an operator starts runs the first plan is shown and waits, and nothing is downloaded before.
+//
 // A new plan begins from rest: everybody drives on as far as he is permitted already and needs to brake
 // (halt_plan.h), which always can be done without asking anybody; then one plan for all that remains takes
 // over by an online change (ADR 9 says why). The missions run in the scan without this.
@@ -19,6 +21,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <condition_variable>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -43,6 +46,7 @@ namespace stepwright::fleet {
 struct FleetExecutiveOptions {
   std::string cell;
   int max_replans = 8;
+  bool operator_starts = false;           // the first plan waits for request_start; nothing moves before it
   bool barrier = true;                    // simulated time waits for every decision
   std::chrono::milliseconds late{3'000};  // more is a delay
   // Of the scan clock: so long an emergency stop or an operator holds the fleet until somebody lets it go on.
@@ -64,13 +68,18 @@ class FleetExecutive {
   // Until everything is delivered and all vehicles rest (Phase::Done), or the outputs are safe (Phase::Safe).
   executive::RunRecord run();
 
+  // X0008: nothing waits for a start, or no runtime answers.
+  [[nodiscard]] result::Result<void> request_start();
   // Stops the fleet safely at the next decision and ends the run.
   void request_abort() { abort_ = true; }
-  // At the next decision. Fails at once where the request cannot be meant (X0003).
+  // At the next decision. Fails at once where the request cannot be meant (X0003), or not before the start
+  // (X0008).
   [[nodiscard]] result::Result<void> request(const FleetChange& change);
 
  private:
   enum class Verdict : std::uint8_t { GoOn, Replan, Finished, GiveUp, RuntimeLost, Hold };
+  enum class Stage : std::uint8_t { Running, Ready };  // waiting for an operator
+  enum class Wish : std::uint8_t { Start, OtherPlan, Abort };
   enum class Rest : std::uint8_t { Reached, EmergencyStop, Ended };
   struct Cause {
     executive::IncidentKind kind = executive::IncidentKind::Position;
@@ -87,8 +96,15 @@ class FleetExecutive {
     FleetReader reader;
   };
 
-  // fleet_executive.cpp: from start to end.
+  // fleet_executive_start.cpp: the first plan.
   bool start_afresh();
+  bool give_up_planless(const FleetOutcome& outcome);
+  Wish stay_ready(const FleetOutcome& outcome, const FleetRequest& request);
+  bool wanted() const;
+  bool await_start(std::chrono::milliseconds timeout);
+  void enter(Stage stage);
+
+  // fleet_executive.cpp: from start to end.
   bool resume();
   bool resume_plan(FleetOutcome outcome, const FleetRequest& request);
   void write_journal();
@@ -96,6 +112,8 @@ class FleetExecutive {
   bool await_runtime();
   bool recover_runtime();
   bool has_gone_on();
+  bool shut_in(std::uint32_t vehicle) const;
+  bool has_more_room() const;
   bool finish();
   std::vector<std::string> missed() const;
   void note_goals();
@@ -198,8 +216,11 @@ class FleetExecutive {
 
   std::size_t next_request_ = 0;  // into options_.requests
   std::atomic<bool> abort_{false};
-  std::mutex requests_mutex_;
+  mutable std::mutex requests_mutex_;  // of what follows
   std::vector<FleetChange> requests_;  // from other threads, not yet taken
+  std::condition_variable start_signal_;
+  Stage stage_ = Stage::Running;
+  bool start_ = false;  // an operator wants it
 };
 
 }  // namespace stepwright::fleet

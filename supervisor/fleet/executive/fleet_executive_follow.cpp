@@ -204,8 +204,10 @@ bool FleetExecutive::crosses(const geometry::ConvexPolygon& area) const {
   for (std::size_t v = 0; v < plan.missions.size(); ++v) {
     if (ledger_.vehicles()[v].lost) continue;
     const geometry::Footprint outline = plan.missions[v].model.footprint();
+    const double here_m =
+        reading_.vehicles.empty() ? 0.0 : reading_.vehicles[v].arc_m;  // not read before a start
     for (const geometry::PathPose& at : plan.missions[v].path) {
-      const bool ahead = at.arc_m >= reading_.vehicles[v].arc_m;
+      const bool ahead = at.arc_m >= here_m;
       if (ahead && geometry::overlaps(geometry::footprint_at(at.pose, outline), area)) return true;
     }
   }
@@ -229,7 +231,10 @@ bool FleetExecutive::apply(const UnblockChange& unblock, Cause& cause) {
   const auto known =
       std::erase_if(blocked_, [&](const Blocked& place) { return place.name == unblock.name; });
   cause.evidence.push_back(unblock.name + (known > 0 ? " is free again" : " was not blocked"));
-  return known > 0 && ledger_.reopen();
+  if (known == 0) return false;
+  bool waited_for = ledger_.reopen();
+  for (std::uint32_t v = 0; v < ledger_.vehicles().size(); ++v) waited_for = waited_for || shut_in(v);
+  return waited_for;
 }
 
 bool FleetExecutive::apply(const ReturnChange& back, Cause& cause) {

@@ -125,20 +125,28 @@ bool FleetExecutive::stay(const std::string& reason, IncidentKind kind) {
   return true;
 }
 
-// Gives up what keeps the rest from being done; false if there is nothing more to give up.
+// Gives up what keeps the rest from being done; false if there is nothing more to give up. What was given up
+// is no part of the next plan, so that this comes to an end.
 bool FleetExecutive::relax(const FleetOutcome& outcome) {
-  for (const std::size_t k : outcome.no_way_to) {
-    const std::string name = ledger_.problem().goals[k].name;
-    ledger_.give_up(k, "no vehicle finds a way");
-    add_evidence("'" + name + "' is given up: no vehicle finds a way");
+  const MissionProblem& problem = ledger_.problem();
+  bool less = false;
+  for (const NoWay& part : outcome.no_way_to) {
+    const std::string& name = problem.goals[part.goal].name;
+    if (part.aboard_of) {
+      const std::string& carrier = problem.vehicles[*part.aboard_of].name;
+      less |= ledger_.keep_aboard(*part.aboard_of, part.goal, carrier + " finds no way there");
+      add_evidence("'" + name + "' stays aboard of " + carrier + ": it finds no way there");
+    } else {
+      less |= ledger_.give_up(part.goal, "no vehicle finds a way");
+      add_evidence("'" + name + "' is given up: no vehicle finds a way");
+    }
   }
   for (const std::size_t k : outcome.no_way_to_task) {
-    ledger_.give_up_task(k);
-    add_evidence("'" + ledger_.problem().tasks[k].name + "' of " +
-                 ledger_.problem().vehicles[ledger_.problem().tasks[k].vehicle].name +
+    less |= ledger_.give_up_task(k);
+    add_evidence("'" + problem.tasks[k].name + "' of " + problem.vehicles[problem.tasks[k].vehicle].name +
                  " is given up: no way there");
   }
-  if (!outcome.no_way_to.empty() || !outcome.no_way_to_task.empty()) return true;
+  if (less) return true;
   if (outcome.prepared.answer.verdict != fleet::Verdict::Infeasible) return false;
   const std::vector<std::string> limits = ledger_.drop_limits();
   if (limits.empty()) return false;
@@ -175,7 +183,7 @@ void FleetExecutive::launch_record(const FleetOutcome& outcome) {
   const FleetAnswer& answer = outcome.prepared.answer;
   const Schedule& made = answer.plan.schedule;
   executive::Episode episode;
-  episode.digest = running_->digest;
+  if (running_) episode.digest = running_->digest;
   episode.started_s = clock_.now_s();
   episode.origin = record_.episodes.empty() ? "planned" : "replanned";
   episode.first_plan_ms = answer.figures.total_ms - answer.figures.improve_ms;

@@ -69,6 +69,7 @@ json ledger_json(const LedgerState& state) {
     json aboard = json::array();
     for (const auto& [goal, units] : vehicle.aboard) aboard.push_back({goal, units});
     vehicles.push_back({{"aboard", std::move(aboard)},
+                        {"kept", vehicle.kept},
                         {"tasks_done", vehicle.tasks_done},
                         {"task_times", times_json(vehicle.task_times)},
                         {"lost", vehicle.lost},
@@ -110,6 +111,7 @@ LedgerState ledger_from(const json& value) {
                          .lost = each.at("lost"),
                          .why = each.at("why")};
     for (const json& load : each.at("aboard")) vehicle.aboard[load.at(0)] = load.at(1);
+    for (const json& goal : each.value("kept", json::array())) vehicle.kept.insert(goal.get<std::size_t>());
     state.vehicles.push_back(std::move(vehicle));
   }
   state.tasks_dropped = value.at("tasks_dropped").get<std::vector<bool>>();

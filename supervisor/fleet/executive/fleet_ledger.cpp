@@ -69,13 +69,20 @@ void FleetLedger::find(std::uint32_t vehicle) {
   vehicles_[vehicle].why.clear();
 }
 
-void FleetLedger::give_up(std::size_t goal, std::string why) {
-  goals_[goal].given_up = true;
+bool FleetLedger::give_up(std::size_t goal, std::string why) {
   goals_[goal].why = std::move(why);
+  return !std::exchange(goals_[goal].given_up, true);
 }
 
-void FleetLedger::give_up_task(std::size_t task) {
+bool FleetLedger::keep_aboard(std::uint32_t vehicle, std::size_t goal, std::string why) {
+  goals_[goal].why = std::move(why);
+  return vehicles_[vehicle].kept.insert(goal).second;
+}
+
+bool FleetLedger::give_up_task(std::size_t task) {
+  if (tasks_dropped_[task]) return false;
   tasks_dropped_[task] = true;
+  return true;
 }
 
 bool FleetLedger::reopen() {
@@ -84,6 +91,11 @@ bool FleetLedger::reopen() {
     any = any || goal.given_up;
     goal.given_up = false;
     goal.why.clear();
+  }
+  for (VehicleEntry& vehicle : vehicles_) {
+    any = any || !vehicle.kept.empty();
+    for (const std::size_t goal : vehicle.kept) goals_[goal].why.clear();
+    vehicle.kept.clear();
   }
   for (std::size_t k = 0; k < tasks_dropped_.size(); ++k) {
     any = any || tasks_dropped_[k];
@@ -165,6 +177,7 @@ bool FleetLedger::restore(LedgerState state) {
   for (const MissionGoal& order : state.orders) sound = sound && known(order.from) && known(order.to);
   for (const VehicleEntry& vehicle : state.vehicles) {
     for (const auto& [goal, units] : vehicle.aboard) sound = sound && goal < goals;
+    for (const std::size_t goal : vehicle.kept) sound = sound && goal < goals;
   }
   for (const GoalEntry& goal : state.goals)
     sound = sound && (!goal.vehicle || *goal.vehicle < vehicles_.size());

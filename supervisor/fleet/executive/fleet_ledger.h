@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,8 @@ struct GoalEntry {
 
 struct VehicleEntry {
   std::map<std::size_t, std::uint32_t> aboard = {};  // units by goal
+  std::set<std::size_t> kept =
+      {};  // of these: what is aboard stays there, no way leads to where it is wanted
   std::size_t tasks_done = 0;
   std::vector<std::chrono::milliseconds> task_times = {};
   bool lost = false;
@@ -93,8 +96,11 @@ class FleetLedger {
   void ended(const Stop& stop, std::chrono::milliseconds begun, std::chrono::milliseconds when);
   void lose(std::uint32_t vehicle, std::string why);
   void find(std::uint32_t vehicle);  // it is there again
-  void give_up(std::size_t goal, std::string why);
-  void give_up_task(std::size_t task);
+  // What keeps the rest from being planned: what nobody has picked up yet, what a vehicle has aboard, a
+  // drive. False if that was given up already.
+  bool give_up(std::size_t goal, std::string why);
+  bool keep_aboard(std::uint32_t vehicle, std::size_t goal, std::string why);
+  bool give_up_task(std::size_t task);
   bool reopen();  // what was given up; true if anything was
   void mark_late(const std::vector<std::string>& constraints);
   // Of goals that are not delivered, whose constraints are named: they do not bind any more.

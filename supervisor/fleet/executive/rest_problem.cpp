@@ -88,6 +88,10 @@ class Rest {
           {.name = "aboard " + vehicle.name, .pose = vehicle.start, .key = vehicle.key});
       std::vector<HandStop> set_downs;
       for (const auto& [k, units] : vehicles_[v].aboard) {
+        if (vehicles_[v].kept.contains(k)) {
+          vehicle.capacity -= std::min(vehicle.capacity, units);  // it takes up room on the forks
+          continue;
+        }
         MissionGoal goal = problem_.goals[k];
         goal.amount = units;
         goal.from = made_.problem.locations.size() - 1;
@@ -99,7 +103,7 @@ class Rest {
         set_downs.push_back({.pick_up = false, .goal = index, .amount = units});
       }
       vehicle.route.insert(vehicle.route.end(), set_downs.begin(), set_downs.end());
-      vehicle.route_is_whole = false;
+      vehicle.route_is_whole = set_downs.empty() && vehicle.route_is_whole;
     }
   }
 

@@ -324,17 +324,20 @@ class Chain {
     return due;
   }
 
-  internal::Attempt attempt(std::string_view stage) const {
+  internal::Attempt attempt(std::string_view stage) {
     return {.problem = problem_,
             .floor = floor_,
             .options = options_,
             .routes = routes_,
+            .work = work_,
             .until = until_,
             .limited = limited(),
             .on_tried = [this, stage](std::size_t tried) { say(stage, tried); }};
   }
 
+  // Where nobody is in anybody's way, no other way helps: who is late is late alone on the floor.
   bool mend(const Core& core, Schedule& made) {
+    if (core.sections.empty()) return false;
     return (options_.alternatives > 0 && drive_around(core, made)) ||
            (options_.give_way > 0 && give_way(core, made));
   }
@@ -384,7 +387,8 @@ class Chain {
                           answer_.figures.alternatives == 1 ? "" : "s",
                           all_tried_ ? "" : "; there may be more than were tried");
     }
-    return text + nobody_gives_way_;
+    return text + nobody_gives_way_ +
+           (internal::used_up(work_, options_) ? "a budget of work ended before more was tried\n" : "");
   }
 
   const MissionProblem& problem_;
@@ -397,6 +401,7 @@ class Chain {
   bool refused_ = false;                       // there is no allocation
   bool out_of_time_ = false;                   // there are not all paths
   bool all_tried_ = false;
+  internal::SearchWork work_;
   std::string nobody_gives_way_;  // and why
   FleetAnswer answer_;
 };

@@ -50,8 +50,11 @@ struct FleetOptions {
   std::uint32_t alternatives =
       48;                      // paths planned anew, at most, where there is no schedule; places to give way
   std::uint32_t give_way = 0;  // so many vehicles at most drive out of the way of others first
-  std::uint64_t conflicts =
-      0;  // of each search for orders; a budget that is the same on every machine. 0: none
+  // Budgets that are the same on every machine; 0: none. Of a search for orders: for the first ones, for
+  // better ones, and for all those together that are looked for with other paths; and of the searches for
+  // these paths.
+  std::uint64_t conflicts = 0;
+  std::uint64_t expansions = 0;
   EnvelopeOptions envelope{};  // but for the speeds, which each vehicle has its own
   AllocationObjective allocation{};
   // Puts what a mission's polygons take at least to what they will take (supervisor/fleet/program knows);

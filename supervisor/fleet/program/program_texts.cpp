@@ -72,6 +72,9 @@ power_{0}(Enable := NOT done_{0}, Vehicle := vehicle_{0});
 constexpr const char* kMoving =
     "move_{0}(Execute := vehicle_{0}.DriveOn, Permitted := permitted_{0}, Path := {1}, Vehicle := "
     "vehicle_{0});\n";
+// Without a way no command would take the place of the one that an earlier program has given: the vehicle
+// would drive on by it.
+constexpr const char* kStaying = "stop_{0}(Execute := NOT done_{0}, Vehicle := vehicle_{0});\n";
 constexpr const char* kOutputs =
     R"(forks_{0}(Execute := move_forks_{0} AND vehicle_{0}.DriveOn, Up := raise_{0}, Vehicle := vehicle_{0});
 forks_done_{0} := forks_{0}.Done;
@@ -293,7 +296,7 @@ std::string driving_text(const std::vector<VehicleNames>& vehicles, const Progra
       text += fmt::format("{}(Execute := TRUE, Vehicle := vehicle_{});\n", reset_block(names, options),
                           names.name);
     text += filled(kDriving, names);
-    if (!names.path.empty()) text += filled(kMoving, names);
+    text += filled(names.path.empty() ? kStaying : kMoving, names);
     text += filled(kOutputs, names);
   }
   return text;
@@ -307,7 +310,8 @@ std::vector<Variable> driving_blocks(const std::vector<VehicleNames>& vehicles,
     if (resets(options, v)) blocks.push_back(block(reset_block(names, options), "MC_GroupReset"));
     blocks.push_back(block("reset_" + names.name, "MC_GroupReset"));
     blocks.push_back(block("power_" + names.name, "MC_GroupPower"));
-    if (!names.path.empty()) blocks.push_back(block("move_" + names.name, "MC_MovePath"));
+    blocks.push_back(names.path.empty() ? block("stop_" + names.name, "MC_GroupStop")
+                                        : block("move_" + names.name, "MC_MovePath"));
     blocks.push_back(block("forks_" + names.name, "MC_MoveForks"));
     blocks.push_back(block("run_" + names.name, "MC_RunVehicle"));
   }

@@ -30,6 +30,13 @@ class BenchCampaign(unittest.TestCase):
         self.assertEqual((figures["runs"], figures["first_seed"], figures["lost"]), (3, 5, 0))
         self.assertEqual(figures["goals_reached"] + figures["safe_stops"], 3)
 
+    def test_the_other_cells_have_their_own_figures(self) -> None:
+        done = self.campaign("--cell", "fleet", "--runs", "1", "--first", "2", "--json", str(self.report))
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        figures = self.figures()
+        self.assertEqual((figures["cell"], figures["runs"], figures["lost"]), ("fleet", 1, 0))
+        self.assertEqual([each["class"] for each in figures["classes"]], ["death"])
+
     def test_wrong_options_are_told_before_any_run(self) -> None:
         for options in (("--runs", "-1"), ("--runs", "0"), ("--runs", ""), ("--runs", "ten"), ("--threads", "0"),
                         ("--first", "-5"), ("--json",), ("--runs",), ("--quickly",), ("3",)):

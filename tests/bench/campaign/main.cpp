@@ -1,9 +1,9 @@
-// The stochastic campaign: simulated runs of the tank bench with random faults, demands and sensor errors, or
-// of the sorting line with random faults, as fast as the machine allows. Every run must end at the goal or in
-// the safe state with the right report; the undisturbed class is the baseline of costs and times beside the
-// disturbed ones.
+// The stochastic campaign: simulated runs of the tank bench with random faults, demands and sensor errors, of
+// the sorting line with random faults, or of a fleet to which something happens at a random moment, as fast
+// as the machine allows. Every run must end at the goal or in the safe state with the right report; the
+// undisturbed class is the baseline of costs and times beside the disturbed ones.
 //
-//   bench_campaign [--cell bench|conveyor] [--runs N] [--first SEED] [--threads N] [--json FILE]
+//   bench_campaign [--cell bench|conveyor|fleet] [--runs N] [--first SEED] [--threads N] [--json FILE]
 //
 // Ctrl-C ends it after the runs that are under way, with the table of those that are done (exit 4).
 // A single seed again: --first SEED --runs 1.
@@ -19,6 +19,7 @@
 #include "programs/process/files.h"
 #include "programs/process/interruption.h"
 #include "tests/bench/campaign/campaign.h"
+#include "tests/bench/campaign/fleet.h"
 #include "tests/bench/campaign/line.h"
 
 namespace stepwright::campaign {
@@ -36,8 +37,8 @@ struct Arguments {
 };
 
 void describe(CLI::App& app, Arguments& arguments) {
-  app.add_option("--cell", arguments.cell, "bench or conveyor (bench)")
-      ->check(CLI::IsMember({"bench", "conveyor"}));
+  app.add_option("--cell", arguments.cell, "bench, conveyor or fleet (bench)")
+      ->check(CLI::IsMember({"bench", "conveyor", "fleet"}));
   app.add_option("--runs", arguments.runs, "how many (1000)")->check(CLI::Range(1.0, 1e9));
   app.add_option("--first", arguments.first, "seed of the first one (0)")->check(CLI::NonNegativeNumber);
   app.add_option("--threads", arguments.threads, "that run them (one for each core)")
@@ -64,10 +65,12 @@ std::function<void(std::uint64_t)> progress_of(const Arguments& arguments) {
   };
 }
 
-int run_lines(const Arguments& arguments) {
+// `campaign`: line_campaign or fleet_campaign.
+template <typename Campaign>
+int run_cell(const Arguments& arguments, Campaign campaign) {
   const process::Interruption interruption;
-  const LineFigures figures = line_campaign(arguments.first, arguments.runs, arguments.threads,
-                                            progress_of(arguments), interruption.flag());
+  const auto figures = campaign(arguments.first, arguments.runs, arguments.threads, progress_of(arguments),
+                                interruption.flag());
   std::fprintf(stderr, "\n");
   return finish(arguments, table(figures), to_json(figures, arguments.first, arguments.threads),
                 !figures.lost.empty(), figures.runs() < arguments.runs);
@@ -89,7 +92,8 @@ int run(const Arguments& arguments) {
     const auto refused = process::check_writable(arguments.json_file);
     if (!refused.empty()) return fail(refused, ExitCode::BadInput);
   }
-  return arguments.cell == "conveyor" ? run_lines(arguments) : run_bench(arguments);
+  if (arguments.cell == "conveyor") return run_cell(arguments, line_campaign);
+  return arguments.cell == "fleet" ? run_cell(arguments, fleet_campaign) : run_bench(arguments);
 }
 
 }  // namespace

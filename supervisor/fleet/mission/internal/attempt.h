@@ -4,6 +4,7 @@
 // A value; its parts outlive it.
 
 #include <chrono>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -13,16 +14,26 @@
 
 namespace stepwright::fleet::internal {
 
+// What searches for other paths have taken, counted alike on every machine.
+struct SearchWork {
+  std::uint64_t conflicts = 0;  // of searches for orders
+  std::uint64_t expanded = 0;   // of searches for paths
+};
+
+// Whether one of the budgets of the options is used up.
+bool used_up(const SearchWork& work, const FleetOptions& options);
+
 struct Attempt {
   const MissionProblem& problem;
   const FleetFloor& floor;
   const FleetOptions& options;
   const std::vector<Route>& routes;
+  SearchWork& work;
   std::chrono::steady_clock::time_point until;  // the latest, if there is a limit
   bool limited = false;
   std::function<void(std::size_t tried)> on_tried;
 
-  // Somebody has cancelled it, or the time has ended.
+  // Somebody has cancelled it, or time or one of the counted budgets has ended.
   bool over() const;
   // The first schedule of these missions, without an objective; stops are those of the routes.
   Schedule schedule_of(const std::vector<Route>& stops, const std::vector<VehicleMission>& missions) const;

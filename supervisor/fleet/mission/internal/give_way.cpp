@@ -220,9 +220,9 @@ class GiveWay {
       if (!near) found.push_back({at, 1e-3 * cost_mm});
       return found.size() < kPlaces;
     };
-    input_.floor.planner(problem_.vehicles[v].vehicle_class)
-        .on(map)
-        .visit_reachable(problem_.vehicles[v].start, kMost, take);
+    input_.work.expanded += input_.floor.planner(problem_.vehicles[v].vehicle_class)
+                                .on(map)
+                                .visit_reachable(problem_.vehicles[v].start, kMost, take);
     return found;
   }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 #include <string>
 
 namespace stepwright::fleet {
@@ -79,6 +80,32 @@ TEST(FleetLedger, WhenALoadIsAboard_ThenItsVehicleBeginsWithIt) {
   // Sugar has to wait for both parts of the flour.
   const auto first = std::ranges::count(rest.problem.constraints, "flour first", &MissionConstraint::name);
   EXPECT_EQ(first, 2);
+}
+
+TEST(FleetLedger, WhenWhatIsAboardCannotBeBrought_ThenItTakesUpRoomAndIsNoPartOfTheRestUntilReopened) {
+  FleetLedger ledger(two_trucks());
+  ledger.made(1, stop(StopKind::PickUp, "flour", 1), 10s);
+  EXPECT_TRUE(ledger.keep_aboard(1, 0, "no way"));
+  EXPECT_FALSE(ledger.keep_aboard(1, 0, "no way")) << "that changes nothing";
+  const RestProblem rest = ledger.rest({.elapsed = 20s, .starts = starts()});
+  ASSERT_EQ(rest.problem.goals.size(), 2u);  // flour left, sugar
+  EXPECT_EQ(rest.problem.goals[0].amount, 2u);
+  EXPECT_EQ(rest.problem.vehicles[1].capacity, 1u);
+  EXPECT_TRUE(rest.problem.vehicles[1].route.empty());
+  FleetLedger again(two_trucks());
+  ASSERT_TRUE(again.restore(ledger.state()));
+  EXPECT_EQ(again.vehicles()[1].kept, std::set<std::size_t>{0});
+  EXPECT_TRUE(again.reopen());
+  EXPECT_EQ(again.rest({.elapsed = 20s, .starts = starts()}).problem.goals.size(), 3u);
+  EXPECT_FALSE(again.reopen());
+}
+
+TEST(FleetLedger, WhenPartsAreGivenUp_ThenItIsSaidOfEachOnlyOnce) {
+  FleetLedger ledger(two_trucks());
+  EXPECT_TRUE(ledger.give_up(0, "no way"));
+  EXPECT_FALSE(ledger.give_up(0, "no way"));
+  EXPECT_TRUE(ledger.give_up_task(1));
+  EXPECT_FALSE(ledger.give_up_task(1));
 }
 
 TEST(FleetLedger, WhenAVehicleIsLost_ThenOthersGetWhatItDoesNotCarry) {

@@ -3,12 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "supervisor/fleet/executive/standing.h"
 #include "tests/unit/supervisor/fleet/executive/small_hall.h"
 
 namespace stepwright::fleet {
@@ -294,6 +296,98 @@ TEST(FleetConstraints, WhenAnUpperBoundCannotBeKeptInTheNextPlan_ThenItIsToldAnd
   EXPECT_NE(evidence.find("fresh"), std::string::npos);
   EXPECT_TRUE(nlohmann::json::parse(record.fleet)["goals"][1]["late"]);
   EXPECT_GT(finished_s(record, "set_down 1 drum"), 85.0);
+  hall.expect_clean();
+}
+
+// It was planned for again and again, with the load that nobody can bring there.
+TEST(FleetRecovery, WhenWhereALoadAboardIsWantedIsBlocked_ThenItStaysAboardAndTheRestIsDone) {
+  const auto spill =
+      geometry::footprint_at({18.0, 12.0, 0.0}, {.front_m = 0.5, .rear_m = 0.5, .half_width_m = 0.5});
+  for (const bool cleared : {false, true}) {
+    SmallHall hall;
+    FleetExecutiveOptions options = hall.options();
+    options.requests = {{30.0, BlockChange{{"spill", spill}}}};
+    if (cleared) options.requests.push_back({45.0, UnblockChange{"spill"}});
+    const RunRecord record = hall.run(options);
+    SCOPED_TRACE(story(record));
+    EXPECT_TRUE(told(record, "'crate' stays aboard of truck 2: it finds no way there"));
+    EXPECT_GT(finished_s(record, "set_down 1 drum"), 30.0);
+    EXPECT_EQ(record.phase, cleared ? Phase::Done : Phase::Safe);
+    EXPECT_EQ(all_met(record), cleared);
+    if (!cleared) {
+      EXPECT_NE(record.message.find("(1 aboard of truck 2): truck 2 finds no way there"), std::string::npos);
+    }
+    hall.expect_clean();
+  }
+}
+
+// Nothing was given up for it, and yet it waits for the place.
+TEST(FleetRecovery, WhenThePlaceUnderAVehicleIsBlockedForAWhile_ThenItGoesOnOnceThatIsFree) {
+  SmallHall calm;
+  geometry::Pose there;
+  calm.controller().on_scan = [&, scans = 0](std::span<const std::byte>) mutable {
+    if (++scans == 1'500)
+      there = {calm.truth("true_x_v2"), calm.truth("true_y_v2"), calm.truth("true_heading_v2")};
+  };
+  ASSERT_EQ(calm.run(calm.options()).phase, Phase::Done);
+  SmallHall hall;
+  FleetExecutiveOptions options = hall.options();
+  const auto spill = geometry::footprint_at(there, {.front_m = 3.0, .rear_m = 3.0, .half_width_m = 1.0});
+  options.requests = {{30.0, BlockChange{{"spill", spill}}}, {60.0, UnblockChange{"spill"}}};
+  const RunRecord record = hall.run(options);
+  SCOPED_TRACE(story(record));
+  EXPECT_TRUE(told(record, "truck 2 cannot leave where it stands"));
+  EXPECT_EQ(record.phase, Phase::Done);
+  EXPECT_TRUE(all_met(record));
+  hall.expect_clean();
+}
+
+// Its last command would go on for ever: the block that gave it is in no program any more.
+TEST(FleetRecovery, WhenAVehicleDrivesAndTheNextProgramHasNoWayForIt_ThenItStands) {
+  SmallHall hall;
+  auto& controller = hall.controller();
+  const auto outcome =
+      hall.desk().plan(FleetLedger(hall.desk().problem()), {.rest = {.starts = hall.desk().first_starts()}});
+  ASSERT_TRUE(outcome && outcome->prepared.program);
+  ASSERT_TRUE(controller.download(outcome->prepared.container));
+  ASSERT_TRUE(controller.start(false));
+  const auto place = [&](std::size_t v) {
+    const std::string of = "_v" + std::to_string(v + 1);
+    return geometry::Pose{hall.truth("true_x" + of), hall.truth("true_y" + of),
+                          hall.truth("true_heading" + of)};
+  };
+  const auto run = [&](int scans) {
+    int left = scans;
+    controller.on_scan = [&](std::span<const std::byte>) {
+      if (--left == 0) controller.interrupt();
+    };
+    while (left > 0) {
+      if (const auto event = controller.wait_event({})) (void)controller.acknowledge(event->sequence);
+    }
+  };
+  std::vector<geometry::Pose> before;
+  const std::size_t vehicles = hall.desk().problem().vehicles.size();
+  run(250);
+  for (std::size_t v = 0; v < vehicles; ++v) before.push_back(place(v));
+  run(10);
+  double fastest_m = 0.0;
+  FleetPlan standing;
+  standing.schedule.verdict = Verdict::Scheduled;
+  for (std::uint32_t v = 0; v < vehicles; ++v) {
+    fastest_m = std::max(fastest_m, geometry::distance(place(v).position(), before[v].position()));
+    const VehicleModel model = hall.desk().model(v);
+    insert_standing(standing, v, hall.desk().problem().vehicles[v].name, model, place(v),
+                    place_around(place(v), model.footprint(), 2.5, 0.3));
+  }
+  ASSERT_GT(fastest_m, 0.1) << "somebody drives";
+  const auto prepared = hall.desk().program_of(standing, 2);
+  ASSERT_TRUE(prepared) << result::to_string(prepared.error());
+  ASSERT_TRUE(controller.change(prepared->container));
+  run(200);
+  for (std::size_t v = 0; v < vehicles; ++v) before[v] = place(v);
+  run(200);
+  for (std::size_t v = 0; v < vehicles; ++v)
+    EXPECT_LT(geometry::distance(place(v).position(), before[v].position()), 0.01) << "v" << v + 1;
   hall.expect_clean();
 }
 

@@ -84,6 +84,18 @@ TEST(GiveWay, WhenTwoStandFaceToFaceInAnAisle_ThenOneBacksOutAndGoesOnBehindTheO
             answer.plan.schedule.earliest[move.vehicle].back().exit);
 }
 
+// Counted and not timed: on every machine the same.
+TEST(GiveWay, WhenABudgetOfWorkEnds_ThenTheAnswerSaysThatThereMayBeMore) {
+  const MissionProblem problem = face_to_face(4.0);
+  FleetOptions options = moving(2);
+  options.expansions = 1;
+  const FleetAnswer none = planned(problem, options);
+  EXPECT_EQ(none.verdict, Verdict::Infeasible);
+  EXPECT_THAT(none.reason, HasSubstr("a budget of work ended before more was tried"));
+  options.expansions = 1'000'000;
+  EXPECT_EQ(planned(problem, options).verdict, Verdict::Scheduled);
+}
+
 // What a stand's polygon grows by used to leave no schedule on any paths.
 TEST(GiveWay, WhenTheyNearlyTouch_ThenOneBacksOutAllTheSame) {
   const MissionProblem problem = face_to_face(0.4);

@@ -6,6 +6,8 @@
 
 #include <atomic>
 
+#include "tests/bench/campaign/fleet.h"
+
 namespace stepwright::campaign {
 namespace {
 
@@ -63,6 +65,25 @@ TEST(Campaign, WhenASeedRunsTwice_ThenItIsDisturbedAndEndsInTheSameWay) {
     EXPECT_EQ(a.record.incidents.front().time_s, b.record.incidents.front().time_s) << seed;
     EXPECT_EQ(a.record.incidents.front().evidence, b.record.incidents.front().evidence) << seed;
   }
+}
+
+TEST(FleetCampaign, WhenSomethingHappensAtARandomMoment_ThenNoRunIsLost) {
+  const FleetFigures figures = fleet_campaign(0, 4, 1);
+  EXPECT_EQ(figures.runs(), 4u);
+  EXPECT_EQ(figures.of.size(), 5u);  // each kind, and all
+  EXPECT_EQ(figures.of.at("all").lost, 0u) << table(figures);
+}
+
+TEST(FleetCampaign, WhenAMomentIsDrawnTwice_ThenItIsTheSame) {
+  FleetCell cell;
+  const FleetRun run = run_fleet(cell, 2);
+  const FleetRun again = run_fleet(cell, 2);
+  EXPECT_EQ(run.moment.story, again.moment.story);
+  EXPECT_EQ(run.verdict, again.verdict);
+  EXPECT_EQ(run.record.message, again.record.message);
+  ASSERT_FALSE(run.record.incidents.empty());
+  EXPECT_EQ(run.record.incidents.front().time_s, again.record.incidents.front().time_s);
+  EXPECT_EQ(run.record.finished_s, again.record.finished_s);
 }
 
 }  // namespace

@@ -1,0 +1,120 @@
+// A fleet whose first plan waits for an operator: shown, not downloaded, and begun when somebody wants it.
+
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tests/unit/supervisor/fleet/executive/small_hall.h"
+
+namespace stepwright::fleet {
+namespace {
+
+using executive::Phase;
+using executive::RunRecord;
+
+std::string code(const result::Result<void>& answer) {
+  return answer ? std::string() : answer.error().front().code;
+}
+
+// A hall whose executive asks the test at each news what is to be done.
+struct WaitingHall {
+  explicit WaitingHall(SmallHall& in, std::filesystem::path journal = {}) : hall(in) {
+    FleetExecutiveOptions options = hall.options();
+    options.operator_starts = true;
+    options.journal = std::move(journal);
+    executive.emplace(hall.desk(), hall.controller(), options, [this](const RunRecord& now) {
+      if (phases.empty() || phases.back() != to_string(now.phase)) phases.emplace_back(to_string(now.phase));
+      if (now.phase == Phase::Ready && on_ready) on_ready(now);
+    });
+  }
+
+  SmallHall& hall;
+  std::optional<FleetExecutive> executive;
+  std::function<void(const RunRecord&)> on_ready;
+  std::vector<std::string> phases;
+};
+
+const FleetChange kBox = OrderChange{"box", "dock B", "shelf 2", 1};
+
+TEST(FleetStart, WhenAnOperatorStartsRuns_ThenThePlanIsShownAndNothingIsDownloadedBefore) {
+  SmallHall hall;
+  WaitingHall waiting(hall);
+  EXPECT_EQ(code(waiting.executive->request_start()), "X0008") << "there is no plan yet";
+  bool asked = false;
+  waiting.on_ready = [&](const RunRecord& now) {
+    asked = true;
+    ASSERT_EQ(now.episodes.size(), 1u);
+    EXPECT_FALSE(now.episodes[0].actions.empty());
+    EXPECT_GT(now.episodes[0].planned_makespan_s, 0.0);
+    EXPECT_NE(now.fleet.find("\"revision\":1"), std::string::npos) << "the page shows the ways";
+    EXPECT_FALSE(hall.controller().program()) << "nothing was downloaded";
+    EXPECT_EQ(code(waiting.executive->request(HoldChange{})), "X0008");
+    EXPECT_EQ(code(waiting.executive->request_start()), "");
+    EXPECT_EQ(code(waiting.executive->request_start()), "X0008") << "it is under way";
+  };
+  const RunRecord record = waiting.executive->run();
+  SCOPED_TRACE(story(record));
+  EXPECT_TRUE(asked);
+  EXPECT_EQ(record.phase, Phase::Done);
+  EXPECT_TRUE(all_met(record));
+  EXPECT_EQ(record.episodes.size(), 1u);
+  EXPECT_EQ(record.replans.size(), 0u);
+  EXPECT_EQ(waiting.phases, (std::vector<std::string>{"planning", "ready", "planning", "executing", "done"}));
+  hall.expect_clean();
+}
+
+TEST(FleetStart, WhenSomethingIsOrderedWhileItWaits_ThenAnotherPlanIsShownAndStillNothingMoves) {
+  SmallHall hall;
+  WaitingHall waiting(hall);
+  std::vector<std::size_t> stops;
+  waiting.on_ready = [&](const RunRecord& now) {
+    if (!stops.empty() && stops.back() == now.episodes.at(0).actions.size()) return;
+    stops.push_back(now.episodes.at(0).actions.size());
+    if (stops.size() == 1) {
+      EXPECT_EQ(code(waiting.executive->request(kBox)), "");
+    } else {
+      waiting.executive->request_abort();
+    }
+  };
+  const RunRecord record = waiting.executive->run();
+  SCOPED_TRACE(story(record));
+  ASSERT_EQ(stops.size(), 2u);
+  EXPECT_EQ(stops[1], stops[0] + 2);  // fetched and brought
+  EXPECT_EQ(record.phase, Phase::Safe);
+  EXPECT_EQ(record.message, "aborted by the operator");
+  EXPECT_EQ(hall.controller().stops(), 0);
+  EXPECT_FALSE(hall.controller().program());
+}
+
+struct Killed {};
+
+TEST(FleetStart, WhenTheSupervisorIsRestartedWhileItWaits_ThenItStillWaitsWithWhatWasOrdered) {
+  SmallHall hall;
+  const support::TemporaryFolder folder;
+  {
+    WaitingHall waiting(hall, folder.path() / "executive.json");
+    waiting.on_ready = [&, shown = 0](const RunRecord& now) mutable {
+      if (++shown == 1) {
+        EXPECT_EQ(code(waiting.executive->request(kBox)), "");
+      }
+      if (now.goal.size() == 3) throw Killed();
+    };
+    EXPECT_THROW(waiting.executive->run(), Killed);
+  }
+  WaitingHall waiting(hall, folder.path() / "executive.json");
+  waiting.on_ready = [&](const RunRecord& now) {
+    EXPECT_EQ(now.goal.size(), 3u);
+    EXPECT_FALSE(hall.controller().program());
+    (void)waiting.executive->request_start();
+  };
+  const RunRecord record = waiting.executive->run();
+  SCOPED_TRACE(story(record));
+  EXPECT_EQ(record.phase, Phase::Done);
+  EXPECT_TRUE(all_met(record));
+  hall.expect_clean();
+}
+
+}  // namespace
+}  // namespace stepwright::fleet
