@@ -24,8 +24,14 @@ export interface RungFlow {
 
 // What needs no reader of expressions.
 const SIMPLE = /^[A-Za-z_][\w.]*$/;
+// Where a line goes on that ended elsewhere.
+const CONNECTOR = /^>\d+>$/;
 const TRUE: Known = { kind: 'bool', value: 1 };
 const FALSE: Known = { kind: 'bool', value: 0 };
+
+function valueOf(text: string, lookup: Lookup): Result {
+  return CONNECTOR.test(text) ? lookup(text) : evaluate(text, lookup);
+}
 
 // A variable that is FALSE cannot have risen; one that is TRUE may have.
 function edge(value: Result, rising: boolean): Result {
@@ -35,7 +41,7 @@ function edge(value: Result, rising: boolean): Result {
 function closed(condition: Condition, lookup: Lookup): Result {
   switch (condition.kind) {
     case 'contact': {
-      const value = SIMPLE.test(condition.name) ? lookup(condition.name) : evaluate(condition.name, lookup);
+      const value = SIMPLE.test(condition.name) ? lookup(condition.name) : valueOf(condition.name, lookup);
       const sensed = condition.edge === '' ? value : edge(value, condition.edge === 'rising');
       return condition.negated ? not(sensed) : sensed?.kind === 'bool' ? sensed : null;
     }
@@ -68,7 +74,7 @@ export function driven(coil: Coil, power: Result): Result {
 const isResult = (box: Box, pin: string) => ['', 'OUT', box.type.toUpperCase()].includes(pin.toUpperCase());
 
 function flowOfBox(box: Box, power: Result, lookup: Lookup): BoxFlow {
-  const inputs = box.inputs.map(([, value]) => evaluate(value, lookup));
+  const inputs = box.inputs.map(([, value]) => valueOf(value, lookup));
   const outputs = box.outputs.map(([pin]) => {
     if (pin.toUpperCase() === 'ENO') return power;
     if (box.instance !== '') return lookup(`${box.instance}.${pin}`);
