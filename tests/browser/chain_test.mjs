@@ -55,7 +55,7 @@ async function showsTheRun(page, demo) {
   await page.getByTestId('log-out').click();
   await waitFor(page, 'a step of the chart is lit', () => document.querySelector('.step.active') !== null);
   await waitFor(page, 'the first actions are done', (few) =>
-    Number(document.querySelector('[data-testid=plan-progress]').ariaValueNow) >= few, KILL_AFTER_ACTIONS);
+    Number(document.querySelector('[data-testid=plan-progress]')?.ariaValueNow ?? 0) >= few, KILL_AFTER_ACTIONS);
 }
 
 async function outlivesTheServer(page, demo) {
