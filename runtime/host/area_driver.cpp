@@ -23,6 +23,12 @@ image::IoStatus AreaDriver::write_outputs(std::int64_t now_ns, std::span<const s
   return status;
 }
 
+bool AreaDriver::takes_over() {
+  const bool taken = driver_.takes_over();
+  written_ = written_ && !taken;
+  return taken;
+}
+
 void AreaDriver::rest_outputs(std::span<const std::byte> rest) {
   assert(rest.size() <= outputs_.size());
   std::ranges::copy(rest, outputs_.end() - static_cast<std::ptrdiff_t>(rest.size()));

@@ -25,6 +25,7 @@ class AreaDriver final : public image::IoDriver {
   image::IoStatus read_inputs(std::int64_t now_ns, std::span<std::byte> inputs) override;
   image::IoStatus write_outputs(std::int64_t now_ns, std::span<const std::byte> outputs) override;
 
+  bool takes_over() override;
   void safe(std::uint8_t cause, bool settled) override { driver_.safe(cause, settled); }
   void rest_outputs(std::span<const std::byte> rest) override;
   bool lapsed() override { return driver_.lapsed(); }
@@ -32,7 +33,7 @@ class AreaDriver final : public image::IoDriver {
   void beat() override { driver_.beat(); }
   std::uint64_t held_reads() const override { return driver_.held_reads(); }
 
-  // What was written last; before the first write what somebody else left, else zero.
+  // What was written last; before the first write, and after a takeover, what somebody else left, else zero.
   std::span<const std::byte> outputs();
 
   std::size_t input_bytes() const { return inputs_.size(); }

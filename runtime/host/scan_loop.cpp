@@ -223,8 +223,11 @@ void ScanLoop::faulted(const scan::ScanReport& report) {
 }
 
 // Inputs stay fresh and outputs safe while no program runs. A driver that does not answer is no news then.
+// Whoever had the outputs until now may have left ramps on their way: they go on from where they are.
 void ScanLoop::idle_io(std::int64_t time_ns) {
-  program_->cycle().idle(time_ns);
+  scan::ScanCycle& cycle = program_->cycle();
+  if (io_.takes_over()) cycle.inherit_outputs(io_.outputs(), cycle.safe_state().cause(), time_ns);
+  cycle.idle(time_ns);
   now_.time_ns = time_ns;
 }
 

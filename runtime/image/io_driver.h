@@ -27,6 +27,10 @@ class IoDriver {
   // there are: the rest stays as rest_outputs, or a longer write, left it.
   virtual IoStatus write_outputs(std::int64_t now_ns, std::span<const std::byte> outputs) = 0;
 
+  // Asks for the outputs where somebody else may drive them, before safe ones are written. True if this call
+  // has got them: they are as the other one left them. Scan thread.
+  virtual bool takes_over() { return false; }
+
   // The outputs as whoever drove them last left them, before the first write; false where nobody knows.
   virtual bool left_outputs(std::span<std::byte>) { return false; }
 

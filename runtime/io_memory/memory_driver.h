@@ -3,8 +3,9 @@
 // I/O over a shared-memory area: the plant is another process, and the outputs stay when this one is killed,
 // for the guard to drive.
 //
-// The driver takes the lease with its first write: until a guard that drives has given way it writes nothing
-// (a few milliseconds; after a second the I/O counts as lost). From then on it alone writes.
+// The driver takes the lease with its first write, or before it (takes_over): until a guard that drives has
+// given way it writes nothing (a few milliseconds; after a second the I/O counts as lost). From then on it
+// alone writes.
 //
 // A heartbeat that was older than `judged_after` made others drive the safe outputs, if there are others:
 // from then on nothing is written and no heartbeat is given until the outputs are safe ones here, too
@@ -57,6 +58,9 @@ class MemoryDriver final : public image::IoDriver {
   // Requires the sizes of the area.
   image::IoStatus read_inputs(std::int64_t now_ns, std::span<std::byte> inputs) override;
   image::IoStatus write_outputs(std::int64_t now_ns, std::span<const std::byte> outputs) override;
+  bool takes_over() override {
+    return !left_ && !leased_.load(std::memory_order_relaxed) && take_lease(monotonic_ns());
+  }
   bool left_outputs(std::span<std::byte> outputs) override;
   void safe(std::uint8_t cause, bool settled) override;
   bool lapsed() override;

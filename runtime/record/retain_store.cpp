@@ -12,6 +12,7 @@
 #include "runtime/base/crc32c.h"
 #include "runtime/base/hash64.h"
 #include "runtime/record/durable_file.h"
+#include "runtime/record/stored_values.h"
 
 namespace stepwright::record {
 namespace {
@@ -133,16 +134,28 @@ result::Result<std::optional<StoredState>> RetainStore::read(const std::filesyst
   const std::uint64_t digest = base::hash_bytes(names);
   const std::size_t places[2] = {first_slot(names.size()),
                                  first_slot(names.size()) + slot_stride(header.payload_bytes)};
-  const auto a = read_slot(file, places[0], header.payload_bytes, digest, 0);
-  const auto b = read_slot(file, places[1], header.payload_bytes, digest, 1);
+  std::string wrong;  // why a copy with the right sum is not used
+  const auto copy = [&](unsigned index) {
+    auto slot = read_slot(file, places[index], header.payload_bytes, digest, index);
+    const std::string value = slot ? wrong_value(*layout, slot->payload) : std::string();
+    if (value.empty()) return slot;
+    wrong = "; " + value;
+    slot.reset();
+    return slot;
+  };
+  const auto a = copy(0);
+  const auto b = copy(1);
   if (!a && !b) {
-    return damaged(path, "bytes " + std::to_string(places[0]) + " and " + std::to_string(places[1]) +
-                             ": neither copy of the values fits its checksum");
+    const char* const what = wrong.empty() ? ": neither copy of the values fits its checksum"
+                                           : ": neither copy of the values can be used";
+    return damaged(path,
+                   "bytes " + std::to_string(places[0]) + " and " + std::to_string(places[1]) + what + wrong);
   }
   const Slot& newest = a && (!b || a->sequence > b->sequence) ? *a : *b;
   StoredState state{std::move(*layout), {newest.payload.begin(), newest.payload.end()}, newest.sequence, {}};
   if (!a || !b) {
-    state.damage = "byte " + std::to_string(places[a ? 1 : 0]) + ": one copy of the values is damaged";
+    state.damage =
+        "byte " + std::to_string(places[a ? 1 : 0]) + ": one copy of the values is damaged" + wrong;
   }
   return state;
 }

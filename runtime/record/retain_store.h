@@ -37,8 +37,9 @@ class RetainStore {
  public:
   static constexpr std::uint16_t kVersion = 1;
 
-  // Nothing if there is no file. Fails with R0023 if it is damaged, foreign or of another version, with R0024
-  // if it cannot be read; the place of the fault is in the message.
+  // Nothing if there is no file. Fails with R0023 if it is damaged, foreign or of another version, or if what
+  // it holds are no values of their types, with R0024 if it cannot be read; the place of the fault is in the
+  // message.
   [[nodiscard]] static result::Result<std::optional<StoredState>> read(const std::filesystem::path& path);
 
   // A file with these values in place of what is there, which stays if this fails (R0024).

@@ -44,6 +44,10 @@ void PlantFeed::make_safe(std::int64_t time_ns) {
 }
 
 void PlantFeed::keep_safe(std::int64_t time_ns) {
+  if (io_.takes_over()) {
+    safe_.driven(io_.outputs());
+    safe_.enter(safe_.cause(), time_ns);
+  }
   safe_.apply(time_ns, outputs_);
   io_.safe(static_cast<std::uint8_t>(safe_.cause()), safe_.settled());
   // A plant that does not answer either is not news now.

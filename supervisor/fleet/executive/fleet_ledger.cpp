@@ -1,5 +1,7 @@
 #include "supervisor/fleet/executive/fleet_ledger.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -83,6 +85,19 @@ bool FleetLedger::give_up_task(std::size_t task) {
   if (tasks_dropped_[task]) return false;
   tasks_dropped_[task] = true;
   return true;
+}
+
+std::string FleetLedger::reason_of(std::size_t goal) const {
+  const GoalEntry& entry = goals_[goal];
+  if (!entry.why.empty() || entry.delivered >= entry.amount) return entry.why;
+  std::string text;
+  for (std::size_t v = 0; v < vehicles_.size(); ++v) {
+    const auto aboard = vehicles_[v].aboard.find(goal);
+    if (!vehicles_[v].lost || aboard == vehicles_[v].aboard.end()) continue;
+    text += fmt::format("{}{} aboard of {}, which is lost", text.empty() ? "" : "; ", aboard->second,
+                        problem_.vehicles[v].name);
+  }
+  return text;
 }
 
 bool FleetLedger::reopen() {

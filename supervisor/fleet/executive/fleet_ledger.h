@@ -118,6 +118,8 @@ class FleetLedger {
 
   // Everything is delivered; no vehicle has anything left to carry.
   bool complete() const;
+  // Why some of the goal is missing: it was given up, or lost vehicles have it aboard. Empty if neither.
+  std::string reason_of(std::size_t goal) const;
   RestProblem rest(const RestOptions& options) const;
 
  private:

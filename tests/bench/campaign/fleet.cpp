@@ -44,16 +44,9 @@ Missing missing_of(const executive::RunRecord& record) {
   Missing missing;
   const json fleet = json::parse(record.fleet, nullptr, false);
   if (!fleet.is_object()) return {"there is no document of the fleet", true};
-  const auto lost = [&](const json& name) {
-    return std::ranges::any_of(fleet.at("vehicles"), [&](const json& vehicle) {
-      return vehicle.at("vehicle") == name && vehicle.at("state") == "lost";
-    });
-  };
   for (const json& goal : fleet.at("goals")) {
     if (goal.at("delivered") >= goal.at("amount")) continue;
-    const bool aboard = goal.at("state") == "carried" && goal.contains("vehicle") && lost(goal.at("vehicle"));
-    std::string why = goal.value("reason", std::string());
-    if (why.empty() && aboard) why = "aboard of a lost vehicle";
+    const std::string why = goal.value("reason", std::string());
     missing.open = missing.open || why.empty();
     missing.text += fmt::format("{}{}: {}", missing.text.empty() ? "" : "; ",
                                 goal.at("name").get<std::string>(), why.empty() ? "no reason" : why);

@@ -6,12 +6,15 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstring>
 #include <filesystem>
 #include <mutex>
+#include <optional>
 #include <thread>
+#include <utility>
 
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/runtime/host/change_pair.h"
@@ -23,7 +26,8 @@ namespace {
 constexpr std::size_t kOutputs = 8;
 using Outputs = std::array<std::uint8_t, kOutputs>;
 
-// Has as many outputs as the cell, and remembers the newest.
+// Has as many outputs as the cell, and remembers the newest. Another runtime may drive them first, and leave
+// 20 in %QW1.
 class WidePlant final : public image::IoDriver {
  public:
   image::IoStatus read_inputs(std::int64_t, std::span<std::byte>) override { return image::IoStatus::Good; }
@@ -31,9 +35,29 @@ class WidePlant final : public image::IoDriver {
     const std::lock_guard lock(mutex_);
     whole_ = whole_ && outputs.size() == kOutputs;
     std::memcpy(newest_.data(), outputs.data(), std::min(outputs.size(), kOutputs));
+    if (std::exchange(first_after_, false)) first_word_ = std::to_integer<int>(outputs[2]);
     return image::IoStatus::Good;
   }
+  bool takes_over() override {
+    if (!another_drives_ || !another_ended.load()) return false;
+    const std::lock_guard lock(mutex_);
+    another_drives_ = false;
+    first_after_ = true;
+    return true;
+  }
+  bool left_outputs(std::span<std::byte> outputs) override {
+    std::ranges::fill(outputs, std::byte{0});
+    outputs[2] = std::byte{20};
+    return true;
+  }
   void farewell() override { left.store(true); }
+  // Before the runtime is made.
+  void another_drives() { another_drives_ = true; }
+  // %QW1 of the first write after the other one.
+  std::optional<int> first_word() const {
+    const std::lock_guard lock(mutex_);
+    return first_word_;
+  }
 
   Outputs newest() const {
     const std::lock_guard lock(mutex_);
@@ -49,11 +73,15 @@ class WidePlant final : public image::IoDriver {
   }
 
   std::atomic<bool> left{false};
+  std::atomic<bool> another_ended{false};
 
  private:
+  std::atomic<bool> another_drives_{false};
   mutable std::mutex mutex_;
   Outputs newest_{};
   bool whole_ = true;
+  bool first_after_ = false;
+  std::optional<int> first_word_;
 };
 
 // %QB5 has 85 after a stop and 86 after a trap, %QB6 is held, %QW1 goes to 100 at 1000 a second.
@@ -129,6 +157,18 @@ class AllOutputs : public testing::Test {
   std::unique_ptr<HostRuntime> runtime_;
   std::uint64_t ticket_ = 0;
 };
+
+// What this one thought to drive meanwhile nobody has seen.
+TEST_F(AllOutputs, WhenAnotherRuntimeLeavesARampOnItsWay_ThenItGoesOnFromWhereItIs) {
+  plant_.another_drives();
+  open(cell(ClockMode::Real));
+  load(wide(), "wide");
+  ASSERT_TRUE(wait([&] { return plant_.word(2) == 100; }));
+  plant_.another_ended.store(true);
+  ASSERT_TRUE(wait([&] { return plant_.first_word().has_value(); }));
+  EXPECT_EQ(plant_.first_word(), 20);
+  EXPECT_TRUE(wait([&] { return plant_.word(2) == 100; }));
+}
 
 TEST_F(AllOutputs, WhenTheNextProgramLacksSome_ThenTheyStayInTheirSafeState) {
   open(cell(ClockMode::Real));

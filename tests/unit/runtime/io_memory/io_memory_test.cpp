@@ -106,6 +106,25 @@ TEST_F(IoMemory, WhenTheRuntimeEnds_ThenItSaysFarewellAndTheNextHasAnotherGenera
   EXPECT_EQ(left, outputs);
 }
 
+TEST_F(IoMemory, WhenTheOutputsAreTakenOver_ThenTheyAreAsTheyWereLeftUntilTheFirstWrite) {
+  auto first = std::make_unique<MemoryDriver>(area());
+  MemoryDriver second(area());
+  EXPECT_EQ(first->write_outputs(0, all(24, 1)), IoStatus::Good);
+  EXPECT_FALSE(first->takes_over()) << "it drives";
+  EXPECT_FALSE(second.takes_over()) << "another one drives";
+  first->safe(0, false);  // a ramp is on its way
+  EXPECT_EQ(first->write_outputs(0, all(24, 5)), IoStatus::Good);
+  first.reset();
+  EXPECT_TRUE(second.takes_over());
+  EXPECT_FALSE(second.takes_over()) << "once";
+  Bytes left(24);
+  EXPECT_TRUE(second.left_outputs(left));
+  EXPECT_EQ(left, all(24, 5));
+  EXPECT_EQ(this->plant()->owner(), Owner::Runtime);
+  second.farewell();
+  EXPECT_FALSE(second.takes_over()) << "it has said farewell";
+}
+
 TEST_F(IoMemory, WhenAnotherHasTheLease_ThenTheSecondWritesNothingAndIsLostInTheEnd) {
   MemoryDriver first(area());
   MemoryDriver second(area());

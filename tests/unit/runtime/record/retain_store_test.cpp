@@ -182,5 +182,88 @@ TEST_F(RetainStoreWritten, WhenItIsForeignOrOfAnotherVersion_ThenItIsRefusedWith
   EXPECT_EQ(found.error()[0].code, "R0024");
 }
 
+// A BOOL, two numbers of 0..10, a number of 1..18446744073709551615 and a STRING[3].
+StateLayout typed_layout() {
+  std::vector<StateType> types(4);
+  types[1] = {.kind = bytecode::TypeKind::Subrange,
+              .elementary = bytecode::ElementaryType::Int,
+              .size = 2,
+              .lower = 0,
+              .upper = 10,
+              .text = {}};
+  types[2] = {.kind = bytecode::TypeKind::Subrange,
+              .elementary = bytecode::ElementaryType::Ulint,
+              .size = 8,
+              .lower = 1,
+              .upper = -1,
+              .text = {}};
+  types[3] = {.kind = bytecode::TypeKind::String,
+              .elementary = bytecode::ElementaryType::String,
+              .size = static_cast<std::uint32_t>(bytecode::string_bytes(bytecode::ElementaryType::String, 3)),
+              .capacity = 3,
+              .text = {}};
+  return {types,
+          {{.path = "MAIN.on", .type = 0, .address = 0},
+           {.path = "MAIN.few", .type = 1, .address = 2, .count = 2, .lower = 5, .is_array = true},
+           {.path = "MAIN.many", .type = 2, .address = 8},
+           {.path = "MAIN.name", .type = 3, .address = 16}},
+          16 + types[3].size};
+}
+
+template <typename Value>
+void put_value(Bytes& payload, std::size_t at, Value value) {
+  std::memcpy(payload.data() + at, &value, sizeof value);
+}
+
+Bytes typed_values() {
+  Bytes payload(typed_layout().size());
+  put_value(payload, 0, std::uint8_t{1});
+  put_value(payload, 2, std::int16_t{10});
+  put_value(payload, 8, std::uint64_t{1} << 63);
+  put_value(payload, 16, std::uint16_t{3});
+  put_value(payload, 18, std::uint16_t{3});
+  return payload;
+}
+
+// What a store with a right checksum of these values is refused for; empty: it is taken.
+std::string refused_for(const Bytes& payload) {
+  const TestFolder folder;
+  if (!RetainStore::create(folder.store(), typed_layout(), payload, 7)) return "there is no store";
+  const auto found = RetainStore::read(folder.store());
+  if (found) return {};
+  EXPECT_EQ(found.error()[0].code, "R0023");
+  return found.error()[0].message;
+}
+
+TEST(RetainStore, WhenAValueIsNoneOfItsType_ThenItIsRefusedByName) {
+  const Bytes good = typed_values();
+  EXPECT_EQ(refused_for(good), "");
+  const auto with = [&](std::size_t at, auto value) {
+    Bytes bad = good;
+    put_value(bad, at, value);
+    const std::string why = refused_for(bad);
+    return why.substr(std::min(why.size(), why.find("; ")));
+  };
+  EXPECT_EQ(with(0, std::uint8_t{2}), "; MAIN.on: it is neither TRUE nor FALSE");
+  EXPECT_EQ(with(2, std::int16_t{11}), "; MAIN.few[5]: 11 is outside of 0..10");
+  EXPECT_EQ(with(4, std::int16_t{-1}), "; MAIN.few[6]: -1 is outside of 0..10");
+  EXPECT_EQ(with(8, std::uint64_t{0}), "; MAIN.many: 0 is outside of 1..18446744073709551615");
+  EXPECT_EQ(with(16, std::uint16_t{4}), "; MAIN.name: 3 of 4 characters, in a string of 3");
+  EXPECT_EQ(with(18, std::uint16_t{4}), "; MAIN.name: 4 of 3 characters, in a string of 3");
+}
+
+TEST(RetainStore, WhenOnlyTheNewestCopyHasAWrongValue_ThenTheOtherIsUsedAndItIsSaid) {
+  const TestFolder folder;
+  auto store = RetainStore::create(folder.store(), typed_layout(), typed_values(), 7);
+  ASSERT_TRUE(store);
+  Bytes wrong = typed_values();
+  put_value(wrong, 2, std::int16_t{30});
+  ASSERT_TRUE(store->write(wrong));
+  const auto found = RetainStore::read(folder.store());
+  ASSERT_TRUE(found && *found);
+  EXPECT_EQ((*found)->payload, typed_values());
+  EXPECT_NE((*found)->damage.find("MAIN.few[5]: 30 is outside of 0..10"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace stepwright::record

@@ -100,6 +100,22 @@ TEST(FleetLedger, WhenWhatIsAboardCannotBeBrought_ThenItTakesUpRoomAndIsNoPartOf
   EXPECT_FALSE(again.reopen());
 }
 
+// Another vehicle was the last to carry some of it.
+TEST(FleetLedger, WhenALostVehicleHasSomeAboard_ThenThatIsTheReasonWhyItIsMissing) {
+  FleetLedger ledger(two_trucks());
+  ledger.made(1, stop(StopKind::PickUp, "flour", 1), 10s);
+  ledger.made(0, stop(StopKind::PickUp, "flour", 2), 11s);
+  EXPECT_EQ(ledger.reason_of(0), "");
+  ledger.lose(1, "it does not answer");
+  ledger.made(0, stop(StopKind::SetDown, "flour", 2), 30s);
+  EXPECT_EQ(ledger.goals()[0].vehicle, std::optional<std::uint32_t>(0));
+  EXPECT_EQ(ledger.reason_of(0), "1 aboard of truck 2, which is lost");
+  ledger.find(1);
+  EXPECT_EQ(ledger.reason_of(0), "");
+  ledger.give_up(0, "no way");
+  EXPECT_EQ(ledger.reason_of(0), "no way");
+}
+
 TEST(FleetLedger, WhenPartsAreGivenUp_ThenItIsSaidOfEachOnlyOnce) {
   FleetLedger ledger(two_trucks());
   EXPECT_TRUE(ledger.give_up(0, "no way"));

@@ -260,6 +260,11 @@ TEST(FleetConstraints, WhenTheFirstOneIsAboardOfALostVehicle_ThenItIsToldThatThe
   SCOPED_TRACE(story(record));
   EXPECT_TRUE(told(record, "'crate first' does not bind: what it counts from will not happen"));
   EXPECT_GT(finished_s(record, "set_down 1 drum"), 30.0);
+  const auto document = nlohmann::json::parse(record.fleet);
+  for (const auto& goal : document["goals"]) {
+    if (goal["name"] != "crate") continue;
+    EXPECT_EQ(goal["reason"], "1 aboard of truck 2, which is lost");
+  }
   hall.expect_clean();
 }
 
