@@ -73,7 +73,7 @@ result::Result<CellRun::Member> CellRun::start(const std::string& name) const {
 void CellRun::take_report(CellRunResult& result) const {
   const std::filesystem::path file = options_.state_dir / "report.json";
   if (result.report || !std::filesystem::exists(file)) return;
-  if (auto report = executive::report_from_json(content(file), file.string())) {
+  if (auto report = run::report_from_json(content(file), file.string())) {
     result.exit = report->record.exit;
     result.report = std::move(*report);
   }
@@ -135,7 +135,7 @@ result::Result<CellRunResult> CellRun::run(const std::atomic<bool>& stop) {
       teller.look();
     }
     if (result.report && !std::exchange(reported, true) && options_.page) {
-      std::printf("%s", executive::report_table(result.report->record).c_str());
+      std::printf("%s", run::report_table(result.report->record).c_str());
       std::fflush(stdout);
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(2));

@@ -15,7 +15,7 @@
 #include "programs/demo/emulator_line.h"
 #include "runtime/result/exit_code.h"
 #include "runtime/result/result.h"
-#include "supervisor/executive/report.h"
+#include "supervisor/run/report.h"
 
 namespace stepwright::demo {
 
@@ -30,7 +30,7 @@ struct CellRunOptions {
 
 struct CellRunResult {
   result::ExitCode exit = result::ExitCode::Done;
-  std::optional<executive::Report> report;
+  std::optional<run::Report> report;
   std::vector<std::string> processes;   // that took part
   std::map<std::string, int> restarts;  // by process
   std::string message;                  // what a process said when it refused

@@ -159,9 +159,9 @@ result::Result<void> check_outputs(const DemoOptions& options) {
   return written(process::check_writable((folder / kSchedulePicture).string()));
 }
 
-result::Result<void> write_pictures(const std::filesystem::path& folder, const executive::RunRecord& record) {
-  if (auto done = write_file(folder / kSchedulePicture, executive::gantt_svg(record)); !done) return done;
-  return write_file(folder / kCostPicture, executive::cost_svg(record));
+result::Result<void> write_pictures(const std::filesystem::path& folder, const run::RunRecord& record) {
+  if (auto done = write_file(folder / kSchedulePicture, run::gantt_svg(record)); !done) return done;
+  return write_file(folder / kCostPicture, run::cost_svg(record));
 }
 
 // A device that is known only when the emulator runs, so that the configuration can be read before.
@@ -205,8 +205,7 @@ int run_demo(const DemoOptions& options) {
     again.page = false;
     if (auto second = run_once(again, strict, {}, 1)) sequential = std::move(*second);
   }
-  if (run->report && options.headless)
-    std::printf("%s", executive::report_table(run->report->record).c_str());
+  if (run->report && options.headless) std::printf("%s", run::report_table(run->report->record).c_str());
   std::fprintf(run->report ? stdout : stderr, "%s", summary_text(*run, sequential).c_str());
   if (!options.json.empty()) {
     auto written = write_file(options.json, summary_json(*run, sequential) + "\n");

@@ -9,7 +9,7 @@ namespace {
 
 using nlohmann::json;
 
-double makespan_s(const executive::RunRecord& record) {
+double makespan_s(const run::RunRecord& record) {
   return record.finished_s - record.started_s;
 }
 
@@ -18,13 +18,13 @@ std::optional<double> sequential_makespan_s(const std::optional<CellRunResult>& 
   return usable ? std::optional<double>(makespan_s(sequential->report->record)) : std::nullopt;
 }
 
-void add_record(const executive::RunRecord& record, json& out) {
-  out["goal_reached"] = record.phase == executive::Phase::Done;
+void add_record(const run::RunRecord& record, json& out) {
+  out["goal_reached"] = record.phase == run::Phase::Done;
   out["replans"] = record.replans.size();
   out["message"] = record.message;
   out["makespan_s"] = makespan_s(record);
   if (record.episodes.empty()) return;
-  const executive::Episode& first = record.episodes.front();  // the plan for the problem as it was set
+  const run::Episode& first = record.episodes.front();  // the plan for the problem as it was set
   out["plan_steps"] = first.actions.size();
   out["plan_cost"] = first.cost;
   out["plan_proved_optimal"] = first.proved_optimal;
@@ -50,7 +50,7 @@ void add_runtime(const host::RuntimeStatus& runtime, json& out) {
 }
 
 // What only a cell with a fleet has; overlaps are counted by the plant's own judge.
-void add_fleet(const executive::Report& report, json& out) {
+void add_fleet(const run::Report& report, json& out) {
   const json document = json::parse(report.record.fleet, nullptr, false);
   if (!document.is_object()) return;
   json& fleet = out["fleet"] = json::object();
@@ -77,7 +77,7 @@ std::string summary_json(const CellRunResult& run, const std::optional<CellRunRe
     add_record(run.report->record, out);
     add_runtime(run.report->runtime, out);
     add_fleet(*run.report, out);
-    out["record"] = json::parse(executive::to_json(run.report->record));
+    out["record"] = json::parse(run::to_json(run.report->record));
   }
   const auto strict = sequential_makespan_s(sequential);
   out["sequential_makespan_s"] = strict ? json(*strict) : json(nullptr);
@@ -86,7 +86,7 @@ std::string summary_json(const CellRunResult& run, const std::optional<CellRunRe
 
 std::string summary_text(const CellRunResult& run, const std::optional<CellRunResult>& sequential) {
   if (!run.report) return run.message;
-  const executive::RunRecord& record = run.report->record;
+  const run::RunRecord& record = run.report->record;
   const host::RuntimeStatus& runtime = run.report->runtime;
   std::string text;
   const auto out = std::back_inserter(text);

@@ -28,10 +28,10 @@ class PlannedMission final : public CellMission {
         what_if_(desk_, config::what_if_options(config)),
         outlook_(desk_) {}
 
-  void begin(executive::Controller& controller, Observer observer) override {
+  void begin(run::Controller& controller, Observer observer) override {
     executive_.emplace(desk_, controller, options_, std::move(observer));
   }
-  executive::RunRecord run() override { return executive_->run(); }
+  run::RunRecord run() override { return executive_->run(); }
   bool wait_start(std::chrono::milliseconds timeout) override { return executive_->wait_start(timeout); }
 
   result::Result<void> obey(const OperatorRequest& request) override {
@@ -79,11 +79,11 @@ class FleetMission final : public CellMission {
   FleetMission(const config::CellConfig& config, fleet::FleetDesk desk)
       : options_(config::fleet_executive_options(config)), desk_(std::move(desk)) {}
 
-  void begin(executive::Controller& controller, Observer observer) override {
+  void begin(run::Controller& controller, Observer observer) override {
     executive_.emplace(desk_, controller, options_, std::move(observer));
   }
-  executive::RunRecord run() override {
-    const executive::RunRecord record = executive_->run();
+  run::RunRecord run() override {
+    const run::RunRecord record = executive_->run();
     over_ = true;
     return record;
   }

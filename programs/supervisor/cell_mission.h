@@ -7,7 +7,7 @@
 //
 //   auto mission = CellMission::open(config);
 //   (*mission)->begin(controller, publish);
-//   executive::RunRecord record = (*mission)->run();
+//   run::RunRecord record = (*mission)->run();
 //   while ((*mission)->wait_start(1s)) record = (*mission)->run();
 
 #include <chrono>
@@ -18,23 +18,23 @@
 
 #include "programs/config/cell_config.h"
 #include "programs/supervisor/operator_request.h"
-#include "supervisor/executive/controller.h"
-#include "supervisor/executive/run_record.h"
+#include "supervisor/run/controller.h"
+#include "supervisor/run/run_record.h"
 
 namespace stepwright::supervisor_program {
 
 class CellMission {
  public:
   using Observer =
-      std::function<void(const executive::RunRecord&)>;  // after every change, from the thread of `run`
+      std::function<void(const run::RunRecord&)>;  // after every change, from the thread of `run`
 
   virtual ~CellMission() = default;
   // Reads all files; what is wrong with them.
   [[nodiscard]] static result::Result<std::unique_ptr<CellMission>> open(const config::CellConfig& config);
 
   // Once, before the others; the controller must outlive this.
-  virtual void begin(executive::Controller& controller, Observer observer) = 0;
-  virtual executive::RunRecord run() = 0;
+  virtual void begin(run::Controller& controller, Observer observer) = 0;
+  virtual run::RunRecord run() = 0;
   // Waits until somebody wants another run after one that has ended; false after `timeout`.
   virtual bool wait_start(std::chrono::milliseconds timeout) = 0;
   // X0003 and others where the request cannot be meant, X0008 where not now.

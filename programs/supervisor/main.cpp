@@ -26,8 +26,8 @@
 #include "runtime/dds/plan_channel.h"
 #include "runtime/result/exit_code.h"
 #include "runtime/result/last_barrier.h"
-#include "supervisor/executive/dds_controller.h"
-#include "supervisor/executive/report.h"
+#include "supervisor/run/dds_controller.h"
+#include "supervisor/run/report.h"
 
 namespace stepwright {
 namespace {
@@ -68,7 +68,7 @@ void answer(dds::PlanPublisher& publisher, const dds::OperatorRequest& request,
 }
 
 // One line for each change of phase.
-void narrate(const executive::RunRecord& record, std::string& last, const config::CellConfig& config,
+void narrate(const run::RunRecord& record, std::string& last, const config::CellConfig& config,
              const Shared& shared) {
   std::string line = shared.of(config) + std::string(to_string(record.phase)) + ": " + record.message;
   if (line == last) return;
@@ -77,7 +77,7 @@ void narrate(const executive::RunRecord& record, std::string& last, const config
 }
 
 // The status after the last scan: the plant is stopped, so its figures come to rest.
-host::RuntimeStatus final_status(const executive::Controller& controller) {
+host::RuntimeStatus final_status(const run::Controller& controller) {
   host::RuntimeStatus status;
   for (int i = 0; i < 200; ++i) {
     if (const auto now = controller.status()) status = *now;
@@ -101,7 +101,7 @@ int attend(const config::CellConfig& config, bool once, Shared& shared) {
   if (!mission) return fail(mission.error(), ExitCode::BadInput);
   const dds::ParticipantConfig participant = config::participant_of(config.dds, "supervisor");
   std::unique_lock joining(shared.joining);
-  auto controller = executive::DdsController::connect(participant);
+  auto controller = run::DdsController::connect(participant);
   if (!controller) return fail(controller.error(), ExitCode::RuntimeFault);
   joining.unlock();
   // Before anybody hears of it: who has the runtime is not disturbed, nor those who look on.
@@ -120,7 +120,7 @@ int attend(const config::CellConfig& config, bool once, Shared& shared) {
   joining.unlock();
 
   std::string last_line;
-  (*mission)->begin(**controller, [&](const executive::RunRecord& record) {
+  (*mission)->begin(**controller, [&](const run::RunRecord& record) {
     narrate(record, last_line, config, shared);
     (void)(*publisher)->publish(to_json(record));  // viewers keep the last one
   });
@@ -136,10 +136,10 @@ int attend(const config::CellConfig& config, bool once, Shared& shared) {
     }
   });
   while (true) {
-    const executive::RunRecord record = (*mission)->run();
-    const executive::Report report{record, final_status(**controller)};
-    write_file(config.report_path(), executive::to_json(report));
-    std::printf("%s%s", shared.of(config).c_str(), executive::report_table(record).c_str());
+    const run::RunRecord record = (*mission)->run();
+    const run::Report report{record, final_status(**controller)};
+    write_file(config.report_path(), run::to_json(report));
+    std::printf("%s%s", shared.of(config).c_str(), run::report_table(record).c_str());
     std::fflush(stdout);
     shared.init.status(shared.of(config) + to_string(record.phase));
     if (once) return to_int(record.exit);
@@ -172,7 +172,7 @@ result::Diagnostics check(std::span<const config::CellConfig> cells) {
   return problems;
 }
 
-int run(const std::vector<config::CellConfig>& cells, bool once) {
+int run_cells(const std::vector<config::CellConfig>& cells, bool once) {
   if (const auto problems = check(cells); !problems.empty()) return fail(problems, ExitCode::BadInput);
   process::ReloadSignal reload;
   process::NotifySocket init;
@@ -216,5 +216,5 @@ int main(int argc, char** argv) {
     if (!cell) return stepwright::process::fail(cell.error(), stepwright::result::ExitCode::BadInput);
     cells.push_back(std::move(*cell));
   }
-  return stepwright::run(cells, once);
+  return stepwright::run_cells(cells, once);
 }

@@ -13,7 +13,7 @@ class Classifier {
  public:
   explicit Classifier(const Situation& now) : now_(now) {}
 
-  std::optional<Cause> run() {
+  std::optional<run::Cause> run() {
     for (const FailedAction& failed : now_.failed) cause_.evidence.push_back(failed.sentence);
     for (const Difference& difference : now_.differences) cause_.evidence.push_back(to_string(difference));
     cause_.evidence.insert(cause_.evidence.end(), now_.contradictions.begin(), now_.contradictions.end());
@@ -27,7 +27,7 @@ class Classifier {
   }
 
  private:
-  bool found(IncidentKind kind, std::string evidence = {}) {
+  bool found(run::IncidentKind kind, std::string evidence = {}) {
     cause_.kind = kind;
     if (!evidence.empty()) cause_.evidence.push_back(std::move(evidence));
     return true;
@@ -51,26 +51,26 @@ class Classifier {
 
   bool sensor() {
     for (const std::string& name : now_.limited) {
-      return found(IncidentKind::FailedSensor, "sensor " + name + " stands at the end of its range");
+      return found(run::IncidentKind::FailedSensor, "sensor " + name + " stands at the end of its range");
     }
     for (const std::string& name : now_.frozen) {
-      return found(IncidentKind::FailedSensor,
+      return found(run::IncidentKind::FailedSensor,
                    "sensor " + name + " shows the same counts while its level is moved");
     }
     for (const Difference& difference : now_.differences) {
       if (difference.is_fact || !by_itself(now_, difference)) continue;
       if (difference.measured < difference.expected) continue;
-      return found(IncidentKind::FailedSensor, difference.label + " has risen while nothing fills it");
+      return found(run::IncidentKind::FailedSensor, difference.label + " has risen while nothing fills it");
     }
     const bool together = std::any_of(
         now_.contradictions.begin(), now_.contradictions.end(),
         [](const std::string& sentence) { return sentence.find("together") != std::string::npos; });
-    return together && found(IncidentKind::FailedSensor);
+    return together && found(run::IncidentKind::FailedSensor);
   }
 
   bool actuator() {
     for (const FailedAction& failed : now_.failed) {
-      if (failed.reason == Reason::NoEffect) return found(IncidentKind::FailedActuator);
+      if (failed.reason == Reason::NoEffect) return found(run::IncidentKind::FailedActuator);
     }
     return false;
   }
@@ -84,7 +84,7 @@ class Classifier {
       });
       if (!again) continue;
       return found(
-          IncidentKind::Leak,
+          run::IncidentKind::Leak,
           difference.label + " has fallen by itself for the second time: a leak, or a sensor that drifts");
     }
     return false;
@@ -100,20 +100,20 @@ class Classifier {
 
   bool rest() {
     for (const FailedAction& failed : now_.failed) {
-      if (failed.reason == Reason::Timeout) return found(IncidentKind::Timeout);
-      if (failed.reason == Reason::LostHold) return found(IncidentKind::Position);
+      if (failed.reason == Reason::Timeout) return found(run::IncidentKind::Timeout);
+      if (failed.reason == Reason::LostHold) return found(run::IncidentKind::Position);
     }
     if (!now_.differences.empty()) {
       const bool place = std::all_of(now_.differences.begin(), now_.differences.end(),
                                      [](const Difference& difference) { return difference.is_fact; });
-      return found(place ? IncidentKind::Position : IncidentKind::Level);
+      return found(place ? run::IncidentKind::Position : run::IncidentKind::Level);
     }
-    if (!now_.failed.empty()) return found(IncidentKind::Refused);
-    return !now_.contradictions.empty() && found(IncidentKind::Position);
+    if (!now_.failed.empty()) return found(run::IncidentKind::Refused);
+    return !now_.contradictions.empty() && found(run::IncidentKind::Position);
   }
 
   const Situation& now_;
-  Cause cause_;
+  run::Cause cause_;
 };
 
 }  // namespace
@@ -125,11 +125,11 @@ bool by_itself(const Situation& situation, const translate::Difference& differen
   return left == situation.left.end() || std::abs(difference.measured - left->second) > difference.tolerance;
 }
 
-Cause cause_of(const Drift& drift) {
-  return {drift.amount > 0.0 ? IncidentKind::FailedSensor : IncidentKind::Leak, {to_string(drift)}};
+run::Cause cause_of(const Drift& drift) {
+  return {drift.amount > 0.0 ? run::IncidentKind::FailedSensor : run::IncidentKind::Leak, {to_string(drift)}};
 }
 
-std::optional<Cause> classify(const Situation& situation) {
+std::optional<run::Cause> classify(const Situation& situation) {
   return Classifier(situation).run();
 }
 

@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "supervisor/executive/drift_watch.h"
-#include "supervisor/executive/incident.h"
+#include "supervisor/run/cause.h"
 #include "supervisor/translate/binding.h"
 #include "supervisor/translate/estimate.h"
 
@@ -47,25 +47,14 @@ struct Situation {
   std::optional<Drift> drift;                  // what has added up over the run
 };
 
-struct Cause {
-  IncidentKind kind = IncidentKind::Level;
-  std::vector<std::string> evidence;
-  std::string action{};
-  std::vector<std::string> devices{};  // that actions needed which had no effect or did not end in time
-  std::string signature{};             // the same for the same thing happening again
-
-  // Whether any plan would be unsafe or in vain.
-  bool stops() const { return kind == IncidentKind::FailedSensor || kind == IncidentKind::Leak; }
-};
-
 // Whether nothing in the plan has touched what differs, and it has moved since the plan let go of it: a level
 // that a weak pump left at the edge of its tolerance has not.
 bool by_itself(const Situation& situation, const translate::Difference& difference);
 
 // A sensor that drifts; if it reads less and less, a leak is as likely.
-Cause cause_of(const Drift& drift);
+run::Cause cause_of(const Drift& drift);
 
 // Nothing if all is as expected.
-std::optional<Cause> classify(const Situation& situation);
+std::optional<run::Cause> classify(const Situation& situation);
 
 }  // namespace stepwright::executive

@@ -11,48 +11,19 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr int kMaxSilentRounds = 5;
-
 }  // namespace
 
-Executive::Executive(const PlanningDesk& desk, Controller& controller, ExecutiveOptions options,
+Executive::Executive(const PlanningDesk& desk, run::Controller& controller, ExecutiveOptions options,
                      Observer observer)
-    : desk_(desk),
-      controller_(controller),
+    : Mission(controller, {options.cell, options.barrier, options.operator_starts}, std::move(observer)),
+      desk_(desk),
       options_(std::move(options)),
-      observer_(std::move(observer)),
-      drift_(desk.binding()) {
-  record_.cell = options_.cell;
-}
-
-RunRecord Executive::run() {
-  bool going = std::exchange(begun_, true) ? begin_again() : begin();
-  while (going) {
-    const Decision decision = follow();
-    switch (decision.verdict) {
-      case Verdict::GoOn:
-        break;
-      case Verdict::Finished:
-        going = finish();
-        break;
-      case Verdict::Replan:
-        going = replan(decision.cause);
-        break;
-      case Verdict::RuntimeLost:
-        going = recover_runtime(Away::Runtime);
-        break;
-      case Verdict::GiveUp:
-        going = give_up(decision.cause);
-        break;
-    }
-  }
-  enter(Stage::Over);
-  return record_;
-}
+      drift_(desk.binding()) {}
 
 bool Executive::begin() {
-  set_phase(Phase::Planning, "looking for a plan");
-  return resume() || (record_.phase == Phase::Planning && start_afresh(/*wanted=*/false));
+  if (std::exchange(begun_, true)) return begin_again();
+  set_phase(run::Phase::Planning, "looking for a plan");
+  return resume() || (record_.phase == run::Phase::Planning && start_afresh(/*wanted=*/false));
 }
 
 // `wanted`: an operator has started it already.
@@ -64,11 +35,11 @@ bool Executive::start_afresh(bool wanted) {
   auto moving = translate::movements(desk_.binding(), means_);
   if (!moving) return give_up("the sensors cannot be read", moving.error());
   if (!moving->empty())
-    return give_up("the plant was not at rest when the sensors were tared: " + sentence_of(*moving),
-                   IncidentKind::Level);
+    return give_up("the plant was not at rest when the sensors were tared: " + run::sentence_of(*moving),
+                   run::IncidentKind::Level);
   auto tare = translate::identify_tare(desk_.binding(), means_, initial);
   if (!tare)
-    return give_up("the sensors do not fit the initial state", tare.error(), IncidentKind::FailedSensor);
+    return give_up("the sensors do not fit the initial state", tare.error(), run::IncidentKind::FailedSensor);
   tare_ = std::move(*tare);
   known_ = true;
   record_.tare = tare_;  // viewers calibrate with it, too
@@ -78,20 +49,21 @@ bool Executive::start_afresh(bool wanted) {
   drift_.rest(seen_.measured.fluents);
   const auto wrong = translate::deviations(desk_.binding(), initial, seen_.measured);
   if (!wrong.empty() && options_.believes_sensors) {
-    open_incident(
-        {IncidentKind::Operator, {"the plan starts where the plant is: " + sentence_of(wrong)}, {}});
+    open_incident({run::IncidentKind::Operator,
+                   {"the plan starts where the plant is: " + run::sentence_of(wrong)},
+                   {}});
     return mend({}, initial, {}, {});
   }
   if (!wrong.empty()) {
     const bool levels = !translate::differences(desk_.binding(), initial, seen_.measured).front().is_fact;
-    return replan({levels ? IncidentKind::Level : IncidentKind::Position,
-                   {"the plant is not in the initial state: " + sentence_of(wrong)},
+    return replan({levels ? run::IncidentKind::Level : run::IncidentKind::Position,
+                   {"the plant is not in the initial state: " + run::sentence_of(wrong)},
                    {}});
   }
   auto rebuilt = desk_.rebuild(
       {.planning = initial, .measured = seen_.measured.fluents, .tare = tare_, .goal = goal_}, current_.plan);
   if (!rebuilt) return give_up("no program could be made", rebuilt.error());
-  Episode figures = current_.episode;
+  run::Episode figures = current_.episode;
   current_ = std::move(*rebuilt);
   current_.episode = std::move(figures);
   return hold_ ? replan(held_by_operator()) : launch();
@@ -102,10 +74,10 @@ bool Executive::resume() {
   auto journal = read_journal(options_.journal);
   if (!journal) return give_up("the journal cannot be read", journal.error());
   if (!*journal) return false;
-  const Phase phase = (*journal)->record.phase;
-  if (phase == Phase::Done || phase == Phase::Safe) return stay_over(*std::move(*journal));
-  if ((*journal)->held || phase == Phase::Holding || phase == Phase::Held) hold_ = true;
-  if (phase == Phase::Ready || (*journal)->record.episodes.empty()) {
+  const run::Phase phase = (*journal)->record.phase;
+  if (phase == run::Phase::Done || phase == run::Phase::Safe) return stay_over(*std::move(*journal));
+  if ((*journal)->held || phase == run::Phase::Holding || phase == run::Phase::Held) hold_ = true;
+  if (phase == run::Phase::Ready || (*journal)->record.episodes.empty()) {
     // Nothing had begun.
     changed_ = std::move((*journal)->changed);
     goal_ = std::move((*journal)->start.goal);
@@ -114,8 +86,8 @@ bool Executive::resume() {
   record_ = std::move((*journal)->record);
   changed_ = std::move((*journal)->changed);
   next_change_ = (*journal)->next_change;
-  clock_ = RunClock((*journal)->clock);
-  for (const Incident& incident : record_.incidents) devices_.restore(incident.devices);
+  clock_ = run::RunClock((*journal)->clock);
+  for (const run::Incident& incident : record_.incidents) devices_.restore(incident.devices);
   tare_ = (*journal)->start.tare;
   known_ = true;
   goal_ = (*journal)->start.goal;
@@ -124,14 +96,14 @@ bool Executive::resume() {
   current_ = std::move(*rebuilt);
   current_.episode = record_.episodes.back();
   progress_ = {};
-  for (const ActionRecord& action : record_.episodes.back().actions) {
+  for (const run::ActionRecord& action : record_.episodes.back().actions) {
     progress_.actions.push_back(action.state);
   }
   follows_ = true;
   digest_ = record_.episodes.back().digest;
   drift_.follow(current_.run);  // its sums begin anew
   note_told_alarms();
-  set_phase(Phase::Waiting, "the supervisor was restarted and looks for its runtime");
+  set_phase(run::Phase::Waiting, "the supervisor was restarted and looks for its runtime");
   return await_runtime() && recover_runtime(Away::Supervisor);
 }
 
@@ -142,19 +114,19 @@ bool Executive::stay_over(Journal&& journal) {
   record_ = std::move(journal.record);
   changed_ = std::move(journal.changed);
   next_change_ = journal.next_change;
-  clock_ = RunClock(journal.clock);
+  clock_ = run::RunClock(journal.clock);
   goal_ = std::move(journal.start.goal);
   tare_ = record_.tare;
   known_ = journal.known;
   seen_.planning = std::move(journal.seen);
-  publish();
+  publish(/*now=*/true);
   return false;
 }
 
 // The runtime is there (again): goes on with the plan if the runtime still has it, else replans.
 bool Executive::recover_runtime(Away who) {
   if (!controller_.alive()) {
-    set_phase(Phase::Waiting, "the runtime does not answer; waiting for it");
+    set_phase(run::Phase::Waiting, "the runtime does not answer; waiting for it");
     if (!await_runtime()) return false;
   }
   const auto program = controller_.program();
@@ -166,63 +138,64 @@ bool Executive::recover_runtime(Away who) {
   const bool was_away = who == Away::Supervisor;
   if (!runs && was_away && hold_) {
     return replan(
-        {IncidentKind::Operator, {"held by the operator; the supervisor was restarted meanwhile"}, {}});
+        {run::IncidentKind::Operator, {"held by the operator; the supervisor was restarted meanwhile"}, {}});
   }
   if (!runs) {
     // A runtime that still has the program was not lost: it has stopped because nobody was there.
     const bool has_program = was_away && status && status->program_digest == digest_;
     if (has_program)
       return replan(
-          {IncidentKind::LostSupervisor, {"the runtime has stopped while the supervisor was away"}, {}});
-    return replan(
-        {IncidentKind::LostRuntime, {"the runtime was restarted or stopped while nobody watched it"}, {}});
+          {run::IncidentKind::LostSupervisor, {"the runtime has stopped while the supervisor was away"}, {}});
+    return replan({run::IncidentKind::LostRuntime,
+                   {"the runtime was restarted or stopped while nobody watched it"},
+                   {}});
   }
   if (was_away) {
-    open_incident({IncidentKind::LostSupervisor,
+    open_incident({run::IncidentKind::LostSupervisor,
                    {"the supervisor was restarted; the runtime has gone on with the plan"},
                    {}});
   } else {
-    open_incident({IncidentKind::LostRuntime,
+    open_incident({run::IncidentKind::LostRuntime,
                    {"the runtime was not seen for a while; it has gone on with the plan"},
                    {}});
   }
   if (!read_program(current_, Kind::Plan)) return false;
-  decide(Response::GoOn);
+  decide(run::Response::GoOn);
   confirmed_ = true;
-  set_phase(Phase::Executing, "following the plan again");
+  set_phase(run::Phase::Executing, "following the plan again");
   // What happened meanwhile shows in the present steps; an event that the runtime waits for comes by itself.
   const auto snapshot = controller_.snapshot();
   if (!snapshot || snapshot->program_digest != digest_) return true;
   clock_.see(snapshot->incarnation, snapshot->time_ns);
   unwatched_ = true;
-  const Decision decision = judge_steps(snapshot->image, clock_.now_s());
+  const run::Decision decision = judge_steps(snapshot->image, clock_.now_s());
   unwatched_ = false;
-  if (decision.verdict == Verdict::Finished) return finish();
-  if (decision.verdict == Verdict::Replan) return replan(decision.cause);
-  return decision.verdict == Verdict::GiveUp ? give_up(decision.cause) : true;
+  if (decision.verdict == run::Verdict::Finished) return finish();
+  if (decision.verdict == run::Verdict::Replan) return replan(decision.cause);
+  return decision.verdict == run::Verdict::GiveUp ? give_up(decision.cause) : true;
 }
 
 bool Executive::observe(bool locate) {
   auto observer = desk_.observer(locate, options_.settle);
   if (!observer) return give_up("no program could be made", observer.error());
-  if (record_.phase == Phase::Planning) set_phase(Phase::Observing, "reading the sensors");
+  if (record_.phase == run::Phase::Planning) set_phase(run::Phase::Observing, "reading the sensors");
   while (!abort_) {
     if (!await_runtime()) return false;
     bool lost = false;
     if (observe_once(*observer, lost)) return true;
     if (!lost) return false;
   }
-  return give_up("aborted by the operator", IncidentKind::Operator);
+  return give_up_aborted();
 }
 
 // False with `lost` if the runtime went away meanwhile; false without it if the run is over.
 bool Executive::observe_once(const PreparedPlan& observer, bool& lost) {
   if (!install(observer, Kind::Observer)) {
-    lost = record_.phase != Phase::Safe;
+    lost = record_.phase != run::Phase::Safe;
     return false;
   }
   while (true) {
-    if (abort_) return give_up("aborted by the operator", IncidentKind::Operator);
+    if (abort_) return give_up_aborted();
     const auto event = controller_.wait_event(milliseconds(200));
     if (!event) {
       lost = runtime_lost();
@@ -258,39 +231,17 @@ bool Executive::launch() {
   left_ = current_.start.measured;
   drift_.follow(current_.run);
   progress_ = {};
-  progress_.actions.assign(current_.plan.actions.size(), ActionState::Pending);
+  progress_.actions.assign(current_.plan.actions.size(), run::ActionState::Pending);
   follows_ = true;
   if (record_.episodes.size() == 1) record_.started_s = clock_.now_s();
   record_.episodes.back().started_s = clock_.now_s();
   while (!install(current_, Kind::Plan)) {
-    if (record_.phase == Phase::Safe) return false;
+    if (record_.phase == run::Phase::Safe) return false;
     if (!await_runtime()) return false;
   }
   record_.episodes.back().digest = digest_;
-  set_phase(Phase::Executing,
+  set_phase(run::Phase::Executing,
             "executing a plan of " + std::to_string(current_.plan.actions.size()) + " actions");
-  return true;
-}
-
-// Asked after a while without news. Gone, or back so quickly that it was never missed: then it has not our
-// program any more.
-bool Executive::runtime_lost() {
-  if (!controller_.alive()) return true;
-  const auto status = controller_.status();
-  if (status && status->program_digest == digest_) {
-    confirmed_ = true;
-    silent_rounds_ = 0;
-    return false;
-  }
-  // Right after a download the newest status may still be an old one.
-  return confirmed_ || ++silent_rounds_ > kMaxSilentRounds;
-}
-
-bool Executive::await_runtime() {
-  while (!controller_.wait_for_runtime(milliseconds(1'000))) {
-    if (abort_) return give_up("aborted by the operator", IncidentKind::Operator);
-    if (record_.phase != Phase::Waiting) set_phase(Phase::Waiting, "waiting for the runtime");
-  }
   return true;
 }
 
@@ -307,9 +258,9 @@ void Executive::note_goal() {
 std::set<std::string> Executive::beside_goal() const {
   std::set<std::string> fluents;
   for (const translate::Sensor& sensor : desk_.binding().sensors) {
-    const bool named = std::any_of(record_.goal.begin(), record_.goal.end(), [&](const GoalRecord& goal) {
-      return goal.text.find(sensor.fluent) != std::string::npos;
-    });
+    const bool named = std::any_of(
+        record_.goal.begin(), record_.goal.end(),
+        [&](const run::GoalRecord& goal) { return goal.text.find(sensor.fluent) != std::string::npos; });
     if (!named) fluents.insert(sensor.fluent);
   }
   return fluents;
@@ -319,7 +270,7 @@ std::set<std::string> Executive::beside_goal() const {
 std::vector<std::string> Executive::missed() const {
   std::vector<std::string> sentences =
       translate::deviations(desk_.binding(), with_changes(seen_.planning), seen_.measured, beside_goal());
-  for (const GoalRecord& goal : record_.goal) {
+  for (const run::GoalRecord& goal : record_.goal) {
     if (!goal.met) sentences.push_back(goal.text + " is not met");
   }
   return sentences;
@@ -334,8 +285,8 @@ bool Executive::finish() {
     reach_goal();
     return false;
   }
-  return replan({IncidentKind::Level,
-                 {"the plan has ended, but the goal is not reached: " + sentence_of(left)},
+  return replan({run::IncidentKind::Level,
+                 {"the plan has ended, but the goal is not reached: " + run::sentence_of(left)},
                  {},
                  {},
                  "the goal is not reached"});
@@ -343,27 +294,7 @@ bool Executive::finish() {
 
 void Executive::reach_goal() {
   (void)controller_.stop("the plan is done");  // a lost runtime has stopped already
-  set_phase(Phase::Done, "the goal is reached");
-}
-
-bool Executive::give_up(const std::string& reason, IncidentKind kind, result::ExitCode exit) {
-  const bool open = !record_.incidents.empty() && record_.incidents.back().response == Response::Open;
-  if (!open) open_incident({kind, {reason}, {}});
-  std::vector<std::string>& evidence = record_.incidents.back().evidence;
-  if (open && sentence_of(evidence) != reason) evidence.push_back(reason);
-  decide(Response::SafeStop);
-  std::string message = reason;
-  // Before the first program there is nothing to stop.
-  if (reader_ && !controller_.stop(reason.substr(0, 200))) {
-    message += " (the runtime does not answer; its own rules for a lost supervisor hold)";
-  }
-  record_.exit = exit;
-  set_phase(Phase::Safe, std::move(message));
-  return false;
-}
-
-bool Executive::give_up(const std::string& what, const result::Diagnostics& diagnostics, IncidentKind kind) {
-  return give_up(what + ":\n" + result::to_string(diagnostics), kind);
+  set_phase(run::Phase::Done, "the goal is reached");
 }
 
 result::Result<void> Executive::request_change(const std::string& fluent, double value) {
@@ -388,13 +319,8 @@ result::Result<void> Executive::request_goal(const std::string& goal) {
   return {};
 }
 
-void Executive::set_phase(Phase phase, std::string message) {
-  record_.phase = phase;
-  record_.message = std::move(message);
-  publish();
-}
-
-void Executive::publish() {
+void Executive::publish(bool now) {
+  if (!now) return;  // every change is told at once
   // Of a run of which nothing has begun only a hold is worth keeping.
   if (!options_.journal.empty() && (!record_.episodes.empty() || hold_ || journalled_hold_)) {
     journalled_hold_ = hold_;
@@ -405,7 +331,7 @@ void Executive::publish() {
     (void)write_journal(options_.journal, journal);
   }
   renew_outlook();
-  if (observer_) observer_(record_);
+  tell();
 }
 
 }  // namespace stepwright::executive

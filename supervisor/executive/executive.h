@@ -10,6 +10,9 @@
 //   RunRecord record = executive.run();
 //   while (executive.wait_start(1s)) record = executive.run();   // another one, from where the plant is
 //
+// Its run begins at the problem's initial state or, if the journal tells of a plan that the controller still
+// executes, where that stands.
+//
 // Threads: `run` belongs to one thread; every other function may be called from any. Plans are made in a
 // thread of their own, while that of `run` watches plant and runtime: news that overtakes a planning cancels
 // it, and it begins again from there.
@@ -29,17 +32,15 @@
 
 #include "runtime/result/result.h"
 #include "supervisor/executive/classify.h"
-#include "supervisor/executive/controller.h"
 #include "supervisor/executive/device_ledger.h"
 #include "supervisor/executive/drift_watch.h"
-#include "supervisor/executive/image_reader.h"
 #include "supervisor/executive/outlook.h"
 #include "supervisor/executive/planning_desk.h"
 #include "supervisor/executive/planning_job.h"
 #include "supervisor/executive/recurrence.h"
 #include "supervisor/executive/rest_watch.h"
-#include "supervisor/executive/run_clock.h"
-#include "supervisor/executive/run_record.h"
+#include "supervisor/run/image_reader.h"
+#include "supervisor/run/mission.h"
 #include "supervisor/translate/estimate.h"
 #include "supervisor/translate/progress.h"
 
@@ -66,19 +67,10 @@ struct ExecutiveOptions {
   std::vector<GoalChange> goal_changes;  // in order of time
 };
 
-// Several causes as one sentence: "a; b".
-std::string sentence_of(const std::vector<std::string>& causes);
-
-class Executive {
+class Executive final : public run::Mission {
  public:
-  using Observer = std::function<void(const RunRecord&)>;  // after every change, from the thread of `run`
-
-  Executive(const PlanningDesk& desk, Controller& controller, ExecutiveOptions options, Observer observer);
-
-  // Runs until the goal is reached (Phase::Done) or the plant is in its safe state (Phase::Safe), from the
-  // problem's initial state or, if the journal tells of a plan that the controller still executes, from where
-  // it stands.
-  RunRecord run();
+  Executive(const PlanningDesk& desk, run::Controller& controller, ExecutiveOptions options,
+            Observer observer);
 
   // Waits until somebody wants another run; false after `timeout`. The next call of `run` is that one: it
   // begins with a look at the plant, from wherever that is, with the goal that the start or the run before
@@ -91,8 +83,6 @@ class Executive {
   // of the goal so far unless it is empty. Refused while a run is under way or no runtime answers (X0008),
   // and as request_goal.
   [[nodiscard]] result::Result<void> request_start(const std::string& goal);
-  // Stops the plant safely at the next decision and ends the run.
-  void request_abort() { abort_ = true; }
   // Brings the plant to rest at the next decision and keeps it there until the run is resumed or aborted,
   // over a restart of this supervisor too. Refused (X0008) while it is held, or is not, or waits for its
   // start.
@@ -111,43 +101,26 @@ class Executive {
 
  private:
   enum class Away : std::uint8_t { Runtime, Supervisor };  // who was not there for a while
-  enum class Stage : std::uint8_t { Running, Ready, Over };
-  enum class Verdict : std::uint8_t { GoOn, Replan, Finished, GiveUp, RuntimeLost };
-  struct Decision {
-    Verdict verdict = Verdict::GoOn;
-    Cause cause{};
-  };
-  static Decision give_up_because(IncidentKind kind, std::string why) {
-    return {Verdict::GiveUp, {kind, {std::move(why)}, {}}};
-  }
-
   // executive.cpp: from start to end. Each returns false when the run is over.
-  bool begin();
+  bool begin() override;
+  bool drives() const override { return reader_.has_value(); }
   bool start_afresh(bool wanted);
   bool resume();
   bool stay_over(Journal&& journal);
   bool observe(bool locate);
   bool observe_once(const PreparedPlan& observer, bool& lost);
   bool launch();
-  bool await_runtime();
-  bool runtime_lost();
   // Supervisor: this one has just begun, where another one has left its journal.
   bool recover_runtime(Away who);
-  bool finish();
+  bool recover_runtime() override { return recover_runtime(Away::Runtime); }
+  bool finish() override;
   void reach_goal();
   std::vector<std::string> missed() const;
   void note_goal();
   std::set<std::string> beside_goal() const;
-  bool give_up(const std::string& reason, IncidentKind kind = IncidentKind::ProgramFault,
-               result::ExitCode exit = result::ExitCode::RuntimeFault);
-  bool give_up(const Cause& cause) { return give_up(sentence_of(cause.evidence), cause.kind); }
-  bool give_up(const std::string& what, const result::Diagnostics& diagnostics,
-               IncidentKind kind = IncidentKind::ProgramFault);
-  void set_phase(Phase phase, std::string message);
-  void publish();
+  void publish(bool now) override;
 
   // executive_start.cpp: from one run to the next.
-  void enter(Stage stage);
   void start_taken();
   model::NamedState first_state() const;
   bool plan_first();
@@ -167,7 +140,7 @@ class Executive {
     std::string reason;
     result::ExitCode exit = result::ExitCode::RuntimeFault;
   };
-  bool replan(const Cause& cause);
+  bool replan(const run::Cause& cause) override;
   bool mend(const std::string& signature, const model::NamedState& tracked,
             const std::vector<model::GroundAction>& interrupted,
             const std::vector<model::GroundAction>& remaining);
@@ -178,14 +151,14 @@ class Executive {
   std::optional<Planned> overtaken(PlanningJob& job, StartState& start, RestWatch& rest, bool& again);
   void close_episode(std::string& last_done);
   std::vector<model::GroundAction> remaining_actions() const;
-  void open_incident(const Cause& cause);
-  void note_failed_devices(const Cause& cause);
+  void opened(run::Incident& incident) override;
+  void note_failed_devices(const run::Cause& cause);
   bool give_up_planless();
-  void decide(Response response);
   void overtake(std::string evidence);
 
   // executive_hold.cpp: at rest for as long as an operator wants it.
-  static Cause held_by_operator();
+  static run::Cause held_by_operator();
+  std::optional<run::Cause> wish() override;
   bool stay_held();
   void note_while_held(const host::StepEvent& event);
 
@@ -193,16 +166,13 @@ class Executive {
   enum class Kind : std::uint8_t { Observer, Plan };
   bool install(const PreparedPlan& prepared, Kind kind);
   bool read_program(const PreparedPlan& prepared, Kind kind);
-  [[nodiscard]] result::Result<ImageReader> reader_of(const PreparedPlan& prepared, Kind kind) const;
-  bool can_take_over() const;
+  [[nodiscard]] result::Result<run::ImageReader> reader_of(const PreparedPlan& prepared, Kind kind) const;
   bool take_over(const PreparedPlan& prepared, Kind kind);
   bool download_and_start(const PreparedPlan& prepared, Kind kind);
-  bool await_event(host::EventKind kind);
 
   // executive_follow.cpp: watching one program.
-  Decision follow();
-  Decision judge(const host::StepEvent& event);
-  Decision judge_steps(std::span<const std::byte> image, double time_s);
+  run::Decision judge_image(std::span<const std::byte> image) override;
+  run::Decision judge_steps(std::span<const std::byte> image, double time_s);
   bool settled(const std::vector<bool>& active) const;
   void note_progress(const translate::Progress& progress, double time_s);
   void note_done(std::size_t action, double time_s);
@@ -210,26 +180,23 @@ class Executive {
                       double time_s) const;
   std::set<std::string> moving_atoms(const translate::Progress& progress) const;
   FailedAction failure_of(std::size_t action, double time_s) const;
-  FailedAction standstill_of(const Alarm& alarm) const;
+  FailedAction standstill_of(const run::Alarm& alarm) const;
   void note_alarms(std::span<const std::byte> image);
   void note_told_alarms();
   void note_levels(const std::set<std::string>& moving);
-  std::optional<Cause> due_change(double time_s);
+  std::optional<run::Cause> due(double time_s) override;
   std::vector<model::GroundAction> begun_actions(bool resting) const;
   model::NamedState with_changes(model::NamedState state) const;
 
   const PlanningDesk& desk_;
-  Controller& controller_;
   const ExecutiveOptions options_;
-  const Observer observer_;
 
-  RunRecord record_;
-  PreparedPlan current_;                     // the plan that runs
-  Unplannable unplannable_;                  // of the last planning that found none
-  std::optional<ImageReader> alarm_reader_;  // of the plan's monitors
+  PreparedPlan current_;                          // the plan that runs
+  Unplannable unplannable_;                       // of the last planning that found none
+  std::optional<run::ImageReader> alarm_reader_;  // of the plan's monitors
   std::size_t alarms_seen_ = 0;
   std::set<std::size_t> alarms_told_;               // monitors of the installed program
-  std::vector<Alarm> alarms_;                       // of which no incident tells yet
+  std::vector<run::Alarm> alarms_;                  // of which no incident tells yet
   std::vector<translate::Difference> differences_;  // of the last situation, of what nothing moved
   std::map<std::string, double> left_;  // levels as they were when the running plan last let go of them
   DriftWatch drift_;
@@ -238,13 +205,8 @@ class Executive {
   std::set<std::string> just_changed_;          // by actions that ended at the last event
   std::vector<std::string> limited_;            // sensors at the end of their range at the last event
   std::vector<translate::Difference> earlier_;  // of the incidents so far
-  std::chrono::steady_clock::time_point working_since_;
-  bool working_ = false;               // on a decision; observing the plant does not count
-  std::optional<ImageReader> reader_;  // of the program that runs (the plan's or the observer's)
-  std::string digest_;                 // of that program
-  bool confirmed_ = false;             // a status has said that the runtime has that program
-  bool unwatched_ = false;             // steps may have come and gone since the last event
-  int silent_rounds_ = 0;              // without news and without that status
+  std::optional<run::ImageReader> reader_;      // of the program that runs (the plan's or the observer's)
+  bool unwatched_ = false;                      // steps may have come and gone since the last event
   translate::Tare tare_;
   std::map<std::string, double> means_;    // of the last observation, by variable
   translate::Estimate seen_;               // the last estimate
@@ -253,7 +215,6 @@ class Executive {
   std::string goal_;                       // PDDL; empty: the problem's
   std::map<std::string, double> changed_;  // fluents set from outside so far
   std::size_t next_change_ = 0;            // into options_.goal_changes
-  RunClock clock_;                         // of the record
 
   std::uint64_t observed_event_ = 0;  // the event with which the last observation ended
 
@@ -263,14 +224,8 @@ class Executive {
   bool follows_ = false;      // progress_ and seen_ are of current_
   bool journalled_hold_ = false;
 
-  std::atomic<bool> abort_{false};
   std::atomic<bool> hold_{false};
-  mutable std::mutex requests_mutex_;
-  std::condition_variable start_signal_;
-  std::vector<GoalChange>
-      requests_;  // from other threads, not yet taken; as the next two guarded by the mutex
-  Stage stage_ = Stage::Running;
-  bool start_ = false;  // asked for and not yet begun
+  std::vector<GoalChange> requests_;  // from other threads, not yet taken; guarded by requests_mutex_
 
   mutable std::mutex outlook_mutex_;
   Outlook outlook_;

@@ -27,7 +27,7 @@ std::vector<std::string> limited_sensors(const translate::Binding& binding, cons
 }
 
 void record_levels(const translate::Binding& binding, const model::NamedState& expected,
-                   const model::NamedState& measured, RunRecord& record) {
+                   const model::NamedState& measured, run::RunRecord& record) {
   for (const translate::Sensor& sensor : binding.sensors) {
     if (auto value = expected.fluents.find(sensor.fluent); value != expected.fluents.end()) {
       record.expected[sensor.fluent] = value->second;
@@ -38,52 +38,11 @@ void record_levels(const translate::Binding& binding, const model::NamedState& e
 
 }  // namespace
 
-std::string sentence_of(const std::vector<std::string>& causes) {
-  return fmt::format("{}", fmt::join(causes, "; "));
+run::Decision Executive::judge_image(std::span<const std::byte> image) {
+  return judge_steps(image, clock_.now_s());
 }
 
-Executive::Decision Executive::follow() {
-  while (true) {
-    if (abort_) return give_up_because(IncidentKind::Operator, "aborted by the operator");
-    if (hold_) return {Verdict::Replan, held_by_operator()};
-    const auto event = controller_.wait_event(std::chrono::milliseconds(200));
-    if (!event) {
-      if (runtime_lost()) return {Verdict::RuntimeLost};
-      if (auto change = due_change(clock_.now_s())) return {Verdict::Replan, *change};
-      continue;
-    }
-    const Decision decision = judge(*event);
-    if (decision.verdict != Verdict::GoOn) return decision;
-    (void)controller_.acknowledge(event->sequence);  // a lost runtime shows in the next round
-  }
-}
-
-Executive::Decision Executive::judge(const host::StepEvent& event) {
-  // The old program drives the plant again, which knows nothing of this plan.
-  if (event.kind == host::EventKind::RolledBack)
-    return give_up_because(IncidentKind::ProgramFault,
-                           "the program trapped and was rolled back: " + event.detail);
-  if (event.program_digest != digest_) return {};  // news of a program that was replaced since
-  clock_.see(event.incarnation, event.time_ns);
-  switch (event.kind) {
-    case host::EventKind::Started:
-    case host::EventKind::Changed:
-    case host::EventKind::RolledBack:
-      return {};
-    case host::EventKind::StepChange:
-      return judge_steps(event.image, clock_.now_s());
-    case host::EventKind::Trap:
-      return give_up_because(IncidentKind::ProgramFault, "the program trapped: " + event.detail);
-    case host::EventKind::Stopped:
-      break;
-  }
-  // Whoever stopped the plant on purpose does not want it to go on by itself.
-  if (event.detail != host::kSupervisorLost)
-    return give_up_because(IncidentKind::Operator, "stopped from outside: " + event.detail);
-  return {Verdict::Replan, {IncidentKind::LostSupervisor, {"the runtime stopped: " + event.detail}, {}}};
-}
-
-Executive::Decision Executive::judge_steps(std::span<const std::byte> image, double time_s) {
+run::Decision Executive::judge_steps(std::span<const std::byte> image, double time_s) {
   const std::vector<bool> active = reader_->active_steps(image);
   const translate::Progress progress = translate::progress(current_.translation, active);
   progress_ = progress;
@@ -92,7 +51,8 @@ Executive::Decision Executive::judge_steps(std::span<const std::byte> image, dou
   const auto values = reader_->values(image);
   limited_ = limited_sensors(desk_.binding(), values);
   auto estimate = translate::estimate(desk_.binding(), values, tare_, expected, begun_actions(true));
-  if (!estimate) return give_up_because(IncidentKind::ProgramFault, result::to_string(estimate.error()));
+  if (!estimate)
+    return run::give_up_because(run::IncidentKind::ProgramFault, result::to_string(estimate.error()));
   seen_ = std::move(*estimate);
   note_progress(progress, time_s);
   record_levels(desk_.binding(), expected, seen_.measured, record_);
@@ -100,24 +60,24 @@ Executive::Decision Executive::judge_steps(std::span<const std::byte> image, dou
   note_alarms(image);
   note_levels(moving_atoms(progress));
   if (settled(active)) drift_.see(seen_.measured.fluents, progress);
-  publish();
+  publish(/*now=*/true);
   const Situation now = situation(progress, expected, time_s);
   const bool news = settled(active) || !now.failed.empty();
   if (const auto cause = news ? classify(now) : std::nullopt) {
     for (const translate::Difference& difference : now.differences) {
       if (by_itself(now, difference)) differences_.push_back(difference);
     }
-    return {Verdict::Replan, *cause};
+    return {run::Verdict::Replan, *cause};
   }
-  if (auto change = due_change(time_s)) return {Verdict::Replan, *change};
+  if (auto change = due(time_s)) return {run::Verdict::Replan, *change};
   if (!alarms_.empty()) {  // what was lost is there again, or lies within the tolerance of the plan
     std::vector<std::string> sentences;
-    for (const Alarm& alarm : alarms_) sentences.push_back(to_string(alarm));
-    open_incident({alarms_.front().sensor.empty() ? IncidentKind::Position : IncidentKind::Level,
+    for (const run::Alarm& alarm : alarms_) sentences.push_back(to_string(alarm));
+    open_incident({alarms_.front().sensor.empty() ? run::IncidentKind::Position : run::IncidentKind::Level,
                    std::move(sentences), alarms_.front().action});
-    decide(Response::GoOn);
+    decide(run::Response::GoOn);
   }
-  return progress.finished ? Decision{Verdict::Finished} : Decision{};
+  return progress.finished ? run::Decision{run::Verdict::Finished} : run::Decision{};
 }
 
 void Executive::note_levels(const std::set<std::string>& moving) {
@@ -132,7 +92,8 @@ void Executive::note_levels(const std::set<std::string>& moving) {
 std::set<std::string> Executive::moving_atoms(const translate::Progress& progress) const {
   std::set<std::string> moving;
   for (std::size_t i = 0; i < progress.actions.size(); ++i) {
-    if (progress.actions[i] != ActionState::Active && progress.actions[i] != ActionState::Failed) continue;
+    if (progress.actions[i] != run::ActionState::Active && progress.actions[i] != run::ActionState::Failed)
+      continue;
     moving.merge(translate::changed_atoms(current_.run.actions[i]));
   }
   for (const translate::OneOf& group : desk_.binding().one_of) {
@@ -167,7 +128,7 @@ Situation Executive::situation(const translate::Progress& progress, const model:
   now.just_changed = just_changed_;
   now.limited = limited_;
   now.drift = drift_.found();
-  for (const Alarm& alarm : alarms_) {
+  for (const run::Alarm& alarm : alarms_) {
     if (alarm.kind == to_string(translate::MonitorKind::Motion)) now.frozen.push_back(alarm.sensor);
     if (alarm.kind == to_string(translate::MonitorKind::Standstill))
       now.failed.push_back(standstill_of(alarm));
@@ -176,7 +137,7 @@ Situation Executive::situation(const translate::Progress& progress, const model:
 }
 
 // Pump, valve or sensor: which of them, one level alone cannot tell.
-FailedAction Executive::standstill_of(const Alarm& alarm) const {
+FailedAction Executive::standstill_of(const run::Alarm& alarm) const {
   FailedAction failed;
   failed.text = alarm.action;
   failed.reason = FailedAction::Reason::NoEffect;
@@ -205,12 +166,12 @@ void Executive::note_alarms(std::span<const std::byte> image) {
     const double scan = values.at(translate::alarm_scan_variable(i));
     if (scan == 0.0 || !alarms_told_.insert(i).second) continue;
     const translate::Monitor& monitor = current_.translation.monitors[i];
-    Alarm alarm{model::to_string(current_.plan.actions[monitor.action]),
-                to_string(monitor.kind),
-                monitor.text,
-                static_cast<std::uint64_t>(scan),
-                values.at(translate::alarm_value_variable(i)),
-                monitor.sensor};
+    run::Alarm alarm{model::to_string(current_.plan.actions[monitor.action]),
+                     to_string(monitor.kind),
+                     monitor.text,
+                     static_cast<std::uint64_t>(scan),
+                     values.at(translate::alarm_value_variable(i)),
+                     monitor.sensor};
     for (const translate::Sensor& sensor : desk_.binding().sensors) {
       if (sensor.name != monitor.sensor) continue;
       alarm.value = sensor.calibration.value_at(alarm.value - translate::tare_of(tare_, sensor));
@@ -221,9 +182,9 @@ void Executive::note_alarms(std::span<const std::byte> image) {
 
 // What a journal tells of the program that still runs. A monitor raises its alarm once.
 void Executive::note_told_alarms() {
-  for (const Incident& incident : record_.incidents) {
+  for (const run::Incident& incident : record_.incidents) {
     if (incident.time_s < record_.episodes.back().started_s) continue;
-    for (const Alarm& told : incident.alarms) {
+    for (const run::Alarm& told : incident.alarms) {
       for (std::size_t i = 0; i < current_.translation.monitors.size(); ++i) {
         const translate::Monitor& monitor = current_.translation.monitors[i];
         const bool same = told.action == model::to_string(current_.plan.actions[monitor.action]) &&
@@ -243,13 +204,13 @@ bool Executive::settled(const std::vector<bool>& active) const {
 }
 
 void Executive::note_progress(const translate::Progress& progress, double time_s) {
-  std::vector<ActionRecord>& actions = record_.episodes.back().actions;
+  std::vector<run::ActionRecord>& actions = record_.episodes.back().actions;
   just_changed_.clear();
   for (std::size_t i = 0; i < actions.size(); ++i) {
-    const ActionState state = progress.actions[i];
+    const run::ActionState state = progress.actions[i];
     if (state == actions[i].state) continue;
     // An action that could not start never began.
-    const bool began = actions[i].state == ActionState::Pending && state != ActionState::Failed;
+    const bool began = actions[i].state == run::ActionState::Pending && state != run::ActionState::Failed;
     actions[i].state = state;
     if (began) {
       actions[i].started_s = time_s;
@@ -260,14 +221,14 @@ void Executive::note_progress(const translate::Progress& progress, double time_s
       }
       actions[i].actual_cost = desk_.cost_of(current_.run.actions[i].action, before);
     }
-    if (state != ActionState::Done) continue;
+    if (state != run::ActionState::Done) continue;
     note_done(i, time_s);
     just_changed_.merge(translate::changed_atoms(current_.run.actions[i]));
   }
 }
 
 void Executive::note_done(std::size_t action, double time_s) {
-  ActionRecord& record = record_.episodes.back().actions[action];
+  run::ActionRecord& record = record_.episodes.back().actions[action];
   record.finished_s = time_s;
   record_.finished_s = time_s;
   devices_.clear(desk_.binding().devices_of(current_.plan.actions[action]));
@@ -281,7 +242,7 @@ void Executive::note_done(std::size_t action, double time_s) {
 // the record tells which.
 FailedAction Executive::failure_of(std::size_t action, double time_s) const {
   using Reason = FailedAction::Reason;
-  const ActionRecord& record = record_.episodes.back().actions[action];
+  const run::ActionRecord& record = record_.episodes.back().actions[action];
   FailedAction failed;
   failed.text = record.text;
   if (!record.started_s) {
@@ -326,7 +287,7 @@ FailedAction Executive::failure_of(std::size_t action, double time_s) const {
   return failed;
 }
 
-std::optional<Cause> Executive::due_change(double time_s) {
+std::optional<run::Cause> Executive::due(double time_s) {
   std::vector<GoalChange> due;
   {
     const std::lock_guard lock(requests_mutex_);
@@ -337,12 +298,12 @@ std::optional<Cause> Executive::due_change(double time_s) {
     due.push_back(options_.goal_changes[next_change_]);
   }
   if (due.empty()) return std::nullopt;
-  Cause cause;
-  cause.kind = IncidentKind::ChangedDemand;
+  run::Cause cause;
+  cause.kind = run::IncidentKind::ChangedDemand;
   for (const GoalChange& change : due) {
     if (!change.goal.empty()) {
       goal_ = change.goal;
-      cause.kind = IncidentKind::NewGoal;
+      cause.kind = run::IncidentKind::NewGoal;
       cause.evidence.push_back("the goal was changed to " + goal_);
       continue;
     }
@@ -356,8 +317,8 @@ std::optional<Cause> Executive::due_change(double time_s) {
 std::vector<model::GroundAction> Executive::begun_actions(bool resting) const {
   std::vector<model::GroundAction> actions;
   for (std::size_t i = 0; i < progress_.actions.size(); ++i) {
-    const bool runs = progress_.actions[i] == ActionState::Active && (resting || !progress_.rests(i));
-    if (runs || progress_.actions[i] == ActionState::Failed) {
+    const bool runs = progress_.actions[i] == run::ActionState::Active && (resting || !progress_.rests(i));
+    if (runs || progress_.actions[i] == run::ActionState::Failed) {
       actions.push_back(current_.plan.actions[i]);
     }
   }

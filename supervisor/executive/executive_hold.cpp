@@ -11,8 +11,12 @@ namespace stepwright::executive {
 
 using std::chrono::milliseconds;
 
-Cause Executive::held_by_operator() {
-  return {IncidentKind::Operator, {"held by the operator"}, {}};
+run::Cause Executive::held_by_operator() {
+  return {run::IncidentKind::Operator, {"held by the operator"}, {}};
+}
+
+std::optional<run::Cause> Executive::wish() {
+  return hold_ ? std::optional(held_by_operator()) : std::nullopt;
 }
 
 result::Result<void> Executive::request_hold() {
@@ -35,15 +39,16 @@ result::Result<void> Executive::request_resume() {
 bool Executive::stay_held() {
   const double since_s = clock_.now_s();
   double now_s = clock_.now_s();  // by the newest picture: a plant at rest causes no events
-  set_phase(Phase::Held, "held by the operator: the plant rests until the run is resumed or aborted");
+  set_phase(run::Phase::Held, "held by the operator: the plant rests until the run is resumed or aborted");
   (void)controller_.acknowledge(observed_event_);
   while (hold_) {
-    if (abort_) return give_up("aborted by the operator", IncidentKind::Operator);
-    if (const auto change = due_change(now_s)) {
+    if (abort_) return give_up_aborted();
+    if (const auto change = due(now_s)) {
       std::vector<std::string>& evidence = record_.incidents.back().evidence;
       evidence.insert(evidence.end(), change->evidence.begin(), change->evidence.end());
-      set_phase(Phase::Held, change->evidence.back() +
-                                 ": that is planned for when the run is resumed; until then the plant rests");
+      set_phase(run::Phase::Held,
+                change->evidence.back() +
+                    ": that is planned for when the run is resumed; until then the plant rests");
     }
     if (const auto event = controller_.wait_event(milliseconds(200))) {
       note_while_held(*event);
@@ -54,7 +59,7 @@ bool Executive::stay_held() {
       now_s = std::max(now_s, clock_.at(snapshot->incarnation, snapshot->time_ns));
   }
   record_.incidents.back().evidence.push_back(fmt::format("resumed after {:.1f} s", now_s - since_s));
-  set_phase(Phase::Replanning, "resumed by the operator");
+  set_phase(run::Phase::Replanning, "resumed by the operator");
   return true;
 }
 
@@ -63,7 +68,7 @@ void Executive::note_while_held(const host::StepEvent& event) {
                      event.kind == host::EventKind::RolledBack;
   if (!ended || event.program_digest != digest_) return;
   record_.incidents.back().evidence.push_back("the runtime stopped meanwhile: " + event.detail);
-  publish();
+  publish(/*now=*/true);
 }
 
 }  // namespace stepwright::executive

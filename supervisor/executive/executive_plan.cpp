@@ -12,25 +12,24 @@ namespace stepwright::executive {
 namespace {
 
 using std::chrono::milliseconds;
-using std::chrono::steady_clock;
 
 // Between two looks at the plant while a plan is made.
 constexpr milliseconds kLook{5};
 
 // Who wants something else, or a pause, does so in any state.
-bool is_wish(IncidentKind kind) {
-  return kind == IncidentKind::NewGoal || kind == IncidentKind::ChangedDemand ||
-         kind == IncidentKind::Operator;
+bool is_wish(run::IncidentKind kind) {
+  return kind == run::IncidentKind::NewGoal || kind == run::IncidentKind::ChangedDemand ||
+         kind == run::IncidentKind::Operator;
 }
 
 // Of a process that was not there, which says nothing about the plant.
-bool is_absence(IncidentKind kind) {
-  return kind == IncidentKind::LostRuntime || kind == IncidentKind::LostSupervisor;
+bool is_absence(run::IncidentKind kind) {
+  return kind == run::IncidentKind::LostRuntime || kind == run::IncidentKind::LostSupervisor;
 }
 
-Response response_of(const Episode& episode) {
-  if (episode.origin == "kept") return Response::GoOn;
-  return episode.origin == "repaired" ? Response::Repair : Response::Replan;
+run::Response response_of(const run::Episode& episode) {
+  if (episode.origin == "kept") return run::Response::GoOn;
+  return episode.origin == "repaired" ? run::Response::Repair : run::Response::Replan;
 }
 
 // "belt r and belt d1"
@@ -38,31 +37,19 @@ std::string names_of(const std::vector<std::string>& devices) {
   return fmt::format("{}", fmt::join(devices, " and "));
 }
 
-double ms_since(steady_clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(steady_clock::now() - start).count();
-}
-
 }  // namespace
 
-void Executive::open_incident(const Cause& cause) {
-  Incident incident;
-  incident.time_s = clock_.now_s();
-  incident.kind = cause.kind;
-  incident.evidence = cause.evidence;
-  incident.action = cause.action;
+void Executive::opened(run::Incident& incident) {
   incident.alarms = std::exchange(alarms_, {});
-  record_.incidents.push_back(std::move(incident));
   earlier_.insert(earlier_.end(), differences_.begin(), differences_.end());
   differences_.clear();
-  working_ = true;
-  working_since_ = steady_clock::now();
 }
 
-void Executive::note_failed_devices(const Cause& cause) {
-  Incident& incident = record_.incidents.back();
+void Executive::note_failed_devices(const run::Cause& cause) {
+  run::Incident& incident = record_.incidents.back();
   incident.devices = devices_.suspect(cause.devices);
   if (incident.devices.empty()) return;
-  incident.kind = IncidentKind::FailedActuator;
+  incident.kind = run::IncidentKind::FailedActuator;
   incident.evidence.push_back("twice, what needs " + names_of(incident.devices) +
                               " has not come to its end: planned without");
 }
@@ -75,19 +62,12 @@ bool Executive::give_up_planless() {
   if (!failed.empty()) {
     text += " without " + names_of({failed.begin(), failed.end()}) + " (with which actions failed twice)";
   }
-  return give_up(text + ": " + unplannable_.reason, IncidentKind::ProgramFault, unplannable_.exit);
-}
-
-void Executive::decide(Response response) {
-  if (record_.incidents.empty() || record_.incidents.back().response != Response::Open) return;
-  Incident& incident = record_.incidents.back();
-  incident.response = response;
-  if (std::exchange(working_, false)) incident.decision_ms += ms_since(working_since_);
+  return give_up(text + ": " + unplannable_.reason, run::IncidentKind::ProgramFault, unplannable_.exit);
 }
 
 // News that makes the planning under way worthless.
 void Executive::overtake(std::string evidence) {
-  if (record_.incidents.empty() || record_.incidents.back().response != Response::Open) return;
+  if (record_.incidents.empty() || record_.incidents.back().response != run::Response::Open) return;
   record_.incidents.back().evidence.push_back(std::move(evidence));
   ++record_.incidents.back().restarts;
 }
@@ -95,7 +75,7 @@ void Executive::overtake(std::string evidence) {
 std::vector<model::GroundAction> Executive::remaining_actions() const {
   std::vector<model::GroundAction> remaining;
   for (std::size_t i = 0; i < progress_.actions.size(); ++i) {
-    if (progress_.actions[i] != ActionState::Done && !progress_.rests(i))
+    if (progress_.actions[i] != run::ActionState::Done && !progress_.rests(i))
       remaining.push_back(current_.plan.actions[i]);
   }
   return remaining;
@@ -103,25 +83,25 @@ std::vector<model::GroundAction> Executive::remaining_actions() const {
 
 void Executive::close_episode(std::string& last_done) {
   if (record_.episodes.empty()) return;
-  std::vector<ActionRecord>& actions = record_.episodes.back().actions;
+  std::vector<run::ActionRecord>& actions = record_.episodes.back().actions;
   for (std::size_t i = 0; i < actions.size(); ++i) {
-    ActionRecord& action = actions[i];
-    if (action.state == ActionState::Active && progress_.rests(i)) {
-      action.state = ActionState::Done;
+    run::ActionRecord& action = actions[i];
+    if (action.state == run::ActionState::Active && progress_.rests(i)) {
+      action.state = run::ActionState::Done;
       note_done(i, clock_.now_s());
     }
-    if (action.state == ActionState::Done) last_done = action.text;
-    if (action.state == ActionState::Active) action.state = ActionState::Failed;
+    if (action.state == run::ActionState::Done) last_done = action.text;
+    if (action.state == run::ActionState::Active) action.state = run::ActionState::Failed;
   }
 }
 
-bool Executive::replan(const Cause& cause) {
+bool Executive::replan(const run::Cause& cause) {
   std::string last_done;
   close_episode(last_done);
-  const std::string sentence = sentence_of(cause.evidence);
+  const std::string sentence = run::sentence_of(cause.evidence);
   open_incident(cause);
   if (cause.stops()) return give_up(cause);
-  const bool held = cause.kind == IncidentKind::Operator;
+  const bool held = cause.kind == run::IncidentKind::Operator;
   const std::size_t replans = counted(record_.replans);
   if (!held && static_cast<int>(replans) >= options_.max_replans) {
     return give_up("after " + std::to_string(replans) + " replans: " + sentence, cause.kind);
@@ -130,10 +110,10 @@ bool Executive::replan(const Cause& cause) {
   note_failed_devices(cause);
   if (is_wish(cause.kind)) recurrence_.forget();
   if (is_absence(cause.kind)) drift_.forget();
-  set_phase(hold_ ? Phase::Holding : Phase::Replanning, sentence);
+  set_phase(hold_ ? run::Phase::Holding : run::Phase::Replanning, sentence);
   // A program that runs is relieved by the next one, without a stop. Anything else stops at once, not only
   // with the download that follows; a runtime that is gone or was restarted has nothing to stop.
-  if (!can_take_over()) (void)controller_.stop(sentence.substr(0, 200));
+  if (!runs()) (void)controller_.stop(sentence.substr(0, 200));
   const model::NamedState tracked =
       progress_.actions.empty() ? pddl::to_named(desk_.task().initial())
                                 : translate::expected_state(current_.translation, progress_.completed());
@@ -146,7 +126,7 @@ bool Executive::mend(const std::string& signature, const model::NamedState& trac
                      const std::vector<model::GroundAction>& remaining) {
   follows_ = false;
   while (true) {
-    if (std::exchange(working_, false)) record_.incidents.back().decision_ms += ms_since(working_since_);
+    work_pauses();  // observing the plant does not count
     if (!observe(true)) return false;
     if (hold_) {
       // For whoever wants to know meanwhile; what is wrong with it shows when the run goes on.
@@ -155,13 +135,12 @@ bool Executive::mend(const std::string& signature, const model::NamedState& trac
       if (!stay_held()) return false;
       continue;  // the plant may be elsewhere by now
     }
-    working_ = true;
-    working_since_ = steady_clock::now();
+    work_begins();
     auto estimate = translate::estimate(desk_.binding(), means_, tare_, with_changes(tracked), interrupted);
     if (!estimate) return give_up("the state cannot be read", estimate.error());
     if (!estimate->contradictions.empty()) {
-      record_.incidents.back().kind = IncidentKind::FailedSensor;
-      return give_up("the observed state contradicts itself: " + sentence_of(estimate->contradictions));
+      record_.incidents.back().kind = run::IncidentKind::FailedSensor;
+      return give_up("the observed state contradicts itself: " + run::sentence_of(estimate->contradictions));
     }
     seen_ = std::move(*estimate);
     drift_.rest(seen_.measured.fluents);
@@ -170,7 +149,7 @@ bool Executive::mend(const std::string& signature, const model::NamedState& trac
       return give_up(to_string(*drift));
     }
     const model::NamedState planning = with_changes(seen_.planning);
-    const Incident& incident = record_.incidents.back();
+    const run::Incident& incident = record_.incidents.back();
     // A wish and the end of a process come in any state.
     const bool plants_own = !is_wish(incident.kind) && !is_absence(incident.kind);
     if (plants_own && incident.devices.empty() && !interrupted.empty() && planning == stuck_at_) {
@@ -228,7 +207,7 @@ Executive::Planned Executive::plan_to_goal(const model::NamedState& tracked,
     if (again == Planned::Again || again == Planned::Over) return again;
     if (again == Planned::Ready && left_over().empty()) return Planned::Ready;
   }
-  unplannable_ = {"what would be left over is less than a plan can mend: " + sentence_of(sentences)};
+  unplannable_ = {"what would be left over is less than a plan can mend: " + run::sentence_of(sentences)};
   return Planned::None;
 }
 
@@ -276,25 +255,25 @@ std::optional<Executive::Planned> Executive::overtaken(PlanningJob& job, StartSt
                                                        bool& again) {
   if (abort_) {
     job.cancel();
-    give_up("aborted by the operator", IncidentKind::Operator);
+    give_up_aborted();
     return Planned::Over;
   }
-  if (const auto change = due_change(clock_.now_s())) {
+  if (const auto change = due(clock_.now_s())) {
     job.cancel();
-    overtake(sentence_of(change->evidence));
+    overtake(run::sentence_of(change->evidence));
     start.planning = with_changes(start.planning);
     start.goal = goal_;
     again = true;
     return std::nullopt;
   }
   if (!reader_) {  // before the first program there is nothing to watch
-    if (hold_ != journalled_hold_) publish();
+    if (hold_ != journalled_hold_) publish(/*now=*/true);
     return std::nullopt;
   }
   if (hold_) {
     job.cancel();
     overtake("held by the operator");
-    set_phase(Phase::Holding, "held by the operator");
+    set_phase(run::Phase::Holding, "held by the operator");
     return Planned::Again;
   }
   if (!controller_.alive()) {

@@ -27,8 +27,7 @@ double counted(const translate::Binding& binding, const std::string& fluent, dou
 }  // namespace
 
 bool Executive::wait_start(std::chrono::milliseconds timeout) {
-  std::unique_lock lock(requests_mutex_);
-  return start_signal_.wait_for(lock, timeout, [this] { return start_; });
+  return await_start(timeout);
 }
 
 bool Executive::over() const {
@@ -64,12 +63,6 @@ result::Result<void> Executive::request_start(const std::string& goal) {
   return {};
 }
 
-void Executive::enter(Stage stage) {
-  const std::lock_guard lock(requests_mutex_);
-  stage_ = stage;
-  if (stage != Stage::Running) start_ = false;
-}
-
 // The problem's, with what has been changed from outside.
 model::NamedState Executive::first_state() const {
   return with_changes(pddl::to_named(desk_.task().initial()));
@@ -88,16 +81,16 @@ bool Executive::stay_ready() {
   enter(Stage::Ready);
   const auto show = [this] {
     record_.episodes = {current_.episode};
-    set_phase(Phase::Ready,
+    set_phase(run::Phase::Ready,
               fmt::format("a plan of {} actions is ready: nothing moves until an operator starts it",
                           current_.plan.actions.size()));
   };
   for (show();;) {
-    if (abort_) return give_up("aborted by the operator", IncidentKind::Operator);
+    if (abort_) return give_up_aborted();
     const bool started = wait_start(kLookAtRequests);
-    if (due_change(clock_.now_s())) {
+    if (due(clock_.now_s())) {
       record_.episodes.clear();
-      set_phase(Phase::Planning, "looking for a plan for what is wanted now");
+      set_phase(run::Phase::Planning, "looking for a plan for what is wanted now");
       if (!plan_first()) return false;
       if (!started) show();
     }
@@ -105,7 +98,7 @@ bool Executive::stay_ready() {
   }
   start_taken();
   record_.episodes.clear();
-  set_phase(Phase::Planning, "started by the operator");
+  set_phase(run::Phase::Planning, "started by the operator");
   return true;
 }
 
@@ -128,16 +121,16 @@ bool Executive::begin_again() {
     tracked = seen_.planning;
   }
   forget_run();
-  (void)due_change(clock_.now_s());  // the goal that the run was started with
-  set_phase(Phase::Planning, "started by the operator");
+  (void)due(clock_.now_s());  // the goal that the run was started with
+  set_phase(run::Phase::Planning, "started by the operator");
   if (!known_) return start_afresh(/*wanted=*/true);
-  open_incident({IncidentKind::Operator, {"started by the operator"}, {}});
+  open_incident({run::IncidentKind::Operator, {"started by the operator"}, {}});
   return mend({}, tracked, interrupted, {});
 }
 
 // Cell, clock, tare and drift of the sensors belong to the plant; everything else to the run.
 void Executive::forget_run() {
-  RunRecord fresh;
+  run::RunRecord fresh;
   fresh.cell = std::move(record_.cell);
   fresh.expected = std::move(record_.expected);
   fresh.observed = std::move(record_.observed);
@@ -159,7 +152,6 @@ void Executive::forget_run() {
   unplannable_ = {};
   reader_.reset();
   alarm_reader_.reset();
-  working_ = false;
   unwatched_ = false;
 }
 
@@ -180,15 +172,16 @@ void Executive::renew_outlook() {
   now.without = devices_.failed();
   const bool seen = !seen_.planning.facts.empty() || !seen_.planning.fluents.empty();
   now.state = with_changes(seen ? seen_.planning : pddl::to_named(desk_.task().initial()));
-  if (record_.phase == Phase::Ready) now.remaining = current_.plan.actions;
+  if (record_.phase == run::Phase::Ready) now.remaining = current_.plan.actions;
   const std::size_t actions = progress_.actions.size();
   if (follows_ && actions == current_.run.actions.size()) {
     std::vector<bool> ended = progress_.completed();
     for (std::size_t i = 0; i < actions; ++i) {
-      const bool runs = progress_.actions[i] == ActionState::Active;
+      const bool runs = progress_.actions[i] == run::ActionState::Active;
       now.ahead = now.ahead || (runs && !ended[i]);
       ended[i] = ended[i] || runs;
-      if (progress_.actions[i] == ActionState::Pending) now.remaining.push_back(current_.plan.actions[i]);
+      if (progress_.actions[i] == run::ActionState::Pending)
+        now.remaining.push_back(current_.plan.actions[i]);
     }
     const model::NamedState after = with_changes(translate::expected_state(current_.translation, ended));
     if (!seen) now.state = after;
@@ -198,7 +191,7 @@ void Executive::renew_outlook() {
       if (const auto value = after.fluents.find(atom); value != after.fluents.end())
         now.state.fluents[atom] = counted(desk_.binding(), atom, value->second);
     }
-    if (record_.phase == Phase::Done || record_.phase == Phase::Safe) now.remaining.clear();
+    if (record_.phase == run::Phase::Done || record_.phase == run::Phase::Safe) now.remaining.clear();
   }
   const std::lock_guard lock(outlook_mutex_);
   now.revision = outlook_.revision + 1;

@@ -4,8 +4,8 @@
 #include <string_view>
 #include <utility>
 
-#include "supervisor/executive/internal/record_json.h"
 #include "supervisor/pddl/goal_vocabulary.h"
+#include "supervisor/run/internal/record_json.h"
 
 namespace stepwright::executive {
 namespace {

@@ -1,7 +1,7 @@
 #include "supervisor/executive/journal.h"
 
-#include "supervisor/executive/internal/record_json.h"
-#include "supervisor/executive/journal_file.h"
+#include "supervisor/run/internal/record_json.h"
+#include "supervisor/run/journal_file.h"
 
 namespace stepwright::executive {
 namespace {
@@ -55,9 +55,9 @@ StartState start_from(const json& value) {
 
 // A journal of one plan and a record of another would send everything that follows astray.
 bool consistent(const Journal& journal) {
-  const std::vector<Episode>& episodes = journal.record.episodes;
+  const std::vector<run::Episode>& episodes = journal.record.episodes;
   // Of a run that is over nothing follows. Its last plan may have been empty, which makes no episode.
-  if (journal.record.phase == Phase::Done || journal.record.phase == Phase::Safe) return true;
+  if (journal.record.phase == run::Phase::Done || journal.record.phase == run::Phase::Safe) return true;
   return episodes.empty() || episodes.back().actions.size() == journal.plan.actions.size();
 }
 
@@ -99,11 +99,11 @@ result::Result<void> write_journal(const std::filesystem::path& file, const Jour
                          {"held", journal.held},
                          {"known", journal.known},
                          {"seen", {{"facts", journal.seen.facts}, {"fluents", journal.seen.fluents}}}};
-  return replace_journal_file(file, internal::text_of(document));
+  return run::replace_journal_file(file, internal::text_of(document));
 }
 
 result::Result<std::optional<Journal>> read_journal(const std::filesystem::path& file) {
-  auto text = read_journal_file(file);
+  auto text = run::read_journal_file(file);
   if (!text) return result::forward(text);
   if (!*text) return std::optional<Journal>();
   return internal::read_text(**text, file.string(), "journal",

@@ -13,21 +13,21 @@
 
 #include "runtime/result/result.h"
 #include "supervisor/executive/planning_desk.h"
-#include "supervisor/executive/run_clock.h"
-#include "supervisor/executive/run_record.h"
+#include "supervisor/run/run_clock.h"
+#include "supervisor/run/run_record.h"
 
 namespace stepwright::executive {
 
 struct Journal {
-  RunRecord record;
+  run::RunRecord record;
   StartState start;
   model::Plan plan;                       // actions and orderings only
   std::map<std::string, double> changed;  // fluents set from outside
   std::size_t next_change = 0;
-  RunClock::State clock;   // when the journal was written
-  bool held = false;       // an operator wants it to be
-  bool known = false;      // the sensors have their tare
-  model::NamedState seen;  // of the plant, as the planner counts
+  run::RunClock::State clock;  // when the journal was written
+  bool held = false;           // an operator wants it to be
+  bool known = false;          // the sensors have their tare
+  model::NamedState seen;      // of the plant, as the planner counts
 };
 
 // Returns once it is on the disk; fails with X0004.

@@ -168,7 +168,7 @@ result::Result<PrepareOutcome> PlanningDesk::plan_for(const PlanRequest& request
   prepared.plan = *solved.plan;
   if (auto ordered = order_for_makespan(prepared.plan, task); !ordered)
     return tl::unexpected(std::move(ordered.error()));
-  Episode& episode = prepared.episode;
+  run::Episode& episode = prepared.episode;
   episode.cost = solved.plan->cost;
   if (std::isfinite(solved.plan->bound)) episode.bound = solved.plan->bound;
   episode.proved_optimal = solved.plan->proved_optimal;
@@ -221,7 +221,7 @@ result::Result<void> PlanningDesk::describe(PreparedPlan& prepared, const pddl::
   if (!run) return tl::unexpected(std::move(run.error()));
   prepared.run = std::move(*run);
   for (const model::PlannedAction& planned : prepared.run.actions) {
-    ActionRecord record;
+    run::ActionRecord record;
     record.text = model::to_string(planned.action);
     record.planned_cost = cost_of(planned.action, planned.before);
     for (const translate::Sensor& sensor : binding_.sensors) {
@@ -268,9 +268,9 @@ double PlanningDesk::cost_of(const model::GroundAction& action, const model::Nam
   return action_cost(task_, options_.report_fluent, action, before);
 }
 
-std::vector<GoalRecord> PlanningDesk::goal_status(const model::NamedState& state,
-                                                  const std::string& goal) const {
-  std::vector<GoalRecord> records;
+std::vector<run::GoalRecord> PlanningDesk::goal_status(const model::NamedState& state,
+                                                       const std::string& goal) const {
+  std::vector<run::GoalRecord> records;
   auto task = goal.empty() ? result::Result<pddl::Task>(task_) : task_.with_goal(goal);
   if (!task) return records;
   if (auto status = pddl::evaluate_goal(*task, pddl::from_named(state))) {

@@ -21,10 +21,10 @@
 #include "ladder/source/dialect.h"
 #include "runtime/result/result.h"
 #include "supervisor/executive/hand_written.h"
-#include "supervisor/executive/run_record.h"
 #include "supervisor/model/plan.h"
 #include "supervisor/model/planned_run.h"
 #include "supervisor/pddl/task.h"
+#include "supervisor/run/run_record.h"
 #include "supervisor/translate/binding.h"
 #include "supervisor/translate/schedule.h"
 #include "supervisor/translate/translation.h"
@@ -62,7 +62,7 @@ struct PreparedPlan {
   model::PlannedRun run;
   translate::Translation translation;
   std::vector<std::byte> container;
-  Episode episode;  // figures and actions, nothing executed yet
+  run::Episode episode;  // figures and actions, nothing executed yet
 };
 
 // What to plan for.
@@ -118,7 +118,8 @@ class PlanningDesk {
   // What the report follows, added by `action` when it starts in `before`; 0 if it cannot be told.
   double cost_of(const model::GroundAction& action, const model::NamedState& before) const;
   // The conjuncts of a goal in a state; an empty goal is the problem's.
-  std::vector<GoalRecord> goal_status(const model::NamedState& state, const std::string& goal = {}) const;
+  std::vector<run::GoalRecord> goal_status(const model::NamedState& state,
+                                           const std::string& goal = {}) const;
   // A goal as PDDL, a conjunct a line; an empty one is the problem's. Requires that check_goal passes.
   std::string goal_text(const std::string& goal) const;
   // Fails as a goal in a problem file would (P0xxx).

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "runtime/result/last_barrier.h"
-#include "supervisor/executive/internal/record_json.h"
+#include "supervisor/run/internal/record_json.h"
 
 namespace stepwright::executive {
 namespace {
@@ -28,11 +28,11 @@ json worth_json(const PlanWorth& worth, std::size_t steps) {
           {"makespan_s", worth.makespan_s}};
 }
 
-json plan_json(const Episode& episode, double cost_before) {
+json plan_json(const run::Episode& episode, double cost_before) {
   json actions = json::array();
   const std::size_t listed = std::min(episode.actions.size(), kMostListedActions);
   for (std::size_t i = 0; i < listed; ++i) {
-    const ActionRecord& action = episode.actions[i];
+    const run::ActionRecord& action = episode.actions[i];
     actions.push_back({{"index", i},
                        {"text", action.text},
                        {"planned_start_s", action.planned_start_s},

@@ -44,7 +44,7 @@ inline support::SimulatedController conveyor_controller(std::uint64_t seed,
   return support::SimulatedController(std::move(*line), wires, {10, 2}, std::move(faults));
 }
 
-inline RunRecord run_conveyor(support::SimulatedController& controller, int max_replans = 8) {
+inline run::RunRecord run_conveyor(support::SimulatedController& controller, int max_replans = 8) {
   ExecutiveOptions options;
   options.cell = "conveyor";
   options.max_replans = max_replans;

@@ -10,56 +10,27 @@
 
 namespace stepwright::fleet {
 
-using executive::IncidentKind;
-using executive::Phase;
-using executive::Response;
-using executive::RunRecord;
+using run::IncidentKind;
+using run::Phase;
+using run::Response;
+using run::RunRecord;
 using std::chrono::milliseconds;
 
-FleetExecutive::FleetExecutive(FleetDesk& desk, executive::Controller& controller,
-                               FleetExecutiveOptions options, Observer observer)
-    : desk_(desk),
-      controller_(controller),
+FleetExecutive::FleetExecutive(FleetDesk& desk, run::Controller& controller, FleetExecutiveOptions options,
+                               Observer observer)
+    : Mission(controller, {options.cell, options.barrier, options.operator_starts}, std::move(observer)),
+      desk_(desk),
       options_(std::move(options)),
-      observer_(std::move(observer)),
       ledger_(desk.problem()),
       tracks_(desk.problem().vehicles.size()),
       standing_(desk.problem().vehicles.size()),
       returning_(desk.problem().vehicles.size()),
       begun_(desk.problem().vehicles.size()),
-      resets_(desk.problem().vehicles.size(), false) {
-  record_.cell = options_.cell;
-}
+      resets_(desk.problem().vehicles.size(), false) {}
 
-RunRecord FleetExecutive::run() {
+bool FleetExecutive::begin() {
   set_phase(Phase::Planning, "planning the missions of the fleet");
-  bool going = resume() || (record_.phase == Phase::Planning && start_afresh());
-  while (going) {
-    const Decision decision = follow();
-    switch (decision.verdict) {
-      case Verdict::GoOn:
-        break;
-      case Verdict::Finished:
-        going = finish();
-        break;
-      case Verdict::Replan:
-        going = replan(decision.cause);
-        break;
-      case Verdict::Hold: {
-        const auto cause = hold_stopped();
-        going = cause && replan(*cause);
-        break;
-      }
-      case Verdict::RuntimeLost:
-        going = recover_runtime();
-        break;
-      case Verdict::GiveUp:
-        open_incident(decision.cause);
-        going = give_up(fmt::format("{}", fmt::join(decision.cause.evidence, "; ")), decision.cause.kind);
-        break;
-    }
-  }
-  return record_;
+  return resume() || (record_.phase == Phase::Planning && start_afresh());
 }
 
 // False with phase Planning: there is nothing to go on with.
@@ -88,7 +59,7 @@ bool FleetExecutive::resume() {
   next_request_ = known.next_request;
   first_epoch_s_ = known.first_epoch_s;
   epoch_s_ = known.epoch_s;
-  clock_ = executive::RunClock(known.clock);
+  clock_ = run::RunClock(known.clock);
   revision_ = known.request.revision;
   for (const Standing& each : known.request.standing) {
     if (ledger_.vehicles()[each.vehicle].lost) standing_[each.vehicle] = each;
@@ -109,7 +80,8 @@ bool FleetExecutive::resume_plan(FleetOutcome outcome, const FleetRequest& reque
     return give_up("the supervisor was restarted, and the runtime does not run the plan of its journal",
                    IncidentKind::LostRuntime);
   }
-  running_.emplace(Running{status->program_digest, *std::move(reader)});
+  digest_ = status->program_digest;
+  reader_ = *std::move(reader);
   follow_plan(std::move(outcome), request);
   open_incident(
       {IncidentKind::LostSupervisor, {"the supervisor was restarted; the missions have gone on"}, {}});
@@ -122,21 +94,13 @@ void FleetExecutive::write_journal() {
   if (options_.journal.empty() || !follow_) return;
   // A journal that cannot be written costs a restart its memory, not this run.
   (void)write_fleet_journal(options_.journal, {.record = record_,
-                                               .ledger = running_ ? planned_from_ : ledger_.state(),
+                                               .ledger = reader_ ? planned_from_ : ledger_.state(),
                                                .request = planned_as_,
                                                .blocked = blocked_,
                                                .next_request = next_request_,
                                                .first_epoch_s = first_epoch_s_,
                                                .epoch_s = epoch_s_,
                                                .clock = clock_.state()});
-}
-
-bool FleetExecutive::await_runtime() {
-  while (!controller_.wait_for_runtime(milliseconds(1'000))) {
-    if (abort_) return give_up("aborted by the operator", IncidentKind::Operator);
-    if (record_.phase != Phase::Waiting) set_phase(Phase::Waiting, "waiting for the runtime");
-  }
-  return true;
 }
 
 // The missions run without anybody who follows them. A runtime that has them still goes on; one that has lost
@@ -166,7 +130,7 @@ bool FleetExecutive::has_gone_on() {
     if (!await_runtime()) return false;
   }
   const auto status = controller_.status();
-  if (!status || status->state != host::RuntimeState::Running || status->program_digest != running_->digest)
+  if (!status || status->state != host::RuntimeState::Running || status->program_digest != digest_)
     return false;
   open_incident({IncidentKind::LostRuntime, {"the runtime was not seen for a while; it has gone on"}, {}});
   decide(Response::GoOn);
@@ -227,20 +191,6 @@ bool FleetExecutive::finish() {
   return false;
 }
 
-bool FleetExecutive::give_up(const std::string& reason, IncidentKind kind, result::ExitCode exit) {
-  const bool open = !record_.incidents.empty() && record_.incidents.back().response == Response::Open;
-  if (!open) open_incident({kind, {reason}, {}});
-  decide(Response::SafeStop);
-  std::string message = reason;
-  // Before the first program there is nothing to stop.
-  if (running_ && !controller_.stop(reason.substr(0, 200))) {
-    message += " (the runtime does not answer; its own rules for a lost supervisor hold)";
-  }
-  record_.exit = exit;
-  set_phase(Phase::Safe, std::move(message));
-  return false;
-}
-
 void FleetExecutive::note_goals() {
   record_.goal.clear();
   const MissionProblem& problem = ledger_.problem();
@@ -276,12 +226,6 @@ result::Result<void> FleetExecutive::request(const FleetChange& change) {
   return {};
 }
 
-void FleetExecutive::set_phase(Phase phase, std::string message) {
-  record_.phase = phase;
-  record_.message = std::move(message);
-  publish(true);
-}
-
 void FleetExecutive::publish(bool now) {
   changed_ = changed_ || now;
   const auto clock = std::chrono::steady_clock::now();
@@ -291,7 +235,7 @@ void FleetExecutive::publish(bool now) {
   note_goals();
   renew_document();
   write_journal();
-  if (observer_) observer_(record_);
+  tell();
 }
 
 void FleetExecutive::renew_document() {

@@ -17,7 +17,7 @@
 // decision is made. The same problem, faults and requests at the same scan times give the same run.
 //
 //   FleetExecutive executive(*desk, controller, {.cell = "fleet"}, publish);
-//   executive::RunRecord record = executive.run();
+//   run::RunRecord record = executive.run();
 
 #include <atomic>
 #include <chrono>
@@ -31,15 +31,13 @@
 #include <vector>
 
 #include "runtime/result/result.h"
-#include "supervisor/executive/controller.h"
-#include "supervisor/executive/run_clock.h"
-#include "supervisor/executive/run_record.h"
 #include "supervisor/fleet/executive/fleet_desk.h"
 #include "supervisor/fleet/executive/fleet_document.h"
 #include "supervisor/fleet/executive/fleet_follow.h"
 #include "supervisor/fleet/executive/fleet_reading.h"
 #include "supervisor/fleet/executive/fleet_request.h"
 #include "supervisor/fleet/executive/track.h"
+#include "supervisor/run/mission.h"
 
 namespace stepwright::fleet {
 
@@ -57,102 +55,71 @@ struct FleetExecutiveOptions {
   std::vector<TimedRequest> requests;  // in order of time
 };
 
-class FleetExecutive {
+class FleetExecutive final : public run::Mission {
  public:
-  using Observer =
-      std::function<void(const executive::RunRecord&)>;  // after changes, from the thread of `run`
-
-  FleetExecutive(FleetDesk& desk, executive::Controller& controller, FleetExecutiveOptions options,
+  FleetExecutive(FleetDesk& desk, run::Controller& controller, FleetExecutiveOptions options,
                  Observer observer);
-
-  // Until everything is delivered and all vehicles rest (Phase::Done), or the outputs are safe (Phase::Safe).
-  executive::RunRecord run();
 
   // X0008: nothing waits for a start, or no runtime answers.
   [[nodiscard]] result::Result<void> request_start();
-  // Stops the fleet safely at the next decision and ends the run.
-  void request_abort() { abort_ = true; }
   // At the next decision. Fails at once where the request cannot be meant (X0003), or not before the start
   // (X0008).
   [[nodiscard]] result::Result<void> request(const FleetChange& change);
 
  private:
-  enum class Verdict : std::uint8_t { GoOn, Replan, Finished, GiveUp, RuntimeLost, Hold };
-  enum class Stage : std::uint8_t { Running, Ready };  // waiting for an operator
   enum class Wish : std::uint8_t { Start, OtherPlan, Abort };
   enum class Rest : std::uint8_t { Reached, EmergencyStop, Ended };
-  struct Cause {
-    executive::IncidentKind kind = executive::IncidentKind::Position;
-    std::vector<std::string> evidence;
-    std::string vehicle;
-  };
-  struct Decision {
-    Verdict verdict = Verdict::GoOn;
-    Cause cause{};
-  };
-  // A program that runs.
-  struct Running {
-    std::string digest;
-    FleetReader reader;
-  };
-
   // fleet_executive_start.cpp: the first plan.
   bool start_afresh();
   bool give_up_planless(const FleetOutcome& outcome);
   Wish stay_ready(const FleetOutcome& outcome, const FleetRequest& request);
   bool wanted() const;
-  bool await_start(std::chrono::milliseconds timeout);
-  void enter(Stage stage);
 
   // fleet_executive.cpp: from start to end.
+  bool begin() override;
+  bool drives() const override { return reader_.has_value(); }
   bool resume();
   bool resume_plan(FleetOutcome outcome, const FleetRequest& request);
   void write_journal();
   std::optional<std::string> carrier() const;
-  bool await_runtime();
-  bool recover_runtime();
+  bool recover_runtime() override;
   bool has_gone_on();
   bool shut_in(std::uint32_t vehicle) const;
   bool has_more_room() const;
-  bool finish();
+  bool finish() override;
   std::vector<std::string> missed() const;
   void note_goals();
-  bool give_up(const std::string& reason, executive::IncidentKind kind,
-               result::ExitCode exit = result::ExitCode::RuntimeFault);
-  void set_phase(executive::Phase phase, std::string message);
-  void publish(bool now);
+  void publish(bool now) override;
   void renew_document();
 
   // fleet_executive_follow.cpp: watching one plan.
-  Decision follow();
-  Decision judge(const host::StepEvent& event);
-  Decision judge_reading(const FleetReading& reading);
+  run::Decision judge_image(std::span<const std::byte> image) override;
+  run::Decision stopped(const host::StepEvent& event) override;
   void note(const FollowNews& news);
   void note_stop(const StopMade& stop, bool begun);
   void note_delay(const Delay& delay);
-  std::optional<Cause> due_requests(double time_s);
+  std::optional<run::Cause> due(double time_s) override;
   // What each kind of request comes to; true if it takes another plan.
-  bool apply(const OrderChange& order, Cause& cause);
-  bool apply(const BlockChange& block, Cause& cause);
-  bool apply(const UnblockChange& unblock, Cause& cause);
-  bool apply(const ReturnChange& back, Cause& cause);
-  bool apply(const HoldChange& hold, Cause& cause);
-  bool apply(const ResumeChange& resume, Cause& cause);
+  bool apply(const OrderChange& order, run::Cause& cause);
+  bool apply(const BlockChange& block, run::Cause& cause);
+  bool apply(const UnblockChange& unblock, run::Cause& cause);
+  bool apply(const ReturnChange& back, run::Cause& cause);
+  bool apply(const HoldChange& hold, run::Cause& cause);
+  bool apply(const ResumeChange& resume, run::Cause& cause);
   bool crosses(const geometry::ConvexPolygon& area) const;
-  Cause lose(const std::vector<std::uint32_t>& errors, const FleetReading& reading,
-             const std::vector<double>& begun_m);
-  bool runtime_lost();
+  run::Cause lose(const std::vector<std::uint32_t>& errors, const FleetReading& reading,
+                  const std::vector<double>& begun_m);
   std::chrono::milliseconds plan_clock() const;   // since the plan's time zero
   std::chrono::milliseconds first_clock() const;  // since the first plan's
   std::size_t action_of(const StopMade& stop) const;
 
   // fleet_executive_rest.cpp: to rest, between two plans and after an emergency stop.
-  std::optional<Cause> hold(const Cause& cause, executive::Phase phase, const std::string& message);
-  std::optional<Cause> hold_stopped();
-  bool stay(const std::string& reason, executive::IncidentKind kind);
-  std::optional<Cause> hold_asked();
+  std::optional<run::Cause> hold(const run::Cause& cause, run::Phase phase, const std::string& message);
+  std::optional<run::Cause> hold_stopped() override;
+  bool stay(const std::string& reason, run::IncidentKind kind);
+  std::optional<run::Cause> hold_asked();
   bool take_held(const host::StepEvent& event);
-  Cause resumed();
+  run::Cause resumed();
   bool bring_to_rest();
   bool install_to_stay(const PreparedFleet& prepared);
   Rest await_rest(const PreparedFleet& halt, const std::vector<double>& begun_m);
@@ -163,7 +130,7 @@ class FleetExecutive {
   ErrorReset take_resets();
 
   // fleet_executive_replan.cpp: from a cause to the next plan.
-  bool replan(const Cause& cause);
+  bool replan(const run::Cause& cause) override;
   FleetRequest next_request();
   NewStart start_of(std::uint32_t vehicle, const OccupancyGrid& map) const;
   bool plan_rest();
@@ -172,23 +139,16 @@ class FleetExecutive {
   bool launch(FleetOutcome outcome, const FleetRequest& request);
   void follow_plan(FleetOutcome outcome, const FleetRequest& request);
   bool install(const PreparedFleet& prepared);
-  bool download_and_start(const PreparedFleet& prepared);
-  bool await_event(host::EventKind kind);
-  void open_incident(const Cause& cause);
-  void decide(executive::Response response);
   void add_evidence(std::string sentence);
 
   FleetDesk& desk_;
-  executive::Controller& controller_;
   const FleetExecutiveOptions options_;
-  const Observer observer_;
 
-  executive::RunRecord record_;
   FleetLedger ledger_;
   std::optional<FleetFollow> follow_;  // of the plan that is driven
   std::optional<PreparedFleet> plan_;  // that one
   std::string plan_document_;          // of it: what the document shows as long as it is driven
-  std::optional<Running> running_;     // plan or halt
+  std::optional<FleetReader> reader_;  // of the program that runs: plan or halt
   FleetReading reading_;               // the newest
   std::vector<Track> tracks_;          // by vehicle: the last way, and where on it the vehicle stood
   std::vector<std::optional<Standing>> standing_;   // by vehicle: lost ones
@@ -204,23 +164,13 @@ class FleetExecutive {
   LedgerState planned_from_;  // of the plan: what the ledger said, and what was asked
   FleetRequest planned_as_;
   std::uint32_t revision_ = 0;
-  executive::RunClock clock_;   // of the record
   double first_epoch_s_ = 0.0;  // of the first plan's time zero
   double epoch_s_ = 0.0;        // of this plan's
-  bool confirmed_ = false;
-  int silent_rounds_ = 0;
-  bool changed_ = false;  // since the document was published
+  bool changed_ = false;        // since the document was published
   std::chrono::steady_clock::time_point published_{};
-  std::chrono::steady_clock::time_point working_since_;
-  bool working_ = false;
 
-  std::size_t next_request_ = 0;  // into options_.requests
-  std::atomic<bool> abort_{false};
-  mutable std::mutex requests_mutex_;  // of what follows
-  std::vector<FleetChange> requests_;  // from other threads, not yet taken
-  std::condition_variable start_signal_;
-  Stage stage_ = Stage::Running;
-  bool start_ = false;  // an operator wants it
+  std::size_t next_request_ = 0;       // into options_.requests
+  std::vector<FleetChange> requests_;  // from other threads, not yet taken; guarded by requests_mutex_
 };
 
 }  // namespace stepwright::fleet

@@ -12,13 +12,11 @@
 
 namespace stepwright::fleet {
 
-using executive::IncidentKind;
-using executive::Response;
+using run::IncidentKind;
+using run::Response;
 using std::chrono::milliseconds;
 
 namespace {
-
-constexpr int kMaxSilentRounds = 5;
 
 milliseconds since(double epoch_s, double now_s) {
   return milliseconds(std::llround(1e3 * (now_s - epoch_s)));
@@ -26,61 +24,21 @@ milliseconds since(double epoch_s, double now_s) {
 
 }  // namespace
 
-FleetExecutive::Decision FleetExecutive::follow() {
-  while (true) {
-    if (abort_) return {Verdict::GiveUp, {IncidentKind::Operator, {"aborted by the operator"}, {}}};
-    const auto event = controller_.wait_event(milliseconds(200));
-    if (!event) {
-      if (runtime_lost()) return {Verdict::RuntimeLost, {}};
-      if (auto cause = due_requests(clock_.now_s())) return {Verdict::Replan, *cause};
-      publish(false);
-      continue;
-    }
-    const Decision decision = judge(*event);
-    publish(false);
-    // While an emergency stop holds the fleet, the clock goes on.
-    if (decision.verdict == Verdict::Hold) (void)controller_.acknowledge(event->sequence);
-    if (decision.verdict != Verdict::GoOn) return decision;
-    (void)controller_.acknowledge(event->sequence);  // a lost runtime shows in the next round
-  }
-}
-
-FleetExecutive::Decision FleetExecutive::judge(const host::StepEvent& event) {
-  if (event.kind == host::EventKind::RolledBack) {
-    return {Verdict::GiveUp,
-            {IncidentKind::ProgramFault, {"the program trapped and was rolled back: " + event.detail}, {}}};
-  }
-  if (event.program_digest != running_->digest) return {};  // news of a program that was replaced since
-  clock_.see(event.incarnation, event.time_ns);
-  switch (event.kind) {
-    case host::EventKind::Started:
-    case host::EventKind::Changed:
-    case host::EventKind::RolledBack:
-      return {};
-    case host::EventKind::StepChange:
-      return judge_reading(running_->reader.read(event.image));
-    case host::EventKind::Trap:
-      return {Verdict::GiveUp, {IncidentKind::ProgramFault, {"the program trapped: " + event.detail}, {}}};
-    case host::EventKind::Stopped:
-      break;
-  }
-  // Whoever stopped the fleet on purpose does not want it to go on by itself.
-  const bool unattended = event.detail == host::kSupervisorLost;
-  return {Verdict::GiveUp,
-          {unattended ? IncidentKind::LostSupervisor : IncidentKind::Operator,
-           {"stopped from outside: " + event.detail},
-           {}}};
-}
-
-FleetExecutive::Decision FleetExecutive::judge_reading(const FleetReading& reading) {
-  reading_ = reading;
-  const FollowNews news = follow_->take(reading, plan_clock());
+run::Decision FleetExecutive::judge_image(std::span<const std::byte> image) {
+  reading_ = reader_->read(image);
+  const FollowNews news = follow_->take(reading_, plan_clock());
   note(news);
-  if (reading.emergency_stop) return {Verdict::Hold, {}};
-  if (!news.errors.empty()) return {Verdict::Replan, lose(news.errors, reading, {})};
-  if (auto cause = due_requests(clock_.now_s())) return {Verdict::Replan, *cause};
-  if (news.finished) return {Verdict::Finished, {}};
-  return {};
+  if (reading_.emergency_stop) return {run::Verdict::Hold};
+  if (!news.errors.empty()) return {run::Verdict::Replan, lose(news.errors, reading_, {})};
+  if (auto cause = due(clock_.now_s())) return {run::Verdict::Replan, *std::move(cause)};
+  return {news.finished ? run::Verdict::Finished : run::Verdict::GoOn};
+}
+
+// Forks go down without a program: nobody knows where loads are.
+run::Decision FleetExecutive::stopped(const host::StepEvent& event) {
+  const bool unattended = event.detail == host::kSupervisorLost;
+  return run::give_up_because(unattended ? IncidentKind::LostSupervisor : IncidentKind::Operator,
+                              "stopped from outside: " + event.detail);
 }
 
 void FleetExecutive::note(const FollowNews& news) {
@@ -93,16 +51,16 @@ void FleetExecutive::note(const FollowNews& news) {
 // A stop that has begun ends by itself: for what remains it counts as made.
 void FleetExecutive::note_stop(const StopMade& stop, bool begun) {
   const VehicleMission& mission = follow_->plan().missions[stop.vehicle];
-  executive::ActionRecord& action = record_.episodes.back().actions[action_of(stop)];
+  run::ActionRecord& action = record_.episodes.back().actions[action_of(stop)];
   if (begun) {
     begun_[stop.vehicle] = first_clock();
     ledger_.made(stop.vehicle, mission.stops[stop.stop], first_clock());
-    action.state = executive::ActionState::Active;
+    action.state = run::ActionState::Active;
     if (!action.started_s) action.started_s = clock_.now_s();  // a journal may know better
     return;
   }
   ledger_.ended(mission.stops[stop.stop], begun_[stop.vehicle], first_clock());
-  action.state = executive::ActionState::Done;
+  action.state = run::ActionState::Done;
   if (!action.finished_s) action.finished_s = clock_.now_s();
   record_.finished_s = clock_.now_s();
 }
@@ -132,9 +90,9 @@ void FleetExecutive::note_delay(const Delay& delay) {
 }
 
 // Vehicles that have stopped by themselves take no part any more; where they stand nobody is to drive.
-FleetExecutive::Cause FleetExecutive::lose(const std::vector<std::uint32_t>& errors,
-                                           const FleetReading& reading, const std::vector<double>& begun_m) {
-  Cause cause;
+run::Cause FleetExecutive::lose(const std::vector<std::uint32_t>& errors, const FleetReading& reading,
+                                const std::vector<double>& begun_m) {
+  run::Cause cause;
   for (const std::uint32_t v : errors) {
     const VehicleReading& now = reading.vehicles[v];
     const StopCause why = stop_cause(now.error);
@@ -144,7 +102,7 @@ FleetExecutive::Cause FleetExecutive::lose(const std::vector<std::uint32_t>& err
     const std::string reason = fmt::format("{} at ({:.1f} m, {:.1f} m), error {}", why.sentence, now.pose.x_m,
                                            now.pose.y_m, now.error);
     cause.kind = why.kind;
-    cause.vehicle = name;
+    cause.action = name;
     cause.evidence.push_back(name + ": " + reason);
     ledger_.lose(v, reason);
     const geometry::Footprint outline = desk_.model(v).footprint();
@@ -155,7 +113,7 @@ FleetExecutive::Cause FleetExecutive::lose(const std::vector<std::uint32_t>& err
   return cause;
 }
 
-std::optional<FleetExecutive::Cause> FleetExecutive::due_requests(double time_s) {
+std::optional<run::Cause> FleetExecutive::due(double time_s) {
   std::vector<FleetChange> due;
   {
     const std::lock_guard lock(requests_mutex_);
@@ -166,13 +124,13 @@ std::optional<FleetExecutive::Cause> FleetExecutive::due_requests(double time_s)
     due.push_back(options_.requests[next_request_].change);
   }
   if (due.empty()) return std::nullopt;
-  Cause all;
+  run::Cause all;
   bool replan = false;
   for (const FleetChange& change : due) {
-    Cause cause;
+    run::Cause cause;
     const bool needed = std::visit([&](const auto& asked) { return apply(asked, cause); }, change);
     all.kind = cause.kind;
-    all.vehicle = cause.vehicle;
+    all.action = cause.action;
     all.evidence.insert(all.evidence.end(), cause.evidence.begin(), cause.evidence.end());
     replan = replan || needed;
   }
@@ -183,7 +141,7 @@ std::optional<FleetExecutive::Cause> FleetExecutive::due_requests(double time_s)
   return std::nullopt;
 }
 
-bool FleetExecutive::apply(const OrderChange& order, Cause& cause) {
+bool FleetExecutive::apply(const OrderChange& order, run::Cause& cause) {
   const auto& goals = ledger_.problem().goals;
   const bool known = std::ranges::find(goals, order.name, &MissionGoal::name) != goals.end();
   cause.kind = known ? IncidentKind::ChangedDemand : IncidentKind::NewGoal;
@@ -214,7 +172,7 @@ bool FleetExecutive::crosses(const geometry::ConvexPolygon& area) const {
   return false;
 }
 
-bool FleetExecutive::apply(const BlockChange& block, Cause& cause) {
+bool FleetExecutive::apply(const BlockChange& block, run::Cause& cause) {
   cause.kind = IncidentKind::Position;
   std::erase_if(blocked_, [&](const Blocked& place) { return place.name == block.place.name; });
   blocked_.push_back(block.place);
@@ -226,7 +184,7 @@ bool FleetExecutive::apply(const BlockChange& block, Cause& cause) {
   return concerned;
 }
 
-bool FleetExecutive::apply(const UnblockChange& unblock, Cause& cause) {
+bool FleetExecutive::apply(const UnblockChange& unblock, run::Cause& cause) {
   cause.kind = IncidentKind::Position;
   const auto known =
       std::erase_if(blocked_, [&](const Blocked& place) { return place.name == unblock.name; });
@@ -237,9 +195,9 @@ bool FleetExecutive::apply(const UnblockChange& unblock, Cause& cause) {
   return waited_for;
 }
 
-bool FleetExecutive::apply(const ReturnChange& back, Cause& cause) {
+bool FleetExecutive::apply(const ReturnChange& back, run::Cause& cause) {
   cause.kind = IncidentKind::Position;
-  cause.vehicle = back.vehicle;
+  cause.action = back.vehicle;
   const auto& vehicles = desk_.problem().vehicles;
   const auto found = std::ranges::find(vehicles, back.vehicle, &MissionVehicle::name);
   const auto v = static_cast<std::uint32_t>(found - vehicles.begin());
@@ -255,7 +213,7 @@ bool FleetExecutive::apply(const ReturnChange& back, Cause& cause) {
   return true;
 }
 
-bool FleetExecutive::apply(const HoldChange&, Cause& cause) {
+bool FleetExecutive::apply(const HoldChange&, run::Cause& cause) {
   cause.kind = IncidentKind::Operator;
   if (held_ || to_hold_) {
     cause.evidence.emplace_back("the fleet is held already");
@@ -266,7 +224,7 @@ bool FleetExecutive::apply(const HoldChange&, Cause& cause) {
   return true;
 }
 
-bool FleetExecutive::apply(const ResumeChange&, Cause& cause) {
+bool FleetExecutive::apply(const ResumeChange&, run::Cause& cause) {
   cause.kind = IncidentKind::Operator;
   if (std::exchange(to_hold_, false)) {
     cause.evidence.emplace_back("the fleet may go on");
@@ -283,19 +241,6 @@ bool FleetExecutive::apply(const ResumeChange&, Cause& cause) {
   held_ = false;
   cause.evidence.emplace_back("the fleet may go on");
   return true;
-}
-
-// Asked after a while without news.
-bool FleetExecutive::runtime_lost() {
-  if (!controller_.alive()) return true;
-  const auto status = controller_.status();
-  if (status && status->program_digest == running_->digest) {
-    confirmed_ = true;
-    silent_rounds_ = 0;
-    return false;
-  }
-  // Right after a download the newest status may still be an old one.
-  return confirmed_ || ++silent_rounds_ > kMaxSilentRounds;
 }
 
 milliseconds FleetExecutive::plan_clock() const {

@@ -11,9 +11,9 @@
 
 namespace stepwright::fleet {
 
-using executive::IncidentKind;
-using executive::Phase;
-using executive::Response;
+using run::IncidentKind;
+using run::Phase;
+using run::Response;
 using std::chrono::milliseconds;
 
 namespace {
@@ -24,7 +24,7 @@ std::string joined(const std::vector<std::string>& sentences) {
 
 }  // namespace
 
-bool FleetExecutive::replan(const Cause& cause) {
+bool FleetExecutive::replan(const run::Cause& cause) {
   record_.replans.push_back({clock_.now_s(), joined(cause.evidence), {}, to_hold_});
   open_incident(cause);
   if (!to_hold_ && static_cast<int>(counted(record_.replans)) > options_.max_replans) {
@@ -86,7 +86,7 @@ bool FleetExecutive::plan_rest() {
       continue;
     }
     auto outcome = desk_.plan(ledger_, request);
-    if (abort_) return give_up("aborted by the operator", IncidentKind::Operator);
+    if (abort_) return give_up_aborted();
     if (!outcome) {
       if (!wait_for_people("no program could be made: " + result::to_string(outcome.error()),
                            IncidentKind::ProgramFault))
@@ -182,8 +182,8 @@ void FleetExecutive::follow_plan(FleetOutcome outcome, const FleetRequest& reque
 void FleetExecutive::launch_record(const FleetOutcome& outcome) {
   const FleetAnswer& answer = outcome.prepared.answer;
   const Schedule& made = answer.plan.schedule;
-  executive::Episode episode;
-  if (running_) episode.digest = running_->digest;
+  run::Episode episode;
+  if (reader_) episode.digest = digest_;
   episode.started_s = clock_.now_s();
   episode.origin = record_.episodes.empty() ? "planned" : "replanned";
   episode.first_plan_ms = answer.figures.total_ms - answer.figures.improve_ms;
@@ -200,7 +200,7 @@ void FleetExecutive::launch_record(const FleetOutcome& outcome) {
                          : stop.kind == StopKind::SetDown ? "set_down"
                          : stop.kind == StopKind::GiveWay ? "give_way"
                                                           : "park";
-      executive::ActionRecord action;
+      run::ActionRecord action;
       action.text = stop.goal.empty() ? fmt::format("{}: {} at {}", mission.vehicle, does, stop.location)
                                       : fmt::format("{}: {} {} {} at {}", mission.vehicle, does, stop.amount,
                                                     stop.goal, stop.location);
@@ -214,27 +214,6 @@ void FleetExecutive::launch_record(const FleetOutcome& outcome) {
   if (made.lower_bound.count() > 0) episode.bound = seconds(made.lower_bound);
   if (record_.episodes.empty()) record_.started_s = clock_.now_s();
   record_.episodes.push_back(std::move(episode));
-}
-
-void FleetExecutive::open_incident(const Cause& cause) {
-  executive::Incident incident;
-  incident.time_s = clock_.now_s();
-  incident.kind = cause.kind;
-  incident.evidence = cause.evidence;
-  incident.action = cause.vehicle;
-  record_.incidents.push_back(std::move(incident));
-  working_ = true;
-  working_since_ = std::chrono::steady_clock::now();
-}
-
-void FleetExecutive::decide(Response response) {
-  if (record_.incidents.empty() || record_.incidents.back().response != Response::Open) return;
-  executive::Incident& incident = record_.incidents.back();
-  incident.response = response;
-  if (std::exchange(working_, false)) {
-    incident.decision_ms +=
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - working_since_).count();
-  }
 }
 
 // Of the incident that is being decided.

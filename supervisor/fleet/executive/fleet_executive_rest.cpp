@@ -13,9 +13,9 @@
 
 namespace stepwright::fleet {
 
-using executive::IncidentKind;
-using executive::Phase;
-using executive::Response;
+using run::IncidentKind;
+using run::Phase;
+using run::Response;
 using std::chrono::milliseconds;
 
 namespace {
@@ -39,20 +39,20 @@ std::string nobody_came(IncidentKind kind, const std::string& cause, Phase phase
 
 }  // namespace
 
-std::optional<FleetExecutive::Cause> FleetExecutive::hold_stopped() {
+std::optional<run::Cause> FleetExecutive::hold_stopped() {
   return hold({IncidentKind::Operator, {"the emergency stop is pressed: all vehicles stand"}, {}},
               Phase::Waiting, "the emergency stop holds the fleet: release it, then let the fleet go on");
 }
 
-std::optional<FleetExecutive::Cause> FleetExecutive::hold_asked() {
+std::optional<run::Cause> FleetExecutive::hold_asked() {
   return hold({IncidentKind::Operator, {"held by the operator: all vehicles rest"}, {}}, Phase::Held,
               "held by the operator: all vehicles rest until the run is resumed or aborted");
 }
 
 // All vehicles stand, and the program goes on scanning. Why the next plan is made; nothing if the run has
 // ended.
-std::optional<FleetExecutive::Cause> FleetExecutive::hold(const Cause& cause, Phase phase,
-                                                          const std::string& message) {
+std::optional<run::Cause> FleetExecutive::hold(const run::Cause& cause, Phase phase,
+                                               const std::string& message) {
   open_incident(cause);
   const std::size_t incident = record_.incidents.size() - 1;
   held_ = true;
@@ -62,7 +62,7 @@ std::optional<FleetExecutive::Cause> FleetExecutive::hold(const Cause& cause, Ph
   double now_s = clock_.now_s();
   while (true) {
     if (abort_) {
-      give_up("aborted by the operator", IncidentKind::Operator);
+      give_up_aborted();
       return std::nullopt;
     }
     const auto event = controller_.wait_event(milliseconds(200));
@@ -73,13 +73,13 @@ std::optional<FleetExecutive::Cause> FleetExecutive::hold(const Cause& cause, Ph
     }
     // Who rests causes no event that would tell what there is, and the time.
     const auto snapshot = controller_.snapshot();
-    if (!event && snapshot && snapshot->program_digest == running_->digest) {
-      reading_ = running_->reader.read(snapshot->image);
+    if (!event && snapshot && snapshot->program_digest == digest_) {
+      reading_ = reader_->read(snapshot->image);
       now_s = std::max(now_s, clock_.at(snapshot->incarnation, snapshot->time_ns));
     }
     now_s = std::max(now_s, clock_.now_s());
-    (void)due_requests(now_s);  // what they ask for is in the next plan
-    publish(false);             // nobody who stands causes news
+    (void)due(now_s);  // what they ask for is in the next plan
+    publish(false);    // nobody who stands causes news
     if (!held_) {
       record_.incidents[incident].response = Response::Replan;
       return resumed();
@@ -95,17 +95,17 @@ std::optional<FleetExecutive::Cause> FleetExecutive::hold(const Cause& cause, Ph
 // False if the program does not run any more.
 bool FleetExecutive::take_held(const host::StepEvent& event) {
   if (event.kind == host::EventKind::RolledBack) return false;
-  if (event.program_digest != running_->digest) return true;
+  if (event.program_digest != digest_) return true;
   if (ends_the_run(event.kind)) return false;
   clock_.see(event.incarnation, event.time_ns);
-  if (event.kind == host::EventKind::StepChange) reading_ = running_->reader.read(event.image);
+  if (event.kind == host::EventKind::StepChange) reading_ = reader_->read(event.image);
   publish(false);
   return true;
 }
 
 // Whoever stands for the emergency stop alone goes on; another cause is one that nobody has seen to.
-FleetExecutive::Cause FleetExecutive::resumed() {
-  Cause cause{IncidentKind::Operator, {"the fleet goes on"}, {}};
+run::Cause FleetExecutive::resumed() {
+  run::Cause cause{IncidentKind::Operator, {"the fleet goes on"}, {}};
   for (std::uint32_t v = 0; v < reading_.vehicles.size(); ++v) {
     if (reading_.vehicles[v].error == kEmergencyStop && !ledger_.vehicles()[v].lost) resets_[v] = true;
   }
@@ -172,9 +172,9 @@ FleetExecutive::Rest FleetExecutive::await_rest(const PreparedFleet& halt,
     if (ends_the_run(event->kind))
       return end("the fleet was stopped while it was brought to rest: " + event->detail,
                  IncidentKind::ProgramFault);
-    if (event->program_digest == running_->digest && event->kind == host::EventKind::StepChange) {
+    if (event->program_digest == digest_ && event->kind == host::EventKind::StepChange) {
       clock_.see(event->incarnation, event->time_ns);
-      reading_ = running_->reader.read(event->image);
+      reading_ = reader_->read(event->image);
       if (reading_.emergency_stop) {
         (void)controller_.acknowledge(event->sequence);  // the clock goes on while the fleet is held
         return Rest::EmergencyStop;

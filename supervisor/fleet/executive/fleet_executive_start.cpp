@@ -8,9 +8,9 @@
 
 namespace stepwright::fleet {
 
-using executive::IncidentKind;
-using executive::Phase;
-using executive::Response;
+using run::IncidentKind;
+using run::Phase;
+using run::Response;
 using std::chrono::milliseconds;
 
 namespace {
@@ -55,11 +55,11 @@ FleetExecutive::Wish FleetExecutive::stay_ready(const FleetOutcome& outcome, con
                         record_.episodes.back().actions.size()));
   while (true) {
     if (abort_) {
-      give_up("aborted by the operator", IncidentKind::Operator);
+      give_up_aborted();
       return Wish::Abort;
     }
     const bool started = await_start(kLookAtRequests);
-    const auto cause = due_requests(clock_.now_s());
+    const auto cause = due(clock_.now_s());
     if (!started && !cause) {
       publish(false);
       continue;
@@ -90,16 +90,6 @@ result::Result<void> FleetExecutive::request_start() {
 bool FleetExecutive::wanted() const {
   const std::lock_guard lock(requests_mutex_);
   return !options_.operator_starts || start_;
-}
-
-bool FleetExecutive::await_start(milliseconds timeout) {
-  std::unique_lock lock(requests_mutex_);
-  return start_signal_.wait_for(lock, timeout, [this] { return start_; });
-}
-
-void FleetExecutive::enter(Stage stage) {
-  const std::lock_guard lock(requests_mutex_);
-  stage_ = stage;
 }
 
 }  // namespace stepwright::fleet

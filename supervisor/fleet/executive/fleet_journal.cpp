@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "supervisor/executive/journal_file.h"
+#include "supervisor/run/journal_file.h"
 
 namespace stepwright::fleet {
 namespace {
@@ -166,13 +166,13 @@ FleetRequest request_from(const json& value) {
 
 // The record has its own form.
 json document_of(const FleetJournal& journal) {
-  executive::RunRecord record = journal.record;
+  run::RunRecord record = journal.record;
   record.fleet.clear();
   json blocked = json::array();
   for (const Blocked& place : journal.blocked)
     blocked.push_back({{"name", place.name}, {"area", area_json(place.area)}});
   return {{"version", kVersion},
-          {"record", json::parse(executive::to_json(record))},
+          {"record", json::parse(run::to_json(record))},
           {"ledger", ledger_json(journal.ledger)},
           {"request", request_json(journal.request)},
           {"blocked", std::move(blocked)},
@@ -187,12 +187,12 @@ json document_of(const FleetJournal& journal) {
 }  // namespace
 
 result::Result<void> write_fleet_journal(const std::filesystem::path& file, const FleetJournal& journal) {
-  return executive::replace_journal_file(
-      file, document_of(journal).dump(-1, ' ', false, json::error_handler_t::replace));
+  return run::replace_journal_file(file,
+                                   document_of(journal).dump(-1, ' ', false, json::error_handler_t::replace));
 }
 
 result::Result<std::optional<FleetJournal>> read_fleet_journal(const std::filesystem::path& file) {
-  auto text = executive::read_journal_file(file);
+  auto text = run::read_journal_file(file);
   if (!text) return result::forward(text);
   if (!*text) return std::optional<FleetJournal>();
   const auto refuse = [&](const std::string& why) {
@@ -203,7 +203,7 @@ result::Result<std::optional<FleetJournal>> read_fleet_journal(const std::filesy
     const json document = json::parse(**text);
     if (document.at("version") != kVersion) return refuse("another version");
     FleetJournal journal;
-    auto record = executive::record_from_json(document.at("record").dump(), file.string());
+    auto record = run::record_from_json(document.at("record").dump(), file.string());
     if (!record) return result::forward(record);
     journal.record = *std::move(record);
     journal.ledger = ledger_from(document.at("ledger"));

@@ -12,23 +12,23 @@
 #include <vector>
 
 #include "runtime/result/result.h"
-#include "supervisor/executive/run_clock.h"
-#include "supervisor/executive/run_record.h"
 #include "supervisor/fleet/executive/fleet_desk.h"
 #include "supervisor/fleet/executive/fleet_ledger.h"
 #include "supervisor/fleet/executive/fleet_request.h"
+#include "supervisor/run/run_clock.h"
+#include "supervisor/run/run_record.h"
 
 namespace stepwright::fleet {
 
 struct FleetJournal {
-  executive::RunRecord record;  // without the fleet's document
-  LedgerState ledger;           // when the plan was made
-  FleetRequest request;         // of the plan
+  run::RunRecord record;  // without the fleet's document
+  LedgerState ledger;     // when the plan was made
+  FleetRequest request;   // of the plan
   std::vector<Blocked> blocked = {};
   std::size_t next_request = 0;
   double first_epoch_s = 0.0;
   double epoch_s = 0.0;
-  executive::RunClock::State clock;
+  run::RunClock::State clock;
 };
 
 // X0004: the file cannot be written.

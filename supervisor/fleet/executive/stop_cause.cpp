@@ -3,7 +3,7 @@
 namespace stepwright::fleet {
 
 StopCause stop_cause(std::uint32_t error_id) {
-  using Kind = executive::IncidentKind;
+  using Kind = run::IncidentKind;
   switch (error_id) {
     case 21:
       return {Kind::Position, "it has come off its path"};

@@ -6,12 +6,12 @@
 #include <cstdint>
 #include <string>
 
-#include "supervisor/executive/incident.h"
+#include "supervisor/run/incident.h"
 
 namespace stepwright::fleet {
 
 struct StopCause {
-  executive::IncidentKind kind = executive::IncidentKind::FailedActuator;
+  run::IncidentKind kind = run::IncidentKind::FailedActuator;
   std::string sentence;
   bool place_unsure = false;  // it may stand somewhat elsewhere
 };

@@ -14,7 +14,7 @@ using nlohmann::json;
 
 void add(const RunResult& run, ClassFigures& figures) {
   ++figures.runs;
-  const executive::RunRecord& record = run.record;
+  const run::RunRecord& record = run.record;
   if (run.verdict == Verdict::GoalReached) {
     ++figures.goals;
     figures.cost_sum += record.episodes.empty() ? 0.0 : record.episodes.back().cost;
@@ -25,7 +25,7 @@ void add(const RunResult& run, ClassFigures& figures) {
   if (run.verdict == Verdict::Lost) ++figures.lost;
   figures.replans += record.replans.size();
   figures.worst_replans = std::max<std::uint64_t>(figures.worst_replans, record.replans.size());
-  for (const executive::Incident& incident : record.incidents) {
+  for (const run::Incident& incident : record.incidents) {
     ++figures.incidents[to_string(incident.kind)];
     ++figures.decisions[to_string(incident.response)];
     figures.kept += incident.kept;

@@ -20,8 +20,8 @@
 namespace stepwright::campaign {
 namespace {
 
-using executive::Phase;
 using nlohmann::json;
+using run::Phase;
 using support::SimulatedController;
 
 constexpr std::chrono::seconds kHold{60};    // of the scan clock: nobody comes to a fleet that is held
@@ -40,7 +40,7 @@ struct Missing {
   bool open = false;
 };
 
-Missing missing_of(const executive::RunRecord& record) {
+Missing missing_of(const run::RunRecord& record) {
   Missing missing;
   const json fleet = json::parse(record.fleet, nullptr, false);
   if (!fleet.is_object()) return {"there is no document of the fleet", true};
@@ -67,7 +67,7 @@ std::string wrong_stop(const FleetRun& run, double ended_s) {
 
 void judge(const SimulatedController& controller, double ended_s, FleetRun& run) {
   const bool done = run.record.phase == Phase::Done;
-  const bool met = std::ranges::all_of(run.record.goal, &executive::GoalRecord::met);
+  const bool met = std::ranges::all_of(run.record.goal, &run::GoalRecord::met);
   for (const char* truth : {"overlaps", "obstacle_overlaps", "contacts"}) {
     if (controller.plant_value(truth) != 0.0)
       run.why = fmt::format("{}: {}", truth, controller.plant_value(truth));
@@ -110,7 +110,7 @@ void add(const FleetRun& run, FleetClass& figures) {
   if (run.verdict == Verdict::GoalReached) ++figures.delivered;
   if (run.verdict == Verdict::SafeStop) ++figures.safe_stops;
   if (run.verdict == Verdict::Lost) ++figures.lost;
-  for (const executive::Incident& incident : run.record.incidents) {
+  for (const run::Incident& incident : run.record.incidents) {
     if (incident.replan_ms <= 0.0) continue;
     ++figures.plans;
     figures.plan_ms_sum += incident.replan_ms;
@@ -160,7 +160,7 @@ FleetRun run_fleet(FleetCell& cell, std::uint64_t seed) {
   } catch (const std::exception& problem) {  // nothing happens any more
     run.why = problem.what();
   }
-  for (const executive::Incident& incident : run.record.incidents)
+  for (const run::Incident& incident : run.record.incidents)
     run.longest_plan_ms = std::max(run.longest_plan_ms, incident.replan_ms);
   return run;
 }
@@ -199,8 +199,8 @@ std::string table(const FleetFigures& figures) {
   fmt::format_to(out, "plan, longest: ms; {:.1f} s\n", figures.wall_s);
   for (const FleetRun& run : figures.lost) {
     fmt::format_to(out, "LOST seed {} ({}): {}\n", run.moment.seed, run.moment.story, run.why);
-    for (const executive::Incident& incident : run.record.incidents) {
-      if (incident.response == executive::Response::GoOn) continue;
+    for (const run::Incident& incident : run.record.incidents) {
+      if (incident.response == run::Response::GoOn) continue;
       fmt::format_to(out, "  {:.2f} s: {}\n", incident.time_s, fmt::join(incident.evidence, "; "));
     }
   }

@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-#include "supervisor/executive/run_record.h"
+#include "supervisor/run/run_record.h"
 #include "tests/bench/campaign/fleet_moment.h"
 #include "tests/bench/campaign/run.h"
 
@@ -42,7 +42,7 @@ struct FleetRun {
   FleetMoment moment;
   Verdict verdict = Verdict::Lost;
   std::string why;  // of a lost run; else what is missing of one that stopped safely
-  executive::RunRecord record;
+  run::RunRecord record;
   double longest_plan_ms = 0.0;  // of wall time
 };
 

@@ -15,11 +15,11 @@
 namespace stepwright::campaign {
 namespace {
 
-using executive::Incident;
-using executive::IncidentKind;
-using executive::Phase;
-using executive::Response;
 using nlohmann::json;
+using run::Incident;
+using run::IncidentKind;
+using run::Phase;
+using run::Response;
 using support::PlantFault;
 using support::SimulatedController;
 
@@ -192,7 +192,7 @@ std::string table(const LineFigures& figures) {
   fmt::format_to(out, "decision: ms, mean; {:.1f} s\n", figures.wall_s);
   for (const LineRun& lost : figures.lost) {
     fmt::format_to(out, "LOST seed {} ({}): {}\n", lost.seed, lost.story, lost.why);
-    for (const executive::Replan& replan : lost.record.replans)
+    for (const run::Replan& replan : lost.record.replans)
       fmt::format_to(out, "  {:.2f} s after {}: {}\n", replan.time_s, replan.after_action, replan.cause);
   }
   return text;

@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-#include "supervisor/executive/run_record.h"
+#include "supervisor/run/run_record.h"
 #include "tests/bench/campaign/run.h"
 #include "tests/support/controller/simulated_controller.h"
 
@@ -29,7 +29,7 @@ struct LineRun {
   std::string story;  // the fault with its times
   Verdict verdict = Verdict::Lost;
   std::string why;  // of a lost run
-  executive::RunRecord record;
+  run::RunRecord record;
 };
 
 // A random fault at a random time; of those that somebody can put right, until that is done and reset was

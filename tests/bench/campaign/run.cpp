@@ -11,11 +11,11 @@
 namespace stepwright::campaign {
 namespace {
 
-using executive::Incident;
-using executive::IncidentKind;
-using executive::Phase;
-using executive::Response;
-using executive::RunRecord;
+using run::Incident;
+using run::IncidentKind;
+using run::Phase;
+using run::Response;
+using run::RunRecord;
 using support::SimulatedController;
 
 // A level may be off by the tolerance of its sensor, and by what it moves in the filter's time (0.4 units a
@@ -25,7 +25,7 @@ constexpr double kPlaceError_m = 0.05;
 
 // The number after `start` in a goal such as "(= (level a1) 5)".
 std::optional<double> wanted(const RunRecord& record, const std::string& start) {
-  for (const executive::GoalRecord& goal : record.goal) {
+  for (const run::GoalRecord& goal : record.goal) {
     if (goal.text.rfind(start, 0) == 0) return std::strtod(goal.text.c_str() + start.size(), nullptr);
   }
   return std::nullopt;
@@ -34,7 +34,7 @@ std::optional<double> wanted(const RunRecord& record, const std::string& start) 
 std::optional<double> wanted_position(const RunRecord& record) {
   const std::pair<const char*, double> places[] = {
       {"(is-at v1 f1)", 0.0}, {"(is-at v1 a1)", -1.0}, {"(is-at v1 a2)", 1.0}};
-  for (const executive::GoalRecord& goal : record.goal) {
+  for (const run::GoalRecord& goal : record.goal) {
     for (const auto& [text, position] : places) {
       if (goal.text == text) return position;
     }
@@ -65,7 +65,7 @@ std::string wrong_goal(const translate::Binding& binding, const SimulatedControl
   if (!position) return "the goal says nothing of the vehicle";
   const double is = controller.plant_value("position");
   if (std::abs(is - *position) > kPlaceError_m) return fmt::format("the vehicle is at {:.2f} m", is);
-  for (const executive::GoalRecord& goal : run.record.goal) {
+  for (const run::GoalRecord& goal : run.record.goal) {
     if (!goal.met) return "the report itself says that " + goal.text + " is not met";
   }
   return {};

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <string>
 
-#include "supervisor/executive/run_record.h"
+#include "supervisor/run/run_record.h"
 #include "tests/bench/campaign/disturbance.h"
 
 namespace stepwright::campaign {
@@ -19,7 +19,7 @@ struct RunResult {
   Disturbance disturbance;
   Verdict verdict = Verdict::Lost;
   std::string why;  // of a lost run
-  executive::RunRecord record;
+  run::RunRecord record;
   double level_error = 0.0;  // at the goal: the larger of a1 and a2, in plan levels
   double wall_ms = 0.0;
 };

@@ -14,9 +14,9 @@
 #include "runtime/native/native_engine.h"
 #include "runtime/scan/scan_cycle.h"
 #include "runtime/vm/interpreter.h"
-#include "supervisor/executive/image_reader.h"
 #include "supervisor/executive/planning_desk.h"
 #include "supervisor/pddl/describe_run.h"
+#include "supervisor/run/image_reader.h"
 #include "supervisor/translate/progress.h"
 #include "tests/support/controller/simulated_controller.h"
 
@@ -109,7 +109,7 @@ std::vector<Bytes> recorded_inputs(const executive::PreparedPlan& plan) {
     std::memcpy(layout.image().bytes().data(), image.data(), image.size());
     inputs.emplace_back(layout.image().inputs().begin(), layout.image().inputs().end());
   };
-  const auto reader = taken(executive::ImageReader::create(plan.container, plan.translation.instance, {}));
+  const auto reader = taken(run::ImageReader::create(plan.container, plan.translation.instance, {}));
   (void)taken(controller.download(plan.container));
   if (!controller.start(false)) throw std::runtime_error("the plan does not start");
   while (const auto event = controller.wait_event(std::chrono::milliseconds(0))) {

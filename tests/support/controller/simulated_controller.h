@@ -21,7 +21,7 @@
 #include "runtime/bytecode/reader/program_info.h"
 #include "runtime/host/change_plan.h"
 #include "runtime/scan/scan_cycle.h"
-#include "supervisor/executive/controller.h"
+#include "supervisor/run/controller.h"
 
 namespace stepwright::support {
 
@@ -33,7 +33,7 @@ struct PlantFault {
   bool clears = false;  // it ends instead
 };
 
-class SimulatedController final : public executive::Controller {
+class SimulatedController final : public run::Controller {
  public:
   explicit SimulatedController(const assemblies::BenchParameters& parameters,
                                std::vector<PlantFault> faults = {});

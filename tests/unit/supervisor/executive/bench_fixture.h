@@ -50,14 +50,14 @@ inline assemblies::BenchParameters exact_bench() {
   return parameters;
 }
 
-inline RunRecord run_bench(support::SimulatedController& controller, ExecutiveOptions options = {},
-                           const PlanningDesk& desk = bench_desk()) {
+inline run::RunRecord run_bench(support::SimulatedController& controller, ExecutiveOptions options = {},
+                                const PlanningDesk& desk = bench_desk()) {
   options.cell = "bench";
   return Executive(desk, controller, std::move(options), {}).run();
 }
 
 // For messages of failed tests.
-inline std::string story(const RunRecord& record) {
+inline std::string story(const run::RunRecord& record) {
   std::string text = std::string(to_string(record.phase)) + ": " + record.message;
   for (const Replan& replan : record.replans) {
     text += "\n  " + std::to_string(replan.time_s) + " s after " + replan.after_action + ": " + replan.cause;

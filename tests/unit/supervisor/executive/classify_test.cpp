@@ -22,7 +22,7 @@ FailedAction failed(Reason reason) {
   return action;
 }
 
-IncidentKind kind_of(const Situation& situation) {
+run::IncidentKind kind_of(const Situation& situation) {
   const auto cause = classify(situation);
   if (!cause) throw std::runtime_error("all is as expected");
   EXPECT_FALSE(cause->evidence.empty());
@@ -36,33 +36,33 @@ TEST(Classify, WhenAllIsAsExpected_ThenThereIsNoCause) {
 TEST(Classify, WhenALevelFalls_ThenItIsADeviationOnceAndALeakTheSecondTime) {
   Situation now;
   now.differences = {level("(level a1)", 5.0, 4.6)};
-  EXPECT_EQ(kind_of(now), IncidentKind::Level);
+  EXPECT_EQ(kind_of(now), run::IncidentKind::Level);
   now.earlier = {level("(level a2)", 5.0, 4.6)};
-  EXPECT_EQ(kind_of(now), IncidentKind::Level);
+  EXPECT_EQ(kind_of(now), run::IncidentKind::Level);
   now.earlier.push_back(level("(level a1)", 8.0, 7.0));
-  EXPECT_EQ(kind_of(now), IncidentKind::Leak);
+  EXPECT_EQ(kind_of(now), run::IncidentKind::Leak);
   EXPECT_TRUE(classify(now)->stops());
 }
 
 TEST(Classify, WhenALevelRisesThoughNothingFillsIt_ThenTheSensorLies) {
   Situation now;
   now.differences = {level("(level a1)", 5.0, 5.4)};
-  EXPECT_EQ(kind_of(now), IncidentKind::FailedSensor);
+  EXPECT_EQ(kind_of(now), run::IncidentKind::FailedSensor);
   EXPECT_TRUE(classify(now)->stops());
   now.moving = {"(level a1)"};  // a pump overshot
-  EXPECT_EQ(kind_of(now), IncidentKind::Level);
+  EXPECT_EQ(kind_of(now), run::IncidentKind::Level);
 }
 
 TEST(Classify, WhenAReadingHasCrept_ThenTheSensorDriftsOrSomethingLeaks) {
   Situation now;
   now.drift = Drift{"S2", "level of a1", 0.34};
-  EXPECT_EQ(kind_of(now), IncidentKind::FailedSensor);
+  EXPECT_EQ(kind_of(now), run::IncidentKind::FailedSensor);
   EXPECT_TRUE(classify(now)->stops());
   now.drift->amount = -0.34;
-  EXPECT_EQ(kind_of(now), IncidentKind::Leak);
+  EXPECT_EQ(kind_of(now), run::IncidentKind::Leak);
   EXPECT_NE(classify(now)->evidence.front().find("S2"), std::string::npos);
   now.differences = {level("(level a2)", 5.0, 4.6)};  // answered first
-  EXPECT_EQ(kind_of(now), IncidentKind::Level);
+  EXPECT_EQ(kind_of(now), run::IncidentKind::Level);
 }
 
 // A weak pump that stops short is no leak, and one that overshoots no lying sensor.
@@ -70,45 +70,45 @@ TEST(Classify, WhenAnActionEndedJustNow_ThenItsLevelsDidNotChangeByThemselves) {
   Situation now;
   now.just_changed = {"(level a1)"};
   now.differences = {level("(level a1)", 5.0, 5.4)};
-  EXPECT_EQ(kind_of(now), IncidentKind::Level);
+  EXPECT_EQ(kind_of(now), run::IncidentKind::Level);
   now.differences = {level("(level a1)", 5.0, 4.4)};
   now.earlier = now.differences;
-  EXPECT_EQ(kind_of(now), IncidentKind::Level);
+  EXPECT_EQ(kind_of(now), run::IncidentKind::Level);
 }
 
 TEST(Classify, WhenALevelIsWhereThePlanLeftIt_ThenItHasNotMovedByItself) {
   Situation now;
   now.differences = {level("(level a1)", 5.0, 5.21)};
   now.left = {{"(level a1)", 5.18}};
-  EXPECT_EQ(kind_of(now), IncidentKind::Level);
+  EXPECT_EQ(kind_of(now), run::IncidentKind::Level);
   now.left = {{"(level a1)", 5.0}};
-  EXPECT_EQ(kind_of(now), IncidentKind::FailedSensor);
+  EXPECT_EQ(kind_of(now), run::IncidentKind::FailedSensor);
 }
 
 TEST(Classify, WhenASensorDoesNotChangeWhileItShould_ThenItIsBroken) {
   Situation now;
   now.frozen = {"S1"};
-  EXPECT_EQ(kind_of(now), IncidentKind::FailedSensor);
+  EXPECT_EQ(kind_of(now), run::IncidentKind::FailedSensor);
   EXPECT_TRUE(classify(now)->stops());
 }
 
 TEST(Classify, WhenTwoPlacesAreObserved_ThenASwitchLies) {
   Situation now;
   now.contradictions = {"'vehicle at f1' and 'vehicle at a1' are observed together"};
-  EXPECT_EQ(kind_of(now), IncidentKind::FailedSensor);
+  EXPECT_EQ(kind_of(now), run::IncidentKind::FailedSensor);
 }
 
 TEST(Classify, WhenCountsStandAtTheEndOfTheirRange_ThenTheSensorIsBroken) {
   Situation now;
   now.limited = {"S2"};
-  EXPECT_EQ(kind_of(now), IncidentKind::FailedSensor);
+  EXPECT_EQ(kind_of(now), run::IncidentKind::FailedSensor);
 }
 
 TEST(Classify, WhenAnActionFails_ThenItsReasonDecides) {
-  const std::pair<Reason, IncidentKind> cases[] = {{Reason::NoEffect, IncidentKind::FailedActuator},
-                                                   {Reason::Timeout, IncidentKind::Timeout},
-                                                   {Reason::LostHold, IncidentKind::Position},
-                                                   {Reason::Refused, IncidentKind::Refused}};
+  const std::pair<Reason, run::IncidentKind> cases[] = {{Reason::NoEffect, run::IncidentKind::FailedActuator},
+                                                        {Reason::Timeout, run::IncidentKind::Timeout},
+                                                        {Reason::LostHold, run::IncidentKind::Position},
+                                                        {Reason::Refused, run::IncidentKind::Refused}};
   for (const auto& [reason, kind] : cases) {
     Situation now;
     now.failed = {failed(reason)};
@@ -151,7 +151,7 @@ TEST(Classify, WhenTheSameHappensAgain_ThenItsSignatureIsTheSame) {
 TEST(Classify, WhenAVehicleStandsElsewhere_ThenItIsThePosition) {
   Situation now;
   now.differences = {place("(is-at v1 f1)", true), place("(is-at v1 a1)", false)};
-  EXPECT_EQ(kind_of(now), IncidentKind::Position);
+  EXPECT_EQ(kind_of(now), run::IncidentKind::Position);
 }
 
 // What is refused because a level is wrong is a wrong level.
@@ -159,7 +159,7 @@ TEST(Classify, WhenAnActionIsRefusedForALevel_ThenItIsTheLevel) {
   Situation now;
   now.failed = {failed(Reason::Refused)};
   now.differences = {level("(lev v1)", 9.0, 8.4)};
-  EXPECT_EQ(kind_of(now), IncidentKind::Level);
+  EXPECT_EQ(kind_of(now), run::IncidentKind::Level);
 }
 
 }  // namespace

@@ -16,15 +16,15 @@ TEST(ExecutiveBench, WhenNothingGoesWrong_ThenTheGoalIsReachedWithoutReplanning)
   assemblies::BenchParameters parameters;
   parameters.seed = 1;
   SimulatedController controller(parameters);
-  const RunRecord record = run_bench(controller);
+  const run::RunRecord record = run_bench(controller);
   EXPECT_EQ(record.tare.size(), 3u);
-  EXPECT_EQ(record.phase, Phase::Done) << story(record);
+  EXPECT_EQ(record.phase, run::Phase::Done) << story(record);
   EXPECT_TRUE(record.replans.empty()) << story(record);
   ASSERT_EQ(record.episodes.size(), 1u);
   EXPECT_EQ(record.episodes[0].cost, 108.0);
   EXPECT_TRUE(record.episodes[0].proved_optimal);
-  for (const ActionRecord& action : record.episodes[0].actions) {
-    EXPECT_EQ(action.state, ActionState::Done) << action.text;
+  for (const run::ActionRecord& action : record.episodes[0].actions) {
+    EXPECT_EQ(action.state, run::ActionState::Done) << action.text;
     EXPECT_TRUE(action.started_s && action.finished_s) << action.text;
   }
   EXPECT_FALSE(controller.any_output());
@@ -36,8 +36,8 @@ TEST(ExecutiveBench, WhenSensorsAreUncertain_ThenTheLevelsAreWithinTwoPointsForE
     assemblies::BenchParameters parameters;
     parameters.seed = seed;
     SimulatedController controller(parameters);
-    const RunRecord record = run_bench(controller);
-    ASSERT_EQ(record.phase, Phase::Done) << "seed " << seed << ": " << story(record);
+    const run::RunRecord record = run_bench(controller);
+    ASSERT_EQ(record.phase, run::Phase::Done) << "seed " << seed << ": " << story(record);
     EXPECT_TRUE(record.replans.empty()) << "seed " << seed << ": " << story(record);
     EXPECT_NEAR(controller.plant_value("level_a1_percent"), 50.0, 2.0) << "seed " << seed;
     EXPECT_NEAR(controller.plant_value("level_a2_percent"), 50.0, 2.0) << "seed " << seed;
@@ -48,7 +48,7 @@ TEST(ExecutiveBench, WhenTheSameSeedRunsTwice_ThenTheTracesAreEqual) {
   std::uint64_t hashes[2] = {};
   for (std::uint64_t& hash : hashes) {
     SimulatedController controller({});
-    EXPECT_EQ(run_bench(controller).phase, Phase::Done);
+    EXPECT_EQ(run_bench(controller).phase, run::Phase::Done);
     hash = controller.status()->trace_hash;
   }
   EXPECT_EQ(hashes[0], hashes[1]);
@@ -66,15 +66,15 @@ class FaultTest : public testing::TestWithParam<FaultCase> {};
 TEST_P(FaultTest, WhenItIsInjected_ThenTheRunEndsAtTheGoalOrSafely) {
   const FaultCase& fault = GetParam();
   SimulatedController controller({}, {PlantFault{fault.at_s, fault.name, fault.value}});
-  const RunRecord record = run_bench(controller);
+  const run::RunRecord record = run_bench(controller);
   SCOPED_TRACE(story(record));
   EXPECT_FALSE(record.episodes.empty());
   EXPECT_FALSE(controller.any_output());
-  if (record.phase == Phase::Done) {
+  if (record.phase == run::Phase::Done) {
     EXPECT_TRUE(
-        std::all_of(record.goal.begin(), record.goal.end(), [](const GoalRecord& g) { return g.met; }));
+        std::all_of(record.goal.begin(), record.goal.end(), [](const run::GoalRecord& g) { return g.met; }));
   } else {
-    EXPECT_EQ(record.phase, Phase::Safe);
+    EXPECT_EQ(record.phase, run::Phase::Safe);
     EXPECT_FALSE(record.message.empty());
   }
   RecordProperty("story", story(record));
@@ -89,7 +89,7 @@ INSTANTIATE_TEST_SUITE_P(Bench, FaultTest,
 
 std::string first_cause(const PlanningDesk& desk, const PlantFault& fault) {
   SimulatedController controller({}, {fault});
-  const RunRecord record = Executive(desk, controller, {}, {}).run();
+  const run::RunRecord record = Executive(desk, controller, {}, {}).run();
   return record.replans.empty() ? story(record) : record.replans.front().cause;
 }
 
@@ -122,8 +122,8 @@ TEST(ExecutiveBench, WhenAClientChangesItsDemand_ThenTheNewDemandIsMet) {
   SimulatedController controller({});
   ExecutiveOptions options;
   options.goal_changes = {{20.0, "(demand c1)", 8.0}};
-  const RunRecord record = run_bench(controller, options);
-  EXPECT_EQ(record.phase, Phase::Done) << story(record);
+  const run::RunRecord record = run_bench(controller, options);
+  EXPECT_EQ(record.phase, run::Phase::Done) << story(record);
   ASSERT_EQ(record.replans.size(), 1u) << story(record);
   EXPECT_NEAR(controller.plant_value("level_a1_percent"), 50.0, 2.0);
 }
@@ -133,11 +133,11 @@ TEST(ExecutiveBench, WhenTheRuntimeIsKilled_ThenThePlanGoesOnFromTheObservedStat
   ExecutiveOptions options;
   options.cell = "bench";
   int published = 0;
-  const Executive::Observer kill_once = [&](const RunRecord& record) {
-    if (record.phase == Phase::Executing && ++published == 12) controller.kill_runtime();
+  const Executive::Observer kill_once = [&](const run::RunRecord& record) {
+    if (record.phase == run::Phase::Executing && ++published == 12) controller.kill_runtime();
   };
-  const RunRecord record = Executive(bench_desk(), controller, options, kill_once).run();
-  EXPECT_EQ(record.phase, Phase::Done) << story(record);
+  const run::RunRecord record = Executive(bench_desk(), controller, options, kill_once).run();
+  EXPECT_EQ(record.phase, run::Phase::Done) << story(record);
   EXPECT_EQ(record.replans.size(), 1u) << story(record);
 }
 
@@ -152,19 +152,19 @@ TEST(ExecutiveBench, WhenSupervisorAndRuntimeAreRestarted_ThenTheTimeOfTheRecord
   const std::filesystem::path kept = testing::TempDir() + "kept_executive.json";
   SimulatedController first({});
   int published = 0;
-  Executive(bench_desk(), first, options, [&](const RunRecord& record) {
-    if (record.phase == Phase::Executing && ++published == 12) {
+  Executive(bench_desk(), first, options, [&](const run::RunRecord& record) {
+    if (record.phase == run::Phase::Executing && ++published == 12) {
       std::filesystem::copy_file(journal, kept, std::filesystem::copy_options::overwrite_existing);
     }
   }).run();
   options.journal = kept;
   SimulatedController second({});
   Executive* running = nullptr;
-  Executive resumed(bench_desk(), second, options, [&](const RunRecord& record) {
-    if (record.phase == Phase::Replanning) running->request_abort();
+  Executive resumed(bench_desk(), second, options, [&](const run::RunRecord& record) {
+    if (record.phase == run::Phase::Replanning) running->request_abort();
   });
   running = &resumed;
-  const RunRecord record = resumed.run();
+  const run::RunRecord record = resumed.run();
   ASSERT_EQ(record.replans.size(), 1u) << story(record);
   EXPECT_GT(record.finished_s, 0.0);
   EXPECT_GE(record.replans[0].time_s, record.finished_s);
@@ -179,18 +179,18 @@ TEST(ExecutiveBench, WhenASupervisorIsRestarted_ThenAlarmsThatWereToldAreNotTold
   options.cell = "bench";
   options.journal = journal;
   SimulatedController controller({}, {{8.0, "leak_a2", 3.0}});
-  const auto kill = [](const RunRecord& record) {
-    if (record.phase == Phase::Replanning) throw Killed{};
+  const auto kill = [](const run::RunRecord& record) {
+    if (record.phase == run::Phase::Replanning) throw Killed{};
   };
   EXPECT_THROW(Executive(bench_desk(), controller, options, kill).run(), Killed);
   (void)controller.acknowledge(1'000'000);  // of the news that nobody answers any more
-  const RunRecord record = Executive(bench_desk(), controller, options, {}).run();
+  const run::RunRecord record = Executive(bench_desk(), controller, options, {}).run();
   ASSERT_GE(record.incidents.size(), 3u) << story(record);
   ASSERT_FALSE(record.incidents[0].alarms.empty());
-  EXPECT_EQ(record.incidents[1].kind, IncidentKind::LostSupervisor);
-  const Alarm& first = record.incidents[0].alarms[0];
+  EXPECT_EQ(record.incidents[1].kind, run::IncidentKind::LostSupervisor);
+  const run::Alarm& first = record.incidents[0].alarms[0];
   for (std::size_t i = 1; i < record.incidents.size(); ++i) {
-    for (const Alarm& alarm : record.incidents[i].alarms) {
+    for (const run::Alarm& alarm : record.incidents[i].alarms) {
       EXPECT_NE(alarm.action + alarm.condition, first.action + first.condition) << i;
     }
   }

@@ -17,8 +17,8 @@ ExecutiveOptions changed_demand() {
 
 TEST(ExecutiveChange, WhenReplanned_ThenThePlantIsNeverWithoutAProgramUntilTheGoal) {
   SimulatedController controller({});
-  const RunRecord record = run_bench(controller, changed_demand());
-  EXPECT_EQ(record.phase, Phase::Done) << story(record);
+  const run::RunRecord record = run_bench(controller, changed_demand());
+  EXPECT_EQ(record.phase, run::Phase::Done) << story(record);
   ASSERT_EQ(record.replans.size(), 1u) << story(record);
   // The observer takes over from the plan, and the new plan from the observer.
   EXPECT_EQ(controller.changes(), 2);
@@ -29,15 +29,15 @@ TEST(ExecutiveChange, WhenReplanned_ThenThePlantIsNeverWithoutAProgramUntilTheGo
 
 TEST(ExecutiveChange, WhenNothingGoesWrong_ThenNothingIsChanged) {
   SimulatedController controller({});
-  EXPECT_EQ(run_bench(controller).phase, Phase::Done);
+  EXPECT_EQ(run_bench(controller).phase, run::Phase::Done);
   EXPECT_EQ(controller.changes(), 0);
 }
 
 TEST(ExecutiveChange, WhenTheRuntimeRefusesChanges_ThenThePlanIsReplacedAsBefore) {
   SimulatedController controller({});
   controller.refuse_changes();
-  const RunRecord record = run_bench(controller, changed_demand());
-  EXPECT_EQ(record.phase, Phase::Done) << story(record);
+  const run::RunRecord record = run_bench(controller, changed_demand());
+  EXPECT_EQ(record.phase, run::Phase::Done) << story(record);
   EXPECT_EQ(record.replans.size(), 1u) << story(record);
   EXPECT_EQ(controller.changes(), 0);
   EXPECT_NEAR(controller.plant_value("level_a1_percent"), 50.0, 2.0);
@@ -52,7 +52,7 @@ TEST(ExecutiveChange, WhenAnActionIsInterrupted_ThenItsOutputIsOffBeforeTheNextS
     ++seen;
     EXPECT_TRUE(std::all_of(outputs.begin(), outputs.end(), [](std::byte b) { return b == std::byte{0}; }));
   };
-  const RunRecord record = run_bench(controller);
+  const run::RunRecord record = run_bench(controller);
   EXPECT_FALSE(record.replans.empty()) << story(record);
   EXPECT_GT(seen, 0);
 }

@@ -27,9 +27,9 @@ class ExecutiveConveyorSeeds : public testing::TestWithParam<std::uint64_t> {};
 
 TEST_P(ExecutiveConveyorSeeds, WhenNothingGoesWrong_ThenEveryBoxIsWhereItWasOrderedInItsOrder) {
   SimulatedController controller = conveyor_controller(GetParam());
-  const RunRecord record = run_conveyor(controller);
+  const run::RunRecord record = run_conveyor(controller);
   SCOPED_TRACE(story(record));
-  EXPECT_EQ(record.phase, Phase::Done);
+  EXPECT_EQ(record.phase, run::Phase::Done);
   EXPECT_TRUE(record.replans.empty());
   EXPECT_EQ(sorted_boxes(controller), ordered_boxes());
   EXPECT_EQ(controller.plant_value("collisions"), 0);
@@ -49,7 +49,7 @@ TEST(ExecutiveConveyor, WhenTheSameSeedRunsTwice_ThenTheTracesAreEqual) {
   std::uint64_t hashes[2] = {};
   for (std::uint64_t& hash : hashes) {
     SimulatedController controller = conveyor_controller(4);
-    EXPECT_EQ(run_conveyor(controller).phase, Phase::Done);
+    EXPECT_EQ(run_conveyor(controller).phase, run::Phase::Done);
     hash = controller.status()->trace_hash;
   }
   EXPECT_EQ(hashes[0], hashes[1]);
@@ -84,9 +84,9 @@ class ExecutiveConveyorMended : public testing::TestWithParam<MendedCase> {};
 
 TEST_P(ExecutiveConveyorMended, WhenItIsPutRight_ThenTheGoalIsReached) {
   SimulatedController controller = conveyor_controller(2, GetParam().faults);
-  const RunRecord record = run_conveyor(controller);
+  const run::RunRecord record = run_conveyor(controller);
   SCOPED_TRACE(story(record));
-  EXPECT_EQ(record.phase, Phase::Done);
+  EXPECT_EQ(record.phase, run::Phase::Done);
   ASSERT_FALSE(record.replans.empty());
   EXPECT_NE(record.replans[0].cause.find(GetParam().cause), std::string::npos);
   EXPECT_EQ(sorted_boxes(controller), ordered_boxes());
@@ -119,15 +119,15 @@ class ExecutiveConveyorStop : public testing::TestWithParam<double> {};
 TEST_P(ExecutiveConveyorStop, WhenItIsReleasedWithoutAReset_ThenNothingMoves) {
   SimulatedController controller =
       conveyor_controller(2, {{0.0, "press_estop", 1}, {GetParam(), "press_estop", 0}});
-  const RunRecord record = run_conveyor(controller);
+  const run::RunRecord record = run_conveyor(controller);
   SCOPED_TRACE(story(record));
-  EXPECT_EQ(record.phase, Phase::Safe);
+  EXPECT_EQ(record.phase, run::Phase::Safe);
   ASSERT_FALSE(record.incidents.empty());
   EXPECT_NE(record.incidents[0].evidence.at(0).find("'contactor closed' is not observed"), std::string::npos);
   EXPECT_NE(record.message.find("(await_reset) did not end within 60 s"), std::string::npos);
-  for (const Episode& episode : record.episodes) {
-    for (const ActionRecord& action : episode.actions)
-      EXPECT_NE(action.state, ActionState::Done) << action.text;
+  for (const run::Episode& episode : record.episodes) {
+    for (const run::ActionRecord& action : episode.actions)
+      EXPECT_NE(action.state, run::ActionState::Done) << action.text;
   }
   EXPECT_FALSE(controller.any_output());
 }
@@ -138,9 +138,9 @@ TEST_P(ExecutiveConveyorStop, WhenItIsReleasedAndReset_ThenTheRunGoesOn) {
                                                            {released_s, "press_estop", 0},
                                                            {released_s + 6.0, "press_reset", 1},
                                                            {released_s + 6.5, "press_reset", 0}});
-  const RunRecord record = run_conveyor(controller);
+  const run::RunRecord record = run_conveyor(controller);
   SCOPED_TRACE(story(record));
-  EXPECT_EQ(record.phase, Phase::Done);
+  EXPECT_EQ(record.phase, run::Phase::Done);
   EXPECT_EQ(sorted_boxes(controller), ordered_boxes());
 }
 
@@ -155,9 +155,9 @@ TEST(ExecutiveConveyorStopped, WhenAnotherRunIsStartedWhileItIsPressed_ThenItsRe
   ExecutiveOptions options;
   options.settle = conveyor_cell().executive.settle;
   Executive executive(conveyor_desk(), controller, options, {});
-  const RunRecord first = executive.run();
+  const run::RunRecord first = executive.run();
   SCOPED_TRACE(story(first));
-  ASSERT_EQ(first.phase, Phase::Safe);
+  ASSERT_EQ(first.phase, run::Phase::Safe);
   int scans = 0, pressed = 0;
   controller.on_scan = [&](std::span<const std::byte> image) {
     constexpr auto kEstopOk = std::byte{0x80};  // %IX0.7
@@ -165,15 +165,15 @@ TEST(ExecutiveConveyorStopped, WhenAnotherRunIsStartedWhileItIsPressed_ThenItsRe
     if ((image[0] & kEstopOk) == std::byte{0}) ++pressed;
   };
   ASSERT_TRUE(executive.request_start(""));
-  const RunRecord second = executive.run();
+  const run::RunRecord second = executive.run();
   SCOPED_TRACE(story(second));
   ASSERT_GT(pressed, 10) << "of the " << scans << " scans of the second run";
   ASSERT_LT(pressed, 190) << "the sensors are read for two seconds";
-  EXPECT_EQ(second.phase, Phase::Safe);
+  EXPECT_EQ(second.phase, run::Phase::Safe);
   EXPECT_NE(second.message.find("(await_reset) did not end within 60 s"), std::string::npos);
-  for (const Episode& episode : second.episodes) {
-    for (const ActionRecord& action : episode.actions)
-      EXPECT_NE(action.state, ActionState::Done) << action.text;
+  for (const run::Episode& episode : second.episodes) {
+    for (const run::ActionRecord& action : episode.actions)
+      EXPECT_NE(action.state, run::ActionState::Done) << action.text;
   }
 }
 
@@ -192,9 +192,9 @@ class ExecutiveConveyorLasting : public testing::TestWithParam<LastingCase> {};
 
 TEST_P(ExecutiveConveyorLasting, WhenItStays_ThenTheRunEndsSafelyAndSaysWhy) {
   SimulatedController controller = conveyor_controller(3, GetParam().faults);
-  const RunRecord record = run_conveyor(controller);
+  const run::RunRecord record = run_conveyor(controller);
   SCOPED_TRACE(story(record));
-  EXPECT_EQ(record.phase, Phase::Safe);
+  EXPECT_EQ(record.phase, run::Phase::Safe);
   EXPECT_NE(story(record).find(GetParam().says), std::string::npos);
   EXPECT_FALSE(controller.any_output());
   EXPECT_EQ(controller.plant_value("collisions"), 0);
@@ -222,9 +222,9 @@ class ExecutiveConveyorExchanged : public testing::TestWithParam<int> {};
 TEST_P(ExecutiveConveyorExchanged, WhenTwoBoxesComeInEachOthersPlace_ThenThePlanIsMadeForWhatWasRead) {
   SimulatedController controller =
       conveyor_controller(3, {{0.0, "exchange_boxes", static_cast<double>(GetParam())}});
-  const RunRecord record = run_conveyor(controller);
+  const run::RunRecord record = run_conveyor(controller);
   SCOPED_TRACE(story(record));
-  EXPECT_EQ(record.phase, Phase::Done);
+  EXPECT_EQ(record.phase, run::Phase::Done);
   ASSERT_EQ(record.replans.size(), 1u);
   EXPECT_NE(record.replans[0].cause.find("number of the box at the reader is"), std::string::npos);
   EXPECT_EQ(sorted_boxes(controller), ordered_boxes());
@@ -266,29 +266,29 @@ TEST(ExecutiveConveyor, WhenADiverterHasFailed_ThenBoxesThatMayGoElsewhereDo) {
   SimulatedController controller = conveyor_controller(3, {{10.0, "stuck_push_1", 1}});
   ExecutiveOptions settings;
   settings.cell = "conveyor";
-  const RunRecord record = Executive(*desk, controller, settings, {}).run();
+  const run::RunRecord record = Executive(*desk, controller, settings, {}).run();
   SCOPED_TRACE(story(record));
-  EXPECT_EQ(record.phase, Phase::Done);
+  EXPECT_EQ(record.phase, run::Phase::Done);
   auto boxes = sorted_boxes(controller);
   EXPECT_EQ(boxes[1].first, 2);
   EXPECT_EQ(boxes[3].first, 2);
   EXPECT_LT(boxes[3].second, boxes[1].second);
   EXPECT_EQ(boxes[5], std::pair(3, 1));
   const auto failed =
-      std::ranges::find_if(record.incidents, [](const Incident& i) { return !i.devices.empty(); });
+      std::ranges::find_if(record.incidents, [](const run::Incident& i) { return !i.devices.empty(); });
   ASSERT_NE(failed, record.incidents.end());
   EXPECT_EQ(failed->devices, std::vector<std::string>{"diverter 1"});
-  EXPECT_EQ(failed->kind, IncidentKind::FailedActuator);
+  EXPECT_EQ(failed->kind, run::IncidentKind::FailedActuator);
 }
 
 TEST(ExecutiveConveyor, WhenADiverterHasFailedAndNothingElseWillDo_ThenTheSafeStopNamesIt) {
   SimulatedController controller = conveyor_controller(3, {{10.0, "stuck_push_1", 1}});
-  const RunRecord record = run_conveyor(controller);
-  EXPECT_EQ(record.phase, Phase::Safe);
+  const run::RunRecord record = run_conveyor(controller);
+  EXPECT_EQ(record.phase, run::Phase::Safe);
   EXPECT_NE(record.message.find("there is no plan from the observed state without diverter 1"),
             std::string::npos)
       << story(record);
-  EXPECT_EQ(record.incidents.back().kind, IncidentKind::FailedActuator);
+  EXPECT_EQ(record.incidents.back().kind, run::IncidentKind::FailedActuator);
   EXPECT_EQ(record.incidents.back().devices, std::vector<std::string>{"diverter 1"});
 }
 
@@ -299,9 +299,9 @@ TEST(ExecutiveConveyor, WhenTheSameComesAgainAndAgain_ThenItIsGivenUpLongBeforeT
   // Where each plan starts is known once it was made.
   for (int more = 0; more < 6; ++more) {
     SimulatedController controller = conveyor_controller(3, flickers);
-    const RunRecord record = run_conveyor(controller, 6);
+    const run::RunRecord record = run_conveyor(controller, 6);
     SCOPED_TRACE(story(record));
-    if (record.phase == Phase::Safe) {
+    if (record.phase == run::Phase::Safe) {
       EXPECT_NE(record.message.find("the same has happened for the third time"), std::string::npos);
       EXPECT_NE(record.message.find("'box at the diverter 2' is observed, but not expected"),
                 std::string::npos);
@@ -310,7 +310,7 @@ TEST(ExecutiveConveyor, WhenTheSameComesAgainAndAgain_ThenItIsGivenUpLongBeforeT
       return;
     }
     // As long as it stays away in the end, the goal is reached.
-    ASSERT_EQ(record.phase, Phase::Done);
+    ASSERT_EQ(record.phase, run::Phase::Done);
     ASSERT_EQ(record.episodes.size(), ++episodes);
     const double start_s = record.episodes.back().started_s;
     flickers.push_back({start_s + 1.4, "stuck_eye_d2", 1});

@@ -20,10 +20,10 @@ using support::SimulatedController;
 
 constexpr int kHeldScans = 500;
 
-bool runs(const RunRecord& record, const std::string& action) {
-  if (record.phase != Phase::Executing || record.episodes.empty()) return false;
-  for (const ActionRecord& each : record.episodes.back().actions) {
-    if (each.text.starts_with(action) && each.state == ActionState::Active) return true;
+bool runs(const run::RunRecord& record, const std::string& action) {
+  if (record.phase != run::Phase::Executing || record.episodes.empty()) return false;
+  for (const run::ActionRecord& each : record.episodes.back().actions) {
+    if (each.text.starts_with(action) && each.state == run::ActionState::Active) return true;
   }
   return false;
 }
@@ -34,13 +34,13 @@ struct HeldBench {
   explicit HeldBench(ExecutiveOptions options_in = {}, std::vector<support::PlantFault> faults = {})
       : controller({}, std::move(faults)), options(std::move(options_in)) {
     options.cell = "bench";
-    executive.emplace(bench_desk(), controller, options, [this](const RunRecord& now) { see(now); });
+    executive.emplace(bench_desk(), controller, options, [this](const run::RunRecord& now) { see(now); });
     controller.on_scan = [this](std::span<const std::byte>) { scan(); };
   }
 
-  void see(const RunRecord& now) {
+  void see(const run::RunRecord& now) {
     if (phases.empty() || phases.back() != to_string(now.phase)) phases.emplace_back(to_string(now.phase));
-    held = now.phase == Phase::Held;
+    held = now.phase == run::Phase::Held;
     if (held) held_messages.push_back(now.message);
     if (held && on_held) on_held();
     if (!asked && when && when(now)) {
@@ -63,7 +63,9 @@ struct HeldBench {
   SimulatedController controller;
   ExecutiveOptions options;
   std::optional<Executive> executive;
-  std::function<bool(const RunRecord&)> when = [](const RunRecord& now) { return runs(now, "(load v1"); };
+  std::function<bool(const run::RunRecord&)> when = [](const run::RunRecord& now) {
+    return runs(now, "(load v1");
+  };
   std::function<void()> on_held;
   std::function<void()> on_rested = [this] { EXPECT_TRUE(executive->request_resume()); };
   std::vector<std::string> phases;
@@ -80,9 +82,9 @@ TEST(ExecutiveHold, WhenHeldWhileAPumpRuns_ThenThePlantRestsUntilItIsResumedAndR
   ExecutiveOptions options;
   options.max_replans = 0;  // a hold is no fault of the plan
   HeldBench bench(options);
-  const RunRecord record = bench.executive->run();
+  const run::RunRecord record = bench.executive->run();
   SCOPED_TRACE(story(record));
-  EXPECT_EQ(record.phase, Phase::Done);
+  EXPECT_EQ(record.phase, run::Phase::Done);
   EXPECT_EQ(bench.phases, (std::vector<std::string>{"planning", "observing", "executing", "holding", "held",
                                                     "replanning", "executing", "done"}));
   EXPECT_GE(bench.held_scans, kHeldScans);
@@ -92,10 +94,10 @@ TEST(ExecutiveHold, WhenHeldWhileAPumpRuns_ThenThePlantRestsUntilItIsResumedAndR
   ASSERT_EQ(record.replans.size(), 1u);
   EXPECT_TRUE(record.replans[0].held);
   ASSERT_EQ(record.incidents.size(), 1u);
-  EXPECT_EQ(record.incidents[0].kind, IncidentKind::Operator);
+  EXPECT_EQ(record.incidents[0].kind, run::IncidentKind::Operator);
   EXPECT_EQ(record.incidents[0].evidence.front(), "held by the operator");
   EXPECT_NE(record.incidents[0].evidence.back().find("resumed after"), std::string::npos);
-  for (const GoalRecord& goal : record.goal) EXPECT_TRUE(goal.met) << goal.text;
+  for (const run::GoalRecord& goal : record.goal) EXPECT_TRUE(goal.met) << goal.text;
 }
 
 TEST(ExecutiveHold, WhenAskedTwiceOrWithoutNeed_ThenItIsRefusedWithTheReason) {
@@ -107,7 +109,7 @@ TEST(ExecutiveHold, WhenAskedTwiceOrWithoutNeed_ThenItIsRefusedWithTheReason) {
   bench.on_held = [&] {
     if (auto again = bench.executive->request_hold(); !again) second = again.error().front().code;
   };
-  EXPECT_EQ(bench.executive->run().phase, Phase::Done);
+  EXPECT_EQ(bench.executive->run().phase, run::Phase::Done);
   EXPECT_EQ(second, "X0008");
 }
 
@@ -118,22 +120,22 @@ TEST(ExecutiveHold, WhenAnotherGoalComesWhileItIsHeld_ThenItSaysThatThePlantRest
     if (std::exchange(asked, true)) return;
     EXPECT_TRUE(bench.executive->request_goal("(= (level a1) 4)"));
   };
-  const RunRecord record = bench.executive->run();
+  const run::RunRecord record = bench.executive->run();
   SCOPED_TRACE(story(record));
   ASSERT_FALSE(bench.held_messages.empty());
   EXPECT_EQ(
       bench.held_messages.back(),
       "the goal was changed to (= (level a1) 4): that is planned for when the run is resumed; until then the "
       "plant rests");
-  EXPECT_EQ(record.phase, Phase::Done);
+  EXPECT_EQ(record.phase, run::Phase::Done);
 }
 
 TEST(ExecutiveHold, WhenAskedBeforeThePlanBegins_ThenNothingMovesUntilItIsResumed) {
   HeldBench bench;
-  bench.when = [](const RunRecord& now) { return now.phase == Phase::Planning; };
-  const RunRecord record = bench.executive->run();
+  bench.when = [](const run::RunRecord& now) { return now.phase == run::Phase::Planning; };
+  const run::RunRecord record = bench.executive->run();
   SCOPED_TRACE(story(record));
-  EXPECT_EQ(record.phase, Phase::Done);
+  EXPECT_EQ(record.phase, run::Phase::Done);
   EXPECT_EQ(bench.phases, (std::vector<std::string>{"planning", "observing", "holding", "held", "replanning",
                                                     "executing", "done"}));
   EXPECT_FALSE(bench.driven);
@@ -144,10 +146,10 @@ TEST(ExecutiveHold, WhenAskedWhileAnotherPlanIsMade_ThenThatPlanWaits) {
   ExecutiveOptions options;
   options.goal_changes = {{20.0, "(demand c1)", 8.0}};
   HeldBench bench(options);
-  bench.when = [](const RunRecord& now) { return now.phase == Phase::Replanning; };
-  const RunRecord record = bench.executive->run();
+  bench.when = [](const run::RunRecord& now) { return now.phase == run::Phase::Replanning; };
+  const run::RunRecord record = bench.executive->run();
   SCOPED_TRACE(story(record));
-  EXPECT_EQ(record.phase, Phase::Done);
+  EXPECT_EQ(record.phase, run::Phase::Done);
   EXPECT_GE(bench.held_scans, kHeldScans);
   EXPECT_FALSE(bench.driven);
   EXPECT_EQ(record.episodes.size(), 2u);
@@ -161,9 +163,9 @@ TEST(ExecutiveHold, WhenTheGoalChangesMeanwhile_ThenThePlanAfterItIsForTheNewOne
     if (std::exchange(changed, true)) return;
     EXPECT_TRUE(bench.executive->request_change("(demand c1)", 8.0));
   };
-  const RunRecord record = bench.executive->run();
+  const run::RunRecord record = bench.executive->run();
   SCOPED_TRACE(story(record));
-  EXPECT_EQ(record.phase, Phase::Done);
+  EXPECT_EQ(record.phase, run::Phase::Done);
   EXPECT_EQ(record.replans.size(), 1u);
   EXPECT_NEAR(bench.controller.plant_value("level_a1_percent"), 50.0, 2.0);
 }
@@ -171,8 +173,8 @@ TEST(ExecutiveHold, WhenTheGoalChangesMeanwhile_ThenThePlanAfterItIsForTheNewOne
 TEST(ExecutiveHold, WhenItIsAborted_ThenTheRunEndsSafely) {
   HeldBench bench;
   bench.on_rested = [&] { bench.executive->request_abort(); };
-  const RunRecord record = bench.executive->run();
-  EXPECT_EQ(record.phase, Phase::Safe) << story(record);
+  const run::RunRecord record = bench.executive->run();
+  EXPECT_EQ(record.phase, run::Phase::Safe) << story(record);
   EXPECT_EQ(record.message, "aborted by the operator");
   EXPECT_FALSE(bench.controller.any_output());
 }
@@ -183,8 +185,8 @@ TEST(ExecutiveHold, WhenTheRuntimeIsLostMeanwhile_ThenItGoesOnFromWhereThePlantI
     EXPECT_TRUE(bench.executive->request_resume());
     bench.controller.kill_runtime();
   };
-  const RunRecord record = bench.executive->run();
-  EXPECT_EQ(record.phase, Phase::Done) << story(record);
+  const run::RunRecord record = bench.executive->run();
+  EXPECT_EQ(record.phase, run::Phase::Done) << story(record);
 }
 
 // Nobody has let it go on.
@@ -202,10 +204,10 @@ TEST(ExecutiveHold, WhenTheSupervisorIsRestarted_ThenTheRunIsStillHeld) {
   bench.when = {};
   bench.phases.clear();
   bench.executive.emplace(bench_desk(), bench.controller, bench.options,
-                          [&](const RunRecord& now) { bench.see(now); });
-  const RunRecord record = bench.executive->run();
+                          [&](const run::RunRecord& now) { bench.see(now); });
+  const run::RunRecord record = bench.executive->run();
   SCOPED_TRACE(story(record));
-  EXPECT_EQ(record.phase, Phase::Done);
+  EXPECT_EQ(record.phase, run::Phase::Done);
   EXPECT_GE(bench.held_scans, kHeldScans);
   EXPECT_FALSE(bench.driven);
   ASSERT_GE(bench.phases.size(), 4u);

@@ -16,47 +16,47 @@ using support::SimulatedController;
 struct Case {
   const char* name;
   PlantFault fault;
-  IncidentKind kind;
+  run::IncidentKind kind;
 };
 
 class IncidentTest : public testing::TestWithParam<Case> {};
 
 TEST_P(IncidentTest, WhenItHappens_ThenItIsClassifiedAndDecided) {
   SimulatedController controller({}, {GetParam().fault});
-  const RunRecord record = run_bench(controller);
+  const run::RunRecord record = run_bench(controller);
   ASSERT_FALSE(record.incidents.empty()) << story(record);
-  const Incident& first = record.incidents.front();
+  const run::Incident& first = record.incidents.front();
   EXPECT_EQ(first.kind, GetParam().kind) << to_string(first.kind) << ": " << sentence_of(first.evidence);
   EXPECT_FALSE(first.evidence.empty());
-  for (const Incident& incident : record.incidents) {
-    EXPECT_NE(incident.response, Response::Open);
+  for (const run::Incident& incident : record.incidents) {
+    EXPECT_NE(incident.response, run::Response::Open);
     EXPECT_GE(incident.decision_ms, 0.0);
   }
-  EXPECT_EQ(record.phase == Phase::Safe, record.incidents.back().response == Response::SafeStop)
+  EXPECT_EQ(record.phase == run::Phase::Safe, record.incidents.back().response == run::Response::SafeStop)
       << story(record);
   EXPECT_FALSE(controller.any_output());
 }
 
 INSTANTIATE_TEST_SUITE_P(
     Bench, IncidentTest,
-    testing::Values(Case{"DeadPump", {0.0, "weak_b3", 0.0}, IncidentKind::FailedActuator},
-                    Case{"SlowPump", {0.0, "weak_b3", 0.2}, IncidentKind::Timeout},
-                    Case{"LostPlace", {8.0, "stuck_fc1", 0.0}, IncidentKind::Position},
-                    Case{"TwoPlaces", {5.0, "stuck_fc2", 1.0}, IncidentKind::FailedSensor},
-                    Case{"RisingSensor", {10.0, "drift_s2", 40.0}, IncidentKind::FailedSensor},
-                    Case{"FrozenSensor", {8.5, "frozen_s1", 1.0}, IncidentKind::FailedSensor},
-                    Case{"Leak", {20.0, "leak_a1", 0.5}, IncidentKind::Level}),
+    testing::Values(Case{"DeadPump", {0.0, "weak_b3", 0.0}, run::IncidentKind::FailedActuator},
+                    Case{"SlowPump", {0.0, "weak_b3", 0.2}, run::IncidentKind::Timeout},
+                    Case{"LostPlace", {8.0, "stuck_fc1", 0.0}, run::IncidentKind::Position},
+                    Case{"TwoPlaces", {5.0, "stuck_fc2", 1.0}, run::IncidentKind::FailedSensor},
+                    Case{"RisingSensor", {10.0, "drift_s2", 40.0}, run::IncidentKind::FailedSensor},
+                    Case{"FrozenSensor", {8.5, "frozen_s1", 1.0}, run::IncidentKind::FailedSensor},
+                    Case{"Leak", {20.0, "leak_a1", 0.5}, run::IncidentKind::Level}),
     [](const auto& each) { return std::string(each.param.name); });
 
 TEST(ExecutiveIncident, WhenAClientChangesItsDemand_ThenItIsARepairOrANewPlanAndBothAreTimed) {
   SimulatedController controller({});
   ExecutiveOptions options;
   options.goal_changes = {{20.0, "(demand c1)", 8.0}};
-  const RunRecord record = run_bench(controller, options);
-  EXPECT_EQ(record.phase, Phase::Done) << story(record);
+  const run::RunRecord record = run_bench(controller, options);
+  EXPECT_EQ(record.phase, run::Phase::Done) << story(record);
   ASSERT_EQ(record.incidents.size(), 1u);
-  const Incident& incident = record.incidents[0];
-  EXPECT_EQ(incident.kind, IncidentKind::ChangedDemand);
+  const run::Incident& incident = record.incidents[0];
+  EXPECT_EQ(incident.kind, run::IncidentKind::ChangedDemand);
   EXPECT_GT(incident.decision_ms, 0.0);
   EXPECT_GT(incident.remaining, 0u);
   EXPECT_GT(incident.repair_ms, 0.0);
@@ -67,10 +67,10 @@ TEST(ExecutiveIncident, WhenANewGoalIsWanted_ThenItIsReached) {
   SimulatedController controller({});
   ExecutiveOptions options;
   options.goal_changes = {{15.0, "", 0.0, "(and (is-at v1 a2) (= (level a1) 4) (= (level a2) 3))"}};
-  const RunRecord record = run_bench(controller, options);
-  EXPECT_EQ(record.phase, Phase::Done) << story(record);
+  const run::RunRecord record = run_bench(controller, options);
+  EXPECT_EQ(record.phase, run::Phase::Done) << story(record);
   ASSERT_EQ(record.incidents.size(), 1u);
-  EXPECT_EQ(record.incidents[0].kind, IncidentKind::NewGoal);
+  EXPECT_EQ(record.incidents[0].kind, run::IncidentKind::NewGoal);
   EXPECT_NEAR(controller.plant_value("level_a1_percent"), 40.0, 2.0);
   EXPECT_NEAR(controller.plant_value("level_a2_percent"), 30.0, 2.0);
   EXPECT_NEAR(controller.plant_value("position"), 1.0, 0.05);
@@ -81,12 +81,12 @@ TEST(ExecutiveIncident, WhenANewGoalIsLessThanAUnitAway_ThenItIsReached) {
   SimulatedController controller({});
   ExecutiveOptions options;
   options.goal_changes = {{47.9, "", 0.0, "(and (is-at v1 f1) (= (level a1) 2) (= (level a2) 6))"}};
-  const RunRecord record = run_bench(controller, options);
-  EXPECT_EQ(record.phase, Phase::Done) << story(record);
+  const run::RunRecord record = run_bench(controller, options);
+  EXPECT_EQ(record.phase, run::Phase::Done) << story(record);
   ASSERT_EQ(record.incidents.size(), 1u) << story(record);
   EXPECT_NEAR(controller.plant_value("level_a1_percent"), 20.0, 1.5);
-  const std::vector<ActionRecord>& actions = record.episodes.back().actions;
-  EXPECT_TRUE(std::any_of(actions.begin(), actions.end(), [](const ActionRecord& action) {
+  const std::vector<run::ActionRecord>& actions = record.episodes.back().actions;
+  EXPECT_TRUE(std::any_of(actions.begin(), actions.end(), [](const run::ActionRecord& action) {
     return action.text == "(final_order a1 c1 level1)";
   })) << story(record);
 }
@@ -97,10 +97,10 @@ TEST(ExecutiveIncident, WhenNoActionMovesWhatIsLeft_ThenTheSafeStopNamesThePumpA
   assemblies::BenchParameters parameters;
   parameters.seed = 3269;
   SimulatedController controller(parameters, {{66.60, "weak_b4", 0.186}});
-  const RunRecord record = run_bench(controller);
-  ASSERT_EQ(record.phase, Phase::Safe) << story(record);
+  const run::RunRecord record = run_bench(controller);
+  ASSERT_EQ(record.phase, run::Phase::Safe) << story(record);
   ASSERT_EQ(record.incidents.size(), 2u) << story(record);
-  EXPECT_EQ(record.incidents[1].kind, IncidentKind::FailedActuator);
+  EXPECT_EQ(record.incidents[1].kind, run::IncidentKind::FailedActuator);
   EXPECT_EQ(record.incidents[1].devices, std::vector<std::string>{"customer pump of a2"});
   EXPECT_NE(record.message.find("without customer pump of a2"), std::string::npos) << record.message;
   EXPECT_NE(record.message.find("less than a plan can mend: level of a2 is 5.2"), std::string::npos)
@@ -118,8 +118,8 @@ TEST(ExecutiveIncident, WhenAGoalIsNoGoal_ThenItIsRefused) {
 // The bench has one pump for each customer and one way to each place: without one of them there is no plan.
 TEST(ExecutiveIncident, WhenAPumpHasFailed_ThenTheSafeStopNamesIt) {
   SimulatedController controller({}, {{0.0, "weak_b3", 0.0}});
-  const RunRecord record = run_bench(controller);
-  EXPECT_EQ(record.phase, Phase::Safe);
+  const run::RunRecord record = run_bench(controller);
+  EXPECT_EQ(record.phase, run::Phase::Safe);
   ASSERT_EQ(record.incidents.size(), 2u) << story(record);
   EXPECT_TRUE(record.incidents[0].devices.empty());
   EXPECT_EQ(record.incidents[1].devices, std::vector<std::string>{"customer pump of a1"});
@@ -138,11 +138,11 @@ TEST(ExecutiveIncident, WhenAPumpStandsStillForAWhile_ThenThatIsAnIncidentOfTheP
   const support::TemporaryFolder folder;
   const PlanningDesk desk = bench_desk_without("must_move = true\n", folder.path());
   SimulatedController controller(exact_bench(), {{7.5, "weak_b1", 0.0}, {16.0, "weak_b1", 1.0, true}});
-  const RunRecord record = run_bench(controller, {}, desk);
-  EXPECT_EQ(record.phase, Phase::Done) << story(record);
+  const run::RunRecord record = run_bench(controller, {}, desk);
+  EXPECT_EQ(record.phase, run::Phase::Done) << story(record);
   ASSERT_FALSE(record.incidents.empty());
-  const Incident& first = record.incidents.front();
-  EXPECT_EQ(first.kind, IncidentKind::FailedActuator) << sentence_of(first.evidence);
+  const run::Incident& first = record.incidents.front();
+  EXPECT_EQ(first.kind, run::IncidentKind::FailedActuator) << sentence_of(first.evidence);
   EXPECT_LT(first.time_s, 13.5);
   EXPECT_NE(
       sentence_of(first.evidence).find("has stopped halfway: the level of v1 stands still though B1 is on"),
@@ -156,18 +156,18 @@ TEST(ExecutiveIncident, WhenASensorWithoutNoiseIsFrozen_ThenTheRunEndsSafely) {
   const support::TemporaryFolder folder;
   const PlanningDesk desk = bench_desk_without("must_move = true\n", folder.path());
   SimulatedController controller(exact_bench(), {{8.5, "frozen_s1", 1.0}});
-  const RunRecord record = run_bench(controller, {}, desk);
-  EXPECT_EQ(record.phase, Phase::Safe) << story(record);
-  EXPECT_EQ(record.incidents.front().kind, IncidentKind::FailedActuator) << story(record);
+  const run::RunRecord record = run_bench(controller, {}, desk);
+  EXPECT_EQ(record.phase, run::Phase::Safe) << story(record);
+  EXPECT_EQ(record.incidents.front().kind, run::IncidentKind::FailedActuator) << story(record);
 }
 
 TEST(ExecutiveIncident, WhenTheRuntimeIsKilled_ThenItIsALostRuntime) {
   SimulatedController controller({});
   controller.kill_runtime_at(20.0);
-  const RunRecord record = run_bench(controller);
-  EXPECT_EQ(record.phase, Phase::Done) << story(record);
+  const run::RunRecord record = run_bench(controller);
+  EXPECT_EQ(record.phase, run::Phase::Done) << story(record);
   ASSERT_EQ(record.incidents.size(), 1u);
-  EXPECT_EQ(record.incidents[0].kind, IncidentKind::LostRuntime);
+  EXPECT_EQ(record.incidents[0].kind, run::IncidentKind::LostRuntime);
 }
 
 // A wish that comes while a plan is made: that planning is cancelled, and the plan that runs knows the wish.
@@ -178,13 +178,13 @@ TEST(ExecutiveIncident, WhenAWishOvertakesAPlanning_ThenItStartsAgain) {
   options.goal_changes = {{20.0, "(demand c1)", 8.0}};
   Executive* running = nullptr;
   int wishes = 0;
-  Executive executive(bench_desk(), controller, options, [&](const RunRecord& record) {
-    if (record.phase != Phase::Replanning || wishes++ > 0) return;
+  Executive executive(bench_desk(), controller, options, [&](const run::RunRecord& record) {
+    if (record.phase != run::Phase::Replanning || wishes++ > 0) return;
     ASSERT_TRUE(running->request_change("(demand c2)", 9.0));
   });
   running = &executive;
-  const RunRecord record = executive.run();
-  EXPECT_EQ(record.phase, Phase::Done) << story(record);
+  const run::RunRecord record = executive.run();
+  EXPECT_EQ(record.phase, run::Phase::Done) << story(record);
   ASSERT_EQ(record.incidents.size(), 1u) << story(record);
   EXPECT_EQ(record.incidents[0].restarts, 1u);
   EXPECT_NE(sentence_of(record.incidents[0].evidence).find("(demand c2) was changed to 9"),
@@ -195,9 +195,9 @@ TEST(ExecutiveIncident, WhenAWishOvertakesAPlanning_ThenItStartsAgain) {
 // An alarm of the monitors is told with the incident that it led to.
 TEST(ExecutiveIncident, WhenALevelFallsWhileAnActionRuns_ThenTheAlarmIsInTheReportWithinAScan) {
   SimulatedController controller({}, {{8.0, "leak_a2", 3.0}});
-  const RunRecord record = run_bench(controller);
+  const run::RunRecord record = run_bench(controller);
   ASSERT_FALSE(record.incidents.empty()) << story(record);
-  const Incident& first = record.incidents.front();
+  const run::Incident& first = record.incidents.front();
   ASSERT_FALSE(first.alarms.empty());
   EXPECT_EQ(first.alarms.front().kind, "invariant");
   EXPECT_EQ(first.alarms.front().sensor, "S3");

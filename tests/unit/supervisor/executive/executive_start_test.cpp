@@ -34,13 +34,13 @@ struct StartedBench {
   // Another supervisor.
   void again() {
     phases.clear();
-    executive.emplace(bench_desk(), controller, options, [this](const RunRecord& now) {
+    executive.emplace(bench_desk(), controller, options, [this](const run::RunRecord& now) {
       if (phases.empty() || phases.back() != to_string(now.phase)) phases.emplace_back(to_string(now.phase));
       if (on_news) on_news(now);
     });
   }
-  RunRecord run() {
-    const RunRecord record = executive->run();
+  run::RunRecord run() {
+    const run::RunRecord record = executive->run();
     EXPECT_TRUE(executive->over());
     return record;
   }
@@ -48,7 +48,7 @@ struct StartedBench {
   SimulatedController controller;
   ExecutiveOptions options;
   std::optional<Executive> executive;
-  std::function<void(const RunRecord&)> on_news;
+  std::function<void(const run::RunRecord&)> on_news;
   std::vector<std::string> phases;
 };
 
@@ -65,7 +65,7 @@ ExecutiveOptions with_journal(const char* name, ExecutiveOptions options = {}) {
 }
 
 // a1 stands at 4 and no sensor is tared: it is believed.
-RunRecord run_from_four(bool believes_sensors) {
+run::RunRecord run_from_four(bool believes_sensors) {
   const support::TemporaryFolder folder;
   const PlanningDesk desk = bench_desk_without("tare = true\n", folder.path());
   assemblies::BenchParameters parameters = exact_bench();
@@ -73,24 +73,24 @@ RunRecord run_from_four(bool believes_sensors) {
   SimulatedController controller(parameters);
   ExecutiveOptions options;
   options.believes_sensors = believes_sensors;
-  const RunRecord record = run_bench(controller, options, desk);
-  EXPECT_EQ(record.phase, Phase::Done) << story(record);
+  const run::RunRecord record = run_bench(controller, options, desk);
+  EXPECT_EQ(record.phase, run::Phase::Done) << story(record);
   EXPECT_NEAR(controller.plant_value("level_a1_percent"), 50.0, 2.0);
   return record;
 }
 
 TEST(ExecutiveStart, WhenThePlantIsNotAsTheProblemSays_ThenThatIsWhereTheFirstPlanStartsOrAnIncident) {
-  const RunRecord believed = run_from_four(true);
+  const run::RunRecord believed = run_from_four(true);
   ASSERT_EQ(believed.incidents.size(), 1u) << story(believed);
-  EXPECT_EQ(believed.incidents[0].kind, IncidentKind::Operator);
+  EXPECT_EQ(believed.incidents[0].kind, run::IncidentKind::Operator);
   EXPECT_EQ(believed.incidents[0].evidence.front().rfind(
                 "the plan starts where the plant is: level of a1 is 4.", 0),
             0u)
       << believed.incidents[0].evidence.front();
   EXPECT_TRUE(believed.replans.empty()) << story(believed);
-  const RunRecord doubted = run_from_four(false);
+  const run::RunRecord doubted = run_from_four(false);
   ASSERT_EQ(doubted.incidents.size(), 1u) << story(doubted);
-  EXPECT_EQ(doubted.incidents[0].kind, IncidentKind::Level);
+  EXPECT_EQ(doubted.incidents[0].kind, run::IncidentKind::Level);
 }
 
 // The planner counts 4.7 as 5.
@@ -103,8 +103,8 @@ TEST(ExecutiveStart, WhenALevelOnlyRoundsToTheGoal_ThenTheGoalIsNotCalledMet) {
   bool seen = false;
   ExecutiveOptions options;
   options.cell = "bench";
-  (void)Executive(desk, controller, options, [&](const RunRecord& now) {
-    for (const GoalRecord& goal : now.goal) {
+  (void)Executive(desk, controller, options, [&](const run::RunRecord& now) {
+    for (const run::GoalRecord& goal : now.goal) {
       const double level = now.observed.contains("(level a1)") ? now.observed.at("(level a1)") : 0.0;
       if (goal.text.find("(level a1)") == std::string::npos || std::abs(level - 4.7) > 0.1) continue;
       seen = true;
@@ -117,8 +117,8 @@ TEST(ExecutiveStart, WhenALevelOnlyRoundsToTheGoal_ThenTheGoalIsNotCalledMet) {
 TEST(ExecutiveStart, WhenAnOperatorStartsRuns_ThenThePlanIsShownAndNothingIsDownloadedBefore) {
   StartedBench bench(by_operator());
   bool asked = false;
-  bench.on_news = [&](const RunRecord& now) {
-    if (now.phase != Phase::Ready) return;
+  bench.on_news = [&](const run::RunRecord& now) {
+    if (now.phase != run::Phase::Ready) return;
     asked = true;
     ASSERT_EQ(now.episodes.size(), 1u);
     EXPECT_EQ(now.episodes[0].actions.size(), 17u);
@@ -129,9 +129,9 @@ TEST(ExecutiveStart, WhenAnOperatorStartsRuns_ThenThePlanIsShownAndNothingIsDown
     EXPECT_EQ(code(bench.executive->request_start("")), "");
     EXPECT_EQ(code(bench.executive->request_start("")), "X0008") << "it is under way";
   };
-  const RunRecord record = bench.run();
+  const run::RunRecord record = bench.run();
   EXPECT_TRUE(asked);
-  EXPECT_EQ(record.phase, Phase::Done) << story(record);
+  EXPECT_EQ(record.phase, run::Phase::Done) << story(record);
   EXPECT_EQ(record.episodes.size(), 1u);
   EXPECT_EQ(bench.phases,
             (std::vector<std::string>{"planning", "ready", "planning", "observing", "executing", "done"}));
@@ -139,13 +139,13 @@ TEST(ExecutiveStart, WhenAnOperatorStartsRuns_ThenThePlanIsShownAndNothingIsDown
 
 TEST(ExecutiveStart, WhenItIsStartedWithAnotherGoal_ThenThatOneIsPlannedForFirst) {
   StartedBench bench(by_operator());
-  bench.on_news = [&](const RunRecord& now) {
-    if (now.phase == Phase::Ready) {
+  bench.on_news = [&](const run::RunRecord& now) {
+    if (now.phase == run::Phase::Ready) {
       EXPECT_TRUE(bench.executive->request_start(kFewer));
     }
   };
-  const RunRecord record = bench.run();
-  EXPECT_EQ(record.phase, Phase::Done) << story(record);
+  const run::RunRecord record = bench.run();
+  EXPECT_EQ(record.phase, run::Phase::Done) << story(record);
   ASSERT_EQ(record.episodes.size(), 1u);
   EXPECT_LT(record.episodes[0].actions.size(), 6u);
   EXPECT_NEAR(bench.controller.plant_value("level_a1_percent"), 30.0, 2.0);
@@ -154,8 +154,8 @@ TEST(ExecutiveStart, WhenItIsStartedWithAnotherGoal_ThenThatOneIsPlannedForFirst
 TEST(ExecutiveStart, WhenTheGoalChangesWhileItWaits_ThenAnotherPlanIsShownAndStillNothingMoves) {
   StartedBench bench(by_operator());
   int shown = 0;
-  bench.on_news = [&](const RunRecord& now) {
-    if (now.phase != Phase::Ready) return;
+  bench.on_news = [&](const run::RunRecord& now) {
+    if (now.phase != run::Phase::Ready) return;
     if (++shown == 1) {
       EXPECT_TRUE(bench.executive->request_goal(kFewer));
       return;
@@ -163,9 +163,9 @@ TEST(ExecutiveStart, WhenTheGoalChangesWhileItWaits_ThenAnotherPlanIsShownAndSti
     EXPECT_LT(now.episodes.at(0).actions.size(), 6u);
     bench.executive->request_abort();
   };
-  const RunRecord record = bench.run();
+  const run::RunRecord record = bench.run();
   EXPECT_EQ(shown, 2);
-  EXPECT_EQ(record.phase, Phase::Safe);
+  EXPECT_EQ(record.phase, run::Phase::Safe);
   EXPECT_EQ(record.message, "aborted by the operator");
   EXPECT_EQ(bench.controller.stops(), 0);
 }
@@ -173,16 +173,16 @@ TEST(ExecutiveStart, WhenTheGoalChangesWhileItWaits_ThenAnotherPlanIsShownAndSti
 TEST(ExecutiveStart, WhenARunHasReachedItsGoal_ThenAnotherOneBeginsWhereThePlantIs) {
   StartedBench bench;
   EXPECT_EQ(code(bench.executive->request_start("")), "X0008") << "the first one is about to run";
-  const RunRecord first = bench.run();
-  ASSERT_EQ(first.phase, Phase::Done) << story(first);
+  const run::RunRecord first = bench.run();
+  ASSERT_EQ(first.phase, run::Phase::Done) << story(first);
   EXPECT_FALSE(bench.executive->wait_start(std::chrono::milliseconds(0)));
   ASSERT_EQ(code(bench.executive->request_start("(and (is-at v1 a2) (= (level a1) 6))")), "");
   EXPECT_FALSE(bench.executive->over());
   EXPECT_TRUE(bench.executive->wait_start(std::chrono::milliseconds(0)));
   bench.phases.clear();
-  const RunRecord second = bench.run();
+  const run::RunRecord second = bench.run();
   SCOPED_TRACE(story(second));
-  EXPECT_EQ(second.phase, Phase::Done);
+  EXPECT_EQ(second.phase, run::Phase::Done);
   EXPECT_EQ(bench.phases, (std::vector<std::string>{"planning", "observing", "executing", "done"}));
   EXPECT_EQ(second.episodes.size(), 1u) << "it knows nothing of the run before";
   EXPECT_TRUE(second.replans.empty());
@@ -196,35 +196,35 @@ TEST(ExecutiveStart, WhenARunHasReachedItsGoal_ThenAnotherOneBeginsWhereThePlant
 
 TEST(ExecutiveStart, WhenTheGoalIsMetAlready_ThenTheNextRunEndsAtOnce) {
   StartedBench bench;
-  ASSERT_EQ(bench.run().phase, Phase::Done);
+  ASSERT_EQ(bench.run().phase, run::Phase::Done);
   ASSERT_TRUE(bench.executive->request_start(""));
-  const RunRecord again = bench.run();
-  EXPECT_EQ(again.phase, Phase::Done) << story(again);
+  const run::RunRecord again = bench.run();
+  EXPECT_EQ(again.phase, run::Phase::Done) << story(again);
   EXPECT_TRUE(again.episodes.empty());
 }
 
 TEST(ExecutiveStart, WhenARunWasAbortedHalfWay_ThenAnotherOneReachesTheGoal) {
   StartedBench bench;
-  bench.on_news = [&](const RunRecord& now) {
-    const bool moves = now.phase == Phase::Executing && !now.episodes.empty() &&
-                       std::ranges::any_of(now.episodes[0].actions, [](const ActionRecord& action) {
-                         return action.text.starts_with("(move") && action.state == ActionState::Active;
+  bench.on_news = [&](const run::RunRecord& now) {
+    const bool moves = now.phase == run::Phase::Executing && !now.episodes.empty() &&
+                       std::ranges::any_of(now.episodes[0].actions, [](const run::ActionRecord& action) {
+                         return action.text.starts_with("(move") && action.state == run::ActionState::Active;
                        });
     if (moves) bench.executive->request_abort();
   };
-  const RunRecord first = bench.run();
-  ASSERT_EQ(first.phase, Phase::Safe);
+  const run::RunRecord first = bench.run();
+  ASSERT_EQ(first.phase, run::Phase::Safe);
   bench.on_news = {};
   ASSERT_TRUE(bench.executive->request_start(""));
-  const RunRecord second = bench.run();
-  EXPECT_EQ(second.phase, Phase::Done) << story(second);
+  const run::RunRecord second = bench.run();
+  EXPECT_EQ(second.phase, run::Phase::Done) << story(second);
   EXPECT_NEAR(bench.controller.plant_value("level_a1_percent"), 50.0, 2.0);
   EXPECT_NEAR(bench.controller.plant_value("level_a2_percent"), 50.0, 2.0);
 }
 
 TEST(ExecutiveStart, WhenNoRuntimeAnswers_ThenNothingIsStarted) {
   StartedBench bench;
-  ASSERT_EQ(bench.run().phase, Phase::Done);
+  ASSERT_EQ(bench.run().phase, run::Phase::Done);
   bench.controller.kill_runtime();
   EXPECT_EQ(code(bench.executive->request_start("")), "X0008");
   EXPECT_TRUE(bench.executive->over());
@@ -232,20 +232,20 @@ TEST(ExecutiveStart, WhenNoRuntimeAnswers_ThenNothingIsStarted) {
 
 TEST(ExecutiveStart, WhenTheSupervisorIsRestartedAfterARun_ThenTheNextOneWaitsForAnOperator) {
   StartedBench bench(with_journal("over_executive.json", by_operator()));
-  bench.on_news = [&](const RunRecord& now) {
-    if (now.phase == Phase::Ready) {
+  bench.on_news = [&](const run::RunRecord& now) {
+    if (now.phase == run::Phase::Ready) {
       EXPECT_TRUE(bench.executive->request_start(""));
     }
   };
-  ASSERT_EQ(bench.run().phase, Phase::Done);
+  ASSERT_EQ(bench.run().phase, run::Phase::Done);
   bench.on_news = {};
   bench.again();
-  const RunRecord known = bench.run();
-  EXPECT_EQ(known.phase, Phase::Done);
+  const run::RunRecord known = bench.run();
+  EXPECT_EQ(known.phase, run::Phase::Done);
   EXPECT_EQ(known.episodes.size(), 1u) << "viewers still see what has been";
   ASSERT_TRUE(bench.executive->request_start("(and (is-at v1 f1) (= (level a2) 6))"));
-  const RunRecord next = bench.run();
-  EXPECT_EQ(next.phase, Phase::Done) << story(next);
+  const run::RunRecord next = bench.run();
+  EXPECT_EQ(next.phase, run::Phase::Done) << story(next);
   EXPECT_NEAR(bench.controller.plant_value("level_a2_percent"), 60.0, 2.0);
 }
 
@@ -253,32 +253,32 @@ TEST(ExecutiveStart, WhenTheSupervisorIsRestartedAfterARun_ThenTheNextOneWaitsFo
 TEST(ExecutiveStart, WhenTheSupervisorIsRestartedAfterAGoalThatWasMetAlready_ThenItsJournalCanBeRead) {
   StartedBench bench(with_journal("met_executive.json"));
   bool asked = false;
-  bench.on_news = [&](const RunRecord& now) {
-    if (now.phase != Phase::Executing || asked) return;
+  bench.on_news = [&](const run::RunRecord& now) {
+    if (now.phase != run::Phase::Executing || asked) return;
     asked = true;
     EXPECT_TRUE(bench.executive->request_goal("(is-at v1 f1)"));
   };
-  ASSERT_EQ(bench.run().phase, Phase::Done);
+  ASSERT_EQ(bench.run().phase, run::Phase::Done);
   bench.on_news = {};
   bench.options.operator_starts = true;
   bench.again();
-  const RunRecord known = bench.run();
-  EXPECT_EQ(known.phase, Phase::Done) << story(known);
+  const run::RunRecord known = bench.run();
+  EXPECT_EQ(known.phase, run::Phase::Done) << story(known);
 }
 
 TEST(ExecutiveStart, WhenHeldBeforeTheFirstPlanAndTheSupervisorIsRestarted_ThenItIsStillHeld) {
   struct Killed {};
   StartedBench bench(with_journal("early_hold_executive.json"));
-  bench.on_news = [&](const RunRecord& now) {
-    if (now.phase == Phase::Planning && bench.phases.size() == 1) (void)bench.executive->request_hold();
-    if (now.phase == Phase::Observing) throw Killed{};
+  bench.on_news = [&](const run::RunRecord& now) {
+    if (now.phase == run::Phase::Planning && bench.phases.size() == 1) (void)bench.executive->request_hold();
+    if (now.phase == run::Phase::Observing) throw Killed{};
   };
   EXPECT_THROW((void)bench.executive->run(), Killed);
-  bench.on_news = [&](const RunRecord& now) {
-    if (now.phase == Phase::Held) bench.executive->request_abort();
+  bench.on_news = [&](const run::RunRecord& now) {
+    if (now.phase == run::Phase::Held) bench.executive->request_abort();
   };
   bench.again();
-  const RunRecord record = bench.run();
+  const run::RunRecord record = bench.run();
   EXPECT_EQ(record.message, "aborted by the operator") << story(record);
   EXPECT_NE(std::ranges::find(bench.phases, "held"), bench.phases.end());
   EXPECT_EQ(std::ranges::find(bench.phases, "executing"), bench.phases.end());
@@ -287,12 +287,12 @@ TEST(ExecutiveStart, WhenHeldBeforeTheFirstPlanAndTheSupervisorIsRestarted_ThenI
 TEST(ExecutiveStart, WhenAPlanIsFollowed_ThenTheOutlookIsWhereItsActionsWillHaveLed) {
   StartedBench bench;
   bool looked = false;
-  bench.on_news = [&](const RunRecord& now) {
+  bench.on_news = [&](const run::RunRecord& now) {
     const Outlook outlook = bench.executive->outlook();
     EXPECT_EQ(outlook.revision, bench.executive->outlook_revision());
-    if (now.phase != Phase::Executing || now.episodes.empty()) return;
-    const std::vector<ActionRecord>& actions = now.episodes[0].actions;
-    const auto active = std::ranges::find(actions, ActionState::Active, &ActionRecord::state);
+    if (now.phase != run::Phase::Executing || now.episodes.empty()) return;
+    const std::vector<run::ActionRecord>& actions = now.episodes[0].actions;
+    const auto active = std::ranges::find(actions, run::ActionState::Active, &run::ActionRecord::state);
     if (active == actions.end() || !active->text.starts_with("(move")) return;
     looked = true;
     EXPECT_TRUE(outlook.ahead);
@@ -300,13 +300,13 @@ TEST(ExecutiveStart, WhenAPlanIsFollowed_ThenTheOutlookIsWhereItsActionsWillHave
     const auto places = std::ranges::count_if(
         outlook.state.facts, [](const std::string& fact) { return fact.starts_with("(is-at v1"); });
     EXPECT_EQ(places, 1) << active->text;
-    const auto pending = std::ranges::count(actions, ActionState::Pending, &ActionRecord::state);
+    const auto pending = std::ranges::count(actions, run::ActionState::Pending, &run::ActionRecord::state);
     EXPECT_EQ(outlook.remaining.size(), static_cast<std::size_t>(pending));
     for (const char* level : {"(lev v1)", "(level a1)", "(level a2)"})
       EXPECT_DOUBLE_EQ(outlook.state.fluents.at(level), std::round(outlook.state.fluents.at(level)));
     EXPECT_TRUE(bench_desk().worth_of({.planning = outlook.state}, outlook.remaining)) << active->text;
   };
-  ASSERT_EQ(bench.run().phase, Phase::Done);
+  ASSERT_EQ(bench.run().phase, run::Phase::Done);
   EXPECT_TRUE(looked);
   EXPECT_TRUE(bench.executive->outlook().remaining.empty());
 }

@@ -42,7 +42,7 @@ class MonitoredRun {
       names.push_back(translate::alarm_scan_variable(i));
       names.push_back(translate::alarm_value_variable(i));
     }
-    reader_ = *ImageReader::create(prepared_.container, prepared_.translation.instance, names);
+    reader_ = *run::ImageReader::create(prepared_.container, prepared_.translation.instance, names);
     controller_.on_scan = [this](std::span<const std::byte> image) { look(image); };
   }
 
@@ -85,7 +85,7 @@ class MonitoredRun {
 
   SimulatedController controller_;
   PreparedPlan prepared_;
-  std::optional<ImageReader> reader_;
+  std::optional<run::ImageReader> reader_;
   std::uint64_t scan_ = 0;
   std::set<std::size_t> told_;
   std::vector<Raised> raised_;

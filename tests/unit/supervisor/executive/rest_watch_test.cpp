@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "supervisor/executive/image_reader.h"
 #include "supervisor/pddl/describe_run.h"
+#include "supervisor/run/image_reader.h"
 #include "supervisor/translate/estimate.h"
 #include "supervisor/translate/progress.h"
 #include "tests/unit/supervisor/executive/bench_fixture.h"
@@ -116,7 +116,7 @@ class MovingPlant {
       variables.push_back(sensor.tag);
     }
     for (const translate::ObservedFact& fact : bench_desk().binding().facts) variables.push_back(fact.tag);
-    reader_ = *ImageReader::create(program.container, program.translation.instance, variables);
+    reader_ = *run::ImageReader::create(program.container, program.translation.instance, variables);
     ASSERT_TRUE(controller_.download(program.container));
     ASSERT_TRUE(controller_.start(false));
   }
@@ -157,7 +157,7 @@ class MovingPlant {
   }
 
   support::SimulatedController controller_;
-  std::optional<ImageReader> reader_;
+  std::optional<run::ImageReader> reader_;
   std::optional<translate::Values> means_;
   std::optional<RestWatch> watch_;
   std::optional<std::string> news_;

@@ -1,4 +1,4 @@
-#include "supervisor/executive/run_record.h"
+#include "supervisor/run/run_record.h"
 
 #include <gtest/gtest.h>
 
@@ -6,16 +6,16 @@
 #include <fstream>
 
 #include "supervisor/executive/journal.h"
-#include "supervisor/executive/report.h"
+#include "supervisor/run/report.h"
 
 namespace stepwright::executive {
 namespace {
 
-RunRecord sample() {
-  ActionRecord done;
+run::RunRecord sample() {
+  run::ActionRecord done;
   done.text = "(load v1 f1 level8)";
   done.step = "S01_LOAD";
-  done.state = ActionState::Done;
+  done.state = run::ActionState::Done;
   done.planned_finish_s = 9.5;
   done.started_s = 1.0;
   done.finished_s = 10.25;
@@ -23,9 +23,9 @@ RunRecord sample() {
   done.actual_cost = 1.5;
   done.expected = {{"(lev v1)", 10.0}};
   done.observed = {{"(lev v1)", 9.9}};
-  ActionRecord pending;
+  run::ActionRecord pending;
   pending.text = "(move v1 f1 a1) <&>";
-  Episode episode;
+  run::Episode episode;
   episode.digest = "abc";
   episode.cost = 108.0;
   episode.origin = "repaired";
@@ -33,19 +33,19 @@ RunRecord sample() {
   episode.remaining = 2;
   episode.repair_ms = 0.5;
   episode.actions = {done, pending};
-  RunRecord record;
+  run::RunRecord record;
   record.cell = "bench";
-  record.phase = Phase::Executing;
+  record.phase = run::Phase::Executing;
   record.episodes = {episode};
   record.replans = {{3.0, "a level is wrong", "(load v1 f1 level8)"},
                     {5.0, "held by the operator", "", true}};
-  Incident incident;
+  run::Incident incident;
   incident.time_s = 3.0;
-  incident.kind = IncidentKind::FailedActuator;
+  incident.kind = run::IncidentKind::FailedActuator;
   incident.evidence = {"(load v1 f1 level8) had no effect in 4.3 s: B1 was on"};
   incident.action = "(load v1 f1 level8)";
   incident.alarms = {{"(load v1 f1 level8)", "invariant", "level of a2 within 0.2 of 2", 812, 1.7, "S3"}};
-  incident.response = Response::Repair;
+  incident.response = run::Response::Repair;
   incident.decision_ms = 12.5;
   incident.repair_ms = 3.5;
   incident.replan_ms = 8.25;
@@ -59,20 +59,20 @@ RunRecord sample() {
   return record;
 }
 
-TEST(RunRecord, WhenWrittenAndRead_ThenItIsTheSame) {
-  const RunRecord record = sample();
-  const auto read = record_from_json(to_json(record), "test");
+TEST(run::RunRecord, WhenWrittenAndRead_ThenItIsTheSame) {
+  const run::RunRecord record = sample();
+  const auto read = run::record_from_json(to_json(record), "test");
   ASSERT_TRUE(read.has_value()) << result::to_string(read.error());
   EXPECT_EQ(*read, record);
 }
 
-TEST(RunRecord, WhenTheTextIsDamaged_ThenItIsRefused) {
+TEST(run::RunRecord, WhenTheTextIsDamaged_ThenItIsRefused) {
   const std::string text = to_json(sample());
-  EXPECT_FALSE(record_from_json(text.substr(0, text.size() / 2), "test").has_value());
-  EXPECT_FALSE(record_from_json("{\"cell\": 3}", "test").has_value());
+  EXPECT_FALSE(run::record_from_json(text.substr(0, text.size() / 2), "test").has_value());
+  EXPECT_FALSE(run::record_from_json("{\"cell\": 3}", "test").has_value());
   std::string odd = text;
   odd.replace(odd.find("executing"), 9, "exploding");
-  EXPECT_FALSE(record_from_json(odd, "test").has_value());
+  EXPECT_FALSE(run::record_from_json(odd, "test").has_value());
 }
 
 TEST(Journal, WhenWrittenAndRead_ThenItIsTheSame) {
@@ -100,19 +100,19 @@ TEST(Journal, WhenWrittenAndRead_ThenItIsTheSame) {
 }
 
 // A search that its budget ended knows no bound; JSON has no infinity.
-TEST(RunRecord, WhenNoBoundIsKnown_ThenItIsReadBackAndTheReportSaysSo) {
-  RunRecord record = sample();
+TEST(run::RunRecord, WhenNoBoundIsKnown_ThenItIsReadBackAndTheReportSaysSo) {
+  run::RunRecord record = sample();
   record.episodes[0].bound.reset();
-  const auto read = record_from_json(to_json(record), "test");
+  const auto read = run::record_from_json(to_json(record), "test");
   ASSERT_TRUE(read.has_value()) << result::to_string(read.error());
   EXPECT_EQ(*read, record);
-  EXPECT_NE(report_table(record).find("no bound known"), std::string::npos);
+  EXPECT_NE(run::report_table(record).find("no bound known"), std::string::npos);
 }
 
-TEST(RunRecord, WhenAMessageIsNoUtf8_ThenItIsWrittenAllTheSame) {
-  RunRecord record = sample();
+TEST(run::RunRecord, WhenAMessageIsNoUtf8_ThenItIsWrittenAllTheSame) {
+  run::RunRecord record = sample();
   record.message = "stopped from outside: \xFF";
-  const auto read = record_from_json(to_json(record), "test");
+  const auto read = run::record_from_json(to_json(record), "test");
   ASSERT_TRUE(read.has_value()) << result::to_string(read.error());
   EXPECT_EQ(read->message, "stopped from outside: \xEF\xBF\xBD");
 }
@@ -143,17 +143,17 @@ TEST(Journal, WhenItIsDamaged_ThenTheErrorNamesTheFile) {
   EXPECT_EQ(read.error()[0].where.file, file.string());
 }
 
-TEST(Report, WhenDrawn_ThenEveryActionIsThereAndTextIsEscaped) {
-  const std::string gantt = gantt_svg(sample());
+TEST(run::Report, WhenDrawn_ThenEveryActionIsThereAndTextIsEscaped) {
+  const std::string gantt = run::gantt_svg(sample());
   EXPECT_NE(gantt.find("(load v1 f1 level8)"), std::string::npos);
   EXPECT_NE(gantt.find("&lt;&amp;&gt;"), std::string::npos);
   EXPECT_EQ(gantt.find("<&>"), std::string::npos);
-  EXPECT_NE(cost_svg(sample()).find("polyline"), std::string::npos);
-  EXPECT_NE(report_table(sample()).find("NOT MET"), std::string::npos);
+  EXPECT_NE(run::cost_svg(sample()).find("polyline"), std::string::npos);
+  EXPECT_NE(run::report_table(sample()).find("NOT MET"), std::string::npos);
 }
 
-TEST(Report, WhenThereAreIncidents_ThenTableAndPictureTellEvidenceDecisionAndTime) {
-  const std::string table = report_table(sample());
+TEST(run::Report, WhenThereAreIncidents_ThenTableAndPictureTellEvidenceDecisionAndTime) {
+  const std::string table = run::report_table(sample());
   EXPECT_NE(table.find("Incident at 3.00 s, failed_actuator: (load v1 f1 level8) had no effect"),
             std::string::npos)
       << table;
@@ -165,21 +165,21 @@ TEST(Report, WhenThereAreIncidents_ThenTableAndPictureTellEvidenceDecisionAndTim
   EXPECT_NE(table.find("decision: repair in 12.5 ms, 4 of 6 actions kept (repair 3.5 ms, new plan 8.2 ms)"),
             std::string::npos)
       << table;
-  EXPECT_NE(gantt_svg(sample()).find("failed_actuator: "), std::string::npos);
+  EXPECT_NE(run::gantt_svg(sample()).find("failed_actuator: "), std::string::npos);
 }
 
-TEST(RunRecord, WhenAnIncidentHasAnUnknownKind_ThenItIsRefused) {
+TEST(run::RunRecord, WhenAnIncidentHasAnUnknownKind_ThenItIsRefused) {
   std::string text = to_json(sample());
   text.replace(text.find("failed_actuator"), 15, "bored_actuator!");
-  EXPECT_FALSE(record_from_json(text, "test").has_value());
+  EXPECT_FALSE(run::record_from_json(text, "test").has_value());
 }
 
 // The plan of the first episode came from a replan already, and the last replan found none.
-TEST(Report, WhenReplansAndPlansDoNotPair_ThenEveryCauseStandsBeforeThePlanThatItLedTo) {
-  RunRecord record = sample();
+TEST(run::Report, WhenReplansAndPlansDoNotPair_ThenEveryCauseStandsBeforeThePlanThatItLedTo) {
+  run::RunRecord record = sample();
   record.episodes[0].started_s = 5.0;
   record.replans = {{3.0, "FIRST", ""}, {8.0, "LAST", ""}};
-  const std::string table = report_table(record);
+  const std::string table = run::report_table(record);
   const std::size_t plan = table.find("Plan 1 of 1");
   ASSERT_NE(plan, std::string::npos);
   EXPECT_LT(table.find("FIRST"), plan);
@@ -187,26 +187,26 @@ TEST(Report, WhenReplansAndPlansDoNotPair_ThenEveryCauseStandsBeforeThePlanThatI
   EXPECT_NE(table.find("LAST"), std::string::npos);
 }
 
-TEST(Report, WhenTheLastActionFails_ThenItsBarEndsAtTheReplan) {
-  RunRecord record = sample();
-  ActionRecord& failed = record.episodes[0].actions[1];
-  failed.state = ActionState::Failed;
+TEST(run::Report, WhenTheLastActionFails_ThenItsBarEndsAtTheReplan) {
+  run::RunRecord record = sample();
+  run::ActionRecord& failed = record.episodes[0].actions[1];
+  failed.state = run::ActionState::Failed;
   failed.started_s = 11.0;
   record.finished_s = 10.25;
   record.started_s = 1.0;
   record.replans = {{101.0, "it never ended", ""}};
   // 90 of the 100 s of the picture, whose plot is 710 wide.
-  EXPECT_NE(gantt_svg(record).find("<rect class=\"f\" x=\"301.0\" y=\"78\" width=\"639.0\""),
+  EXPECT_NE(run::gantt_svg(record).find("<rect class=\"f\" x=\"301.0\" y=\"78\" width=\"639.0\""),
             std::string::npos)
-      << gantt_svg(record);
+      << run::gantt_svg(record);
 }
 
-TEST(Report, WhenWrittenAndRead_ThenTheFiguresAreTheSame) {
-  Report report{sample(), {}};
+TEST(run::Report, WhenWrittenAndRead_ThenTheFiguresAreTheSame) {
+  run::Report report{sample(), {}};
   report.runtime.scan = 1234;
   report.runtime.trace_hash = 0xFFFF'FFFF'FFFF'FFFFull;
   report.runtime.plant = {{"level_a1_percent", 50.25}};
-  const auto read = report_from_json(to_json(report), "test");
+  const auto read = run::report_from_json(to_json(report), "test");
   ASSERT_TRUE(read.has_value());
   EXPECT_EQ(read->record, report.record);
   EXPECT_EQ(read->runtime.trace_hash, report.runtime.trace_hash);

@@ -12,10 +12,10 @@
 namespace stepwright::fleet {
 namespace {
 
-using executive::IncidentKind;
-using executive::Phase;
-using executive::Response;
-using executive::RunRecord;
+using run::IncidentKind;
+using run::Phase;
+using run::Response;
+using run::RunRecord;
 
 TEST(FleetExecutiveRun, WhenSomethingIsOrderedMeanwhile_ThenAllIsDeliveredAndNobodyMeets) {
   SmallHall hall;

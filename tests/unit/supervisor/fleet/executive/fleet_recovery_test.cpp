@@ -16,10 +16,10 @@
 namespace stepwright::fleet {
 namespace {
 
-using executive::IncidentKind;
-using executive::Phase;
-using executive::Response;
-using executive::RunRecord;
+using run::IncidentKind;
+using run::Phase;
+using run::Response;
+using run::RunRecord;
 
 std::string state_of(const RunRecord& record, std::size_t vehicle) {
   return nlohmann::json::parse(record.fleet)["vehicles"][vehicle]["state"];

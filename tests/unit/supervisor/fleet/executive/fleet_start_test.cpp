@@ -11,8 +11,8 @@
 namespace stepwright::fleet {
 namespace {
 
-using executive::Phase;
-using executive::RunRecord;
+using run::Phase;
+using run::RunRecord;
 
 std::string code(const result::Result<void>& answer) {
   return answer ? std::string() : answer.error().front().code;

@@ -44,7 +44,7 @@ FleetExecutiveOptions SmallHall::options() const {
   return config::fleet_executive_options(config_);
 }
 
-executive::RunRecord SmallHall::run(FleetExecutiveOptions options, FleetExecutive::Observer observer) {
+run::RunRecord SmallHall::run(FleetExecutiveOptions options, FleetExecutive::Observer observer) {
   options.journal = folder_.path() / "executive.json";
   return FleetExecutive(desk(), controller_, std::move(options), std::move(observer)).run();
 }
@@ -67,7 +67,7 @@ void SmallHall::expect_clean() const {
     EXPECT_EQ(controller_.plant_value(name), 0.0) << name;
 }
 
-std::string story(const executive::RunRecord& record) {
+std::string story(const run::RunRecord& record) {
   std::string text = std::string(to_string(record.phase)) + ": " + record.message;
   for (const auto& incident : record.incidents) {
     text += "\n  " + std::to_string(incident.time_s) + " s (" + to_string(incident.response) + "):";
@@ -83,11 +83,11 @@ std::string story(const executive::RunRecord& record) {
   return text;
 }
 
-bool all_met(const executive::RunRecord& record) {
-  return std::ranges::all_of(record.goal, [](const executive::GoalRecord& goal) { return goal.met; });
+bool all_met(const run::RunRecord& record) {
+  return std::ranges::all_of(record.goal, [](const run::GoalRecord& goal) { return goal.met; });
 }
 
-double finished_s(const executive::RunRecord& record, const std::string& what) {
+double finished_s(const run::RunRecord& record, const std::string& what) {
   double finished = -1.0;
   for (const auto& episode : record.episodes) {
     for (const auto& action : episode.actions) {

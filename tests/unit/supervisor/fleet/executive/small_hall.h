@@ -4,7 +4,7 @@
 // the plant's: exact outlines along the motion, contacts, where vehicles stand in the end.
 //
 //   SmallHall hall({{5.0, "dead_v2", 1.0}});
-//   const executive::RunRecord record = hall.run(hall.options());
+//   const run::RunRecord record = hall.run(hall.options());
 //   hall.expect_clean();
 
 #include <filesystem>
@@ -24,7 +24,7 @@ class SmallHall {
   explicit SmallHall(std::vector<support::PlantFault> faults = {}, const std::string& constraints = {});
 
   FleetExecutiveOptions options() const;
-  executive::RunRecord run(FleetExecutiveOptions options, FleetExecutive::Observer observer = {});
+  run::RunRecord run(FleetExecutiveOptions options, FleetExecutive::Observer observer = {});
   // Made once for each problem: what it plans does not depend on what it has planned.
   FleetDesk& desk();
   support::SimulatedController& controller() { return controller_; }
@@ -41,9 +41,9 @@ class SmallHall {
 };
 
 // Phase, message and incidents, for messages of tests.
-std::string story(const executive::RunRecord& record);
-bool all_met(const executive::RunRecord& record);
+std::string story(const run::RunRecord& record);
+bool all_met(const run::RunRecord& record);
 // When the service of a stop was over; below zero: it never was. `what`: "set_down 1 crate".
-double finished_s(const executive::RunRecord& record, const std::string& what);
+double finished_s(const run::RunRecord& record, const std::string& what);
 
 }  // namespace stepwright::fleet

@@ -1,6 +1,6 @@
-#include "supervisor/executive/image_reader.h"
+#include "supervisor/run/image_reader.h"
 
-namespace stepwright::executive {
+namespace stepwright::run {
 
 result::Result<ImageReader> ImageReader::create(std::span<const std::byte> container,
                                                 const std::string& chart,
@@ -32,4 +32,4 @@ std::map<std::string, double> ImageReader::values(std::span<const std::byte> ima
   return values;
 }
 
-}  // namespace stepwright::executive
+}  // namespace stepwright::run

@@ -5,9 +5,9 @@
 #include <memory>
 
 #include "runtime/dds/runtime_client.h"
-#include "supervisor/executive/controller.h"
+#include "supervisor/run/controller.h"
 
-namespace stepwright::executive {
+namespace stepwright::run {
 
 class DdsController final : public Controller {
  public:
@@ -34,4 +34,4 @@ class DdsController final : public Controller {
   std::unique_ptr<dds::RuntimeClient> client_;
 };
 
-}  // namespace stepwright::executive
+}  // namespace stepwright::run

@@ -8,9 +8,9 @@
 
 #include "runtime/host/messages.h"
 #include "runtime/result/result.h"
-#include "supervisor/executive/run_record.h"
+#include "supervisor/run/run_record.h"
 
-namespace stepwright::executive {
+namespace stepwright::run {
 
 struct Report {
   RunRecord record;
@@ -30,4 +30,4 @@ std::string gantt_svg(const RunRecord& record);
 // Planned and actual cost summed up over the actions that were begun (the paper's Figures 15 and 16).
 std::string cost_svg(const RunRecord& record);
 
-}  // namespace stepwright::executive
+}  // namespace stepwright::run

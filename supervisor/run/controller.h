@@ -17,7 +17,7 @@
 #include "runtime/host/messages.h"
 #include "runtime/result/result.h"
 
-namespace stepwright::executive {
+namespace stepwright::run {
 
 class Controller {
  public:
@@ -47,4 +47,4 @@ class Controller {
   virtual std::optional<host::Snapshot> snapshot() const = 0;
 };
 
-}  // namespace stepwright::executive
+}  // namespace stepwright::run

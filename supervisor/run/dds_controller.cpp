@@ -1,8 +1,8 @@
-#include "supervisor/executive/dds_controller.h"
+#include "supervisor/run/dds_controller.h"
 
 #include <utility>
 
-namespace stepwright::executive {
+namespace stepwright::run {
 
 DdsController::DdsController(std::unique_ptr<dds::RuntimeClient> client) : client_(std::move(client)) {}
 
@@ -55,4 +55,4 @@ std::optional<host::Snapshot> DdsController::snapshot() const {
   return client_->snapshot();
 }
 
-}  // namespace stepwright::executive
+}  // namespace stepwright::run

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <iterator>
 
-#include "supervisor/executive/report.h"
+#include "supervisor/run/report.h"
 
-namespace stepwright::executive {
+namespace stepwright::run {
 namespace {
 
 std::string seconds(const std::optional<double>& value, double origin) {
@@ -91,4 +91,4 @@ std::string report_table(const RunRecord& record) {
   return text;
 }
 
-}  // namespace stepwright::executive
+}  // namespace stepwright::run

@@ -18,7 +18,7 @@
 #include "runtime/bytecode/reader/program_info.h"
 #include "runtime/result/result.h"
 
-namespace stepwright::executive {
+namespace stepwright::run {
 
 class ImageReader {
  public:
@@ -36,4 +36,4 @@ class ImageReader {
   std::map<std::string, reader::Variable> variables_;
 };
 
-}  // namespace stepwright::executive
+}  // namespace stepwright::run

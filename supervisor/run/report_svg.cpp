@@ -5,9 +5,9 @@
 #include <iterator>
 
 #include "ladder/graphic/svg_writer.h"
-#include "supervisor/executive/report.h"
+#include "supervisor/run/report.h"
 
-namespace stepwright::executive {
+namespace stepwright::run {
 namespace {
 
 using graphic::xml_escaped;
@@ -172,4 +172,4 @@ std::string cost_svg(const RunRecord& record) {
   return svg + "</svg>\n";
 }
 
-}  // namespace stepwright::executive
+}  // namespace stepwright::run

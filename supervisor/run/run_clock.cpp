@@ -1,8 +1,8 @@
-#include "supervisor/executive/run_clock.h"
+#include "supervisor/run/run_clock.h"
 
 #include <algorithm>
 
-namespace stepwright::executive {
+namespace stepwright::run {
 namespace {
 
 constexpr double kSecondsPerNs = 1e-9;
@@ -28,4 +28,4 @@ double RunClock::offset_of(std::uint64_t incarnation, double scan_s) const {
   return scan_s + state_.offset_s < state_.now_s && incarnation != 0 ? state_.now_s : state_.offset_s;
 }
 
-}  // namespace stepwright::executive
+}  // namespace stepwright::run

@@ -1,8 +1,8 @@
-#include "supervisor/executive/run_clock.h"
+#include "supervisor/run/run_clock.h"
 
 #include <gtest/gtest.h>
 
-namespace stepwright::executive {
+namespace stepwright::run {
 namespace {
 
 constexpr std::int64_t kSecond = 1'000'000'000;
@@ -61,4 +61,4 @@ TEST(RunClock, WhenTheJournalDoesNotSayWhoseTimeItHad_ThenASmallerOneIsOfANewPro
 }
 
 }  // namespace
-}  // namespace stepwright::executive
+}  // namespace stepwright::run

@@ -1,11 +1,11 @@
-#include "supervisor/executive/run_record.h"
+#include "supervisor/run/run_record.h"
 
 #include <algorithm>
 #include <array>
 
-#include "supervisor/executive/internal/record_json.h"
+#include "supervisor/run/internal/record_json.h"
 
-namespace stepwright::executive {
+namespace stepwright::run {
 namespace {
 
 using internal::json;
@@ -203,4 +203,4 @@ RunRecord record_from(const json& value) {
 }
 
 }  // namespace internal
-}  // namespace stepwright::executive
+}  // namespace stepwright::run

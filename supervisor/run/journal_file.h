@@ -12,7 +12,7 @@
 
 #include "runtime/result/result.h"
 
-namespace stepwright::executive {
+namespace stepwright::run {
 
 // X0004: the file cannot be written; the one before it is still there.
 [[nodiscard]] result::Result<void> replace_journal_file(const std::filesystem::path& file,
@@ -20,4 +20,4 @@ namespace stepwright::executive {
 // Nothing if there is no file. X0004: there is one that cannot be read, which is no fresh start.
 [[nodiscard]] result::Result<std::optional<std::string>> read_journal_file(const std::filesystem::path& file);
 
-}  // namespace stepwright::executive
+}  // namespace stepwright::run

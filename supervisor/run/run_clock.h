@@ -12,7 +12,7 @@
 
 #include <cstdint>
 
-namespace stepwright::executive {
+namespace stepwright::run {
 
 class RunClock {
  public:
@@ -40,4 +40,4 @@ class RunClock {
   State state_;
 };
 
-}  // namespace stepwright::executive
+}  // namespace stepwright::run

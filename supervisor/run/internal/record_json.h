@@ -1,7 +1,7 @@
 #pragma once
 
 // The run record as a JSON value, for the three texts that carry it: the plan document, the journal and the
-// report. Private to supervisor/executive; the shape is specified in supervisor/doc/plan_document.md.
+// report. For supervisor/run and the journals; the shape is specified in supervisor/doc/plan_document.md.
 //
 // Pure functions.
 
@@ -10,9 +10,9 @@
 #include <utility>
 
 #include "runtime/result/result.h"
-#include "supervisor/executive/run_record.h"
+#include "supervisor/run/run_record.h"
 
-namespace stepwright::executive::internal {
+namespace stepwright::internal {
 
 using nlohmann::json;
 
@@ -40,4 +40,4 @@ auto read_text(const std::string& text, const std::string& file, const std::stri
   }
 }
 
-}  // namespace stepwright::executive::internal
+}  // namespace stepwright::internal

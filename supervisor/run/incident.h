@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace stepwright::executive {
+namespace stepwright::run {
 
 enum class IncidentKind : std::uint8_t {
   Level,           // a measured level is outside its tolerance
@@ -72,4 +72,4 @@ const char* to_string(Response response);
 // (1.7)".
 std::string to_string(const Alarm& alarm);
 
-}  // namespace stepwright::executive
+}  // namespace stepwright::run

@@ -1,12 +1,12 @@
-#include "supervisor/executive/incident.h"
+#include "supervisor/run/incident.h"
 
 #include <fmt/format.h>
 
 #include <array>
 
-#include "supervisor/executive/internal/record_json.h"
+#include "supervisor/run/internal/record_json.h"
 
-namespace stepwright::executive {
+namespace stepwright::run {
 namespace {
 
 using internal::json;
@@ -82,4 +82,4 @@ Incident incident_from(const json& value) {
 }
 
 }  // namespace internal
-}  // namespace stepwright::executive
+}  // namespace stepwright::run

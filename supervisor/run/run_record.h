@@ -16,10 +16,10 @@
 
 #include "runtime/result/exit_code.h"
 #include "runtime/result/result.h"
-#include "supervisor/executive/incident.h"
+#include "supervisor/run/incident.h"
 #include "supervisor/translate/progress.h"
 
-namespace stepwright::executive {
+namespace stepwright::run {
 
 using translate::ActionState;
 
@@ -122,4 +122,4 @@ const char* to_string(Phase phase);
 std::string to_json(const RunRecord& record);
 [[nodiscard]] result::Result<RunRecord> record_from_json(const std::string& text, const std::string& file);
 
-}  // namespace stepwright::executive
+}  // namespace stepwright::run

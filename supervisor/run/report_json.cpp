@@ -1,7 +1,7 @@
-#include "supervisor/executive/internal/record_json.h"
-#include "supervisor/executive/report.h"
+#include "supervisor/run/internal/record_json.h"
+#include "supervisor/run/report.h"
 
-namespace stepwright::executive {
+namespace stepwright::run {
 namespace {
 
 using internal::json;
@@ -51,4 +51,4 @@ result::Result<Report> report_from_json(const std::string& text, const std::stri
   });
 }
 
-}  // namespace stepwright::executive
+}  // namespace stepwright::run

@@ -1,11 +1,11 @@
-#include "supervisor/executive/journal_file.h"
+#include "supervisor/run/journal_file.h"
 
 #include <cstddef>
 #include <span>
 
 #include "runtime/record/durable_file.h"
 
-namespace stepwright::executive {
+namespace stepwright::run {
 namespace {
 
 constexpr std::size_t kLargest = std::size_t{256} << 20;  // bytes; a journal has some hundred thousand
@@ -31,4 +31,4 @@ result::Result<std::optional<std::string>> read_journal_file(const std::filesyst
   return std::string(reinterpret_cast<const char*>((*bytes)->data()), (*bytes)->size());
 }
 
-}  // namespace stepwright::executive
+}  // namespace stepwright::run

@@ -1,0 +1,154 @@
+#pragma once
+
+// The life of a run, from its first plan to its goal or to the safe state of the outputs: waits for the
+// runtime, brings programs to run on it, watches them event by event, keeps the record with its incidents,
+// and has what goes wrong planned for anew. What a kind of plan adds is a class that derives from this: what
+// is planned, what is observed, what a surprise means, how the plant comes to rest
+// (supervisor/doc/adding_a_planner.md).
+//
+//   class Trains final : public Mission {
+//     bool begin() override { plan(); return await_runtime() && launch(); }
+//     Decision judge_image(std::span<const std::byte> image) override { ... }
+//     ...
+//   };
+//   Trains trains(controller, {.cell = "yard"}, publish);
+//   RunRecord record = trains.run();
+//
+// Functions that return false mean: the run is over, and its phase says how (Done, Safe).
+//
+// Threads: `run` belongs to one thread; what asks for something may be called from any.
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "runtime/result/result.h"
+#include "supervisor/run/cause.h"
+#include "supervisor/run/controller.h"
+#include "supervisor/run/run_clock.h"
+#include "supervisor/run/run_record.h"
+
+namespace stepwright::run {
+
+struct MissionOptions {
+  std::string cell;
+  bool barrier = true;           // simulated time waits for every decision
+  bool operator_starts = false;  // the first plan waits for a start; nothing moves before it
+};
+
+class Mission {
+ public:
+  using Observer = std::function<void(const RunRecord&)>;  // after changes, from the thread of `run`
+
+  // The controller must outlive this.
+  Mission(Controller& controller, MissionOptions options, Observer observer);
+  virtual ~Mission() = default;
+  Mission(const Mission&) = delete;
+  Mission& operator=(const Mission&) = delete;
+
+  // Until the goal is reached (Phase::Done) or the outputs are safe (Phase::Safe).
+  RunRecord run();
+  // Stops the plant safely at the next decision and ends the run.
+  void request_abort() { abort_ = true; }
+
+ protected:
+  enum class Stage : std::uint8_t {
+    Running,
+    Ready,  // a plan waits for an operator
+    Over,
+  };
+
+  // What a mission is. From a journal or afresh, up to a program that runs:
+  virtual bool begin() = 0;
+  // What the image of the running program shows, at an event; the clock has seen it.
+  virtual Decision judge_image(std::span<const std::byte> image) = 0;
+  // From a cause to the next program that runs.
+  virtual bool replan(const Cause& cause) = 0;
+  // The plan has ended: the goal is reached, or there is more to do.
+  virtual bool finish() = 0;
+  // A runtime that was lost: it goes on with the plan, or another one is made.
+  virtual bool recover_runtime() = 0;
+  // What the observer and the journal are to know. `now`: not only later.
+  virtual void publish(bool now) = 0;
+  // Whether a program was brought to the runtime, which has to be stopped at the end.
+  virtual bool drives() const = 0;
+
+  // And what most do alike. Wants of people that come before the next event.
+  virtual std::optional<Cause> wish() { return std::nullopt; }
+  // Wants that are due by the scan clock.
+  virtual std::optional<Cause> due(double) { return std::nullopt; }
+  // The runtime has stopped, though it was to go on.
+  virtual Decision stopped(const host::StepEvent& event);
+  // An emergency stop: why is the next plan made? Nothing: the run is over.
+  virtual std::optional<Cause> hold_stopped() { return std::nullopt; }
+  // An incident that is opened; of more than its cause.
+  virtual void opened(Incident&) {}
+
+  // The record.
+  void set_phase(Phase phase, std::string message);
+  void open_incident(const Cause& cause);
+  // Of the incident that is open: how long that took is measured.
+  void decide(Response response);
+  void work_begins();
+  void work_pauses();  // while the plant is looked at, say
+  bool give_up(const std::string& reason, IncidentKind kind = IncidentKind::ProgramFault,
+               result::ExitCode exit = result::ExitCode::RuntimeFault);
+  bool give_up(const Cause& cause);
+  bool give_up(const std::string& what, const result::Diagnostics& diagnostics,
+               IncidentKind kind = IncidentKind::ProgramFault);
+  bool give_up_aborted();
+
+  // The runtime and its program. What brings one to run is false, too, if the runtime is lost (phase
+  // unchanged).
+  bool await_runtime();
+  // Asked after a while without news.
+  bool runtime_lost();
+  // The runtime runs the program that was brought to it last, as far as the newest status tells.
+  bool runs() const;
+  // An online change that was accepted; the next event is its Changed.
+  bool change(std::span<const std::byte> container);
+  // In place of the running one, stopped.
+  bool download(std::span<const std::byte> container);
+  // Starts what was downloaded, up to its event.
+  bool start();
+  bool await_event(host::EventKind kind);
+
+  // From one run, or plan, to the next.
+  void enter(Stage stage);
+  bool await_start(std::chrono::milliseconds timeout);
+
+  Controller& controller_;
+  RunRecord record_;
+  RunClock clock_;          // of the record
+  std::string digest_;      // of the program that was brought to the runtime last
+  bool confirmed_ = false;  // a status has said that the runtime has that program
+  std::atomic<bool> abort_{false};
+  mutable std::mutex requests_mutex_;
+  Stage stage_ = Stage::Running;  // guarded by the mutex, as the next one
+  bool start_ = false;            // asked for and not yet begun
+  std::condition_variable start_signal_;
+
+  void tell() const {
+    if (observer_) observer_(record_);
+  }
+
+ private:
+  Decision follow();
+  Decision judge(const host::StepEvent& event);
+  bool act_on(const Decision& decision);
+  void brought(std::string digest);
+
+  const MissionOptions options_;
+  const Observer observer_;
+  int silent_rounds_ = 0;  // without news and without that status
+  std::optional<std::chrono::steady_clock::time_point> working_since_;  // on a decision
+};
+
+}  // namespace stepwright::run

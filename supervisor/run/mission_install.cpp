@@ -1,0 +1,74 @@
+// Bringing a program to run: by an online change from the one that runs, so that the plant is never without
+// control, or by download and start.
+
+#include <utility>
+
+#include "supervisor/run/mission.h"
+
+namespace stepwright::run {
+namespace {
+
+using std::chrono::milliseconds;
+
+// Longer than any restart that somebody waits for; after it the answer counts as missing.
+constexpr milliseconds kPatience{5'000};
+
+}  // namespace
+
+bool Mission::await_runtime() {
+  while (!controller_.wait_for_runtime(milliseconds(1'000))) {
+    if (abort_) return give_up_aborted();
+    if (record_.phase != Phase::Waiting) set_phase(Phase::Waiting, "waiting for the runtime");
+  }
+  return true;
+}
+
+bool Mission::runs() const {
+  const auto status = controller_.status();
+  return !digest_.empty() && status && status->state == host::RuntimeState::Running &&
+         status->program_digest == digest_ && controller_.alive();
+}
+
+bool Mission::change(std::span<const std::byte> container) {
+  auto digest = controller_.change(container);
+  if (digest) brought(std::move(*digest));
+  return digest.has_value();
+}
+
+bool Mission::download(std::span<const std::byte> container) {
+  auto digest = controller_.download(container);
+  if (digest) {
+    brought(std::move(*digest));
+    return true;
+  }
+  return controller_.alive() ? give_up("the runtime refuses the program", digest.error()) : false;
+}
+
+bool Mission::start() {
+  if (auto started = controller_.start(options_.barrier); !started) {
+    return controller_.alive() ? give_up("the runtime does not start the program", started.error()) : false;
+  }
+  return await_event(host::EventKind::Started);
+}
+
+void Mission::brought(std::string digest) {
+  digest_ = std::move(digest);
+  confirmed_ = false;
+  silent_rounds_ = 0;
+}
+
+// What comes before it is of the program before.
+bool Mission::await_event(host::EventKind kind) {
+  for (const auto deadline = std::chrono::steady_clock::now() + kPatience;
+       std::chrono::steady_clock::now() < deadline && controller_.alive();) {
+    const auto event = controller_.wait_event(milliseconds(200));
+    if (!event) continue;
+    (void)controller_.acknowledge(event->sequence);
+    if (event->kind != kind || event->program_digest != digest_) continue;
+    clock_.see(event->incarnation, event->time_ns);
+    return true;
+  }
+  return false;
+}
+
+}  // namespace stepwright::run

@@ -1,0 +1,82 @@
+// What every mission has of the run: programs that come to run, news, incidents, the end.
+
+#include "supervisor/run/mission.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "tests/support/controller/simulated_controller.h"
+#include "tests/unit/supervisor/run/filling_mission.h"
+
+namespace stepwright::run {
+namespace {
+
+constexpr int kCounts = 2'500;
+
+class MissionTest : public testing::Test {
+ protected:
+  RunRecord run(FillingMission& mission) {
+    RunRecord record = mission.run();
+    EXPECT_FALSE(controller_.any_output());
+    return record;
+  }
+
+  support::SimulatedController controller_{{.seed = 7}};
+};
+
+TEST_F(MissionTest, WhenThePlanEnds_ThenTheGoalIsReachedAndTheRuntimeStopped) {
+  std::vector<Phase> phases;
+  FillingMission mission(controller_, kCounts, [&](const RunRecord& record) {
+    if (phases.empty() || phases.back() != record.phase) phases.push_back(record.phase);
+  });
+  const RunRecord record = run(mission);
+  EXPECT_EQ(record.phase, Phase::Done);
+  EXPECT_GE(record.observed.at("level"), kCounts);
+  EXPECT_EQ(phases, (std::vector{Phase::Planning, Phase::Executing, Phase::Done}));
+  EXPECT_TRUE(record.incidents.empty());
+  EXPECT_EQ(controller_.stops(), 1);
+  ASSERT_EQ(record.episodes.size(), 1u);
+  EXPECT_GT(*record.episodes[0].actions[0].finished_s, record.episodes[0].started_s);
+}
+
+TEST_F(MissionTest, WhenTheRuntimeIsLost_ThenItIsPlannedForAnewAndTheClockGoesOn) {
+  controller_.kill_runtime_at(2.0);
+  FillingMission mission(controller_, kCounts);
+  const RunRecord record = run(mission);
+  EXPECT_EQ(record.phase, Phase::Done);
+  ASSERT_EQ(record.incidents.size(), 1u);
+  EXPECT_EQ(record.incidents[0].kind, IncidentKind::LostRuntime);
+  EXPECT_EQ(record.incidents[0].response, Response::Replan);
+  ASSERT_EQ(record.episodes.size(), 2u);
+  EXPECT_GE(record.episodes[1].started_s, record.episodes[0].started_s);
+}
+
+TEST_F(MissionTest, WhenItIsAborted_ThenTheOutputsAreSafeAndTheReasonIsTold) {
+  FillingMission* running = nullptr;
+  FillingMission mission(controller_, kCounts, [&](const RunRecord& record) {
+    if (record.phase == Phase::Executing) running->request_abort();
+  });
+  running = &mission;
+  const RunRecord record = run(mission);
+  EXPECT_EQ(record.phase, Phase::Safe);
+  EXPECT_EQ(record.message, "aborted by the operator");
+  EXPECT_EQ(record.exit, result::ExitCode::RuntimeFault);
+  ASSERT_EQ(record.incidents.size(), 1u);
+  EXPECT_EQ(record.incidents[0].kind, IncidentKind::Operator);
+  EXPECT_EQ(record.incidents[0].response, Response::SafeStop);
+  EXPECT_EQ(controller_.stops(), 1);
+}
+
+TEST_F(MissionTest, WhenSomebodyStopsTheRuntime_ThenTheRunEndsAndDoesNotGoOnByItself) {
+  FillingMission mission(controller_, kCounts, [&](const RunRecord& record) {
+    if (record.phase == Phase::Executing) (void)controller_.stop("by hand");
+  });
+  const RunRecord record = run(mission);
+  EXPECT_EQ(record.phase, Phase::Safe);
+  EXPECT_EQ(record.message, "stopped from outside: by hand");
+}
+
+}  // namespace
+}  // namespace stepwright::run
