@@ -50,7 +50,7 @@ void DriftWatch::add(std::size_t sensor, double amount) {
 
 void DriftWatch::rest(const Levels& levels) {
   for (std::size_t action = 0; action < actions_.size(); ++action) {
-    if (actions_[action] != run::ActionState::Active && actions_[action] != run::ActionState::Failed)
+    if (actions_[action] != translate::ActionState::Active && actions_[action] != translate::ActionState::Failed)
       continue;
     for (const auto& [sensor, change] : changes_[action]) move(sensor, action);
   }
@@ -74,7 +74,7 @@ void DriftWatch::follow(const model::PlannedRun& run) {
     }
     changes_.push_back(std::move(changes));
   }
-  actions_.assign(run.actions.size(), run::ActionState::Pending);
+  actions_.assign(run.actions.size(), translate::ActionState::Pending);
 }
 
 void DriftWatch::forget() {
@@ -100,9 +100,9 @@ void DriftWatch::move(std::size_t sensor, std::size_t action) {
 std::vector<bool> DriftWatch::at_rest(const translate::Progress& progress) const {
   std::vector<bool> resting(tracks_.size(), true);
   for (std::size_t action = 0; action < actions_.size(); ++action) {
-    const run::ActionState state = progress.actions[action];
-    const bool runs_on = actions_[action] == run::ActionState::Active && state == run::ActionState::Active;
-    if (!runs_on && state != run::ActionState::Failed) continue;
+    const translate::ActionState state = progress.actions[action];
+    const bool runs_on = actions_[action] == translate::ActionState::Active && state == translate::ActionState::Active;
+    if (!runs_on && state != translate::ActionState::Failed) continue;
     for (const auto& [sensor, change] : changes_[action]) resting[sensor] = false;
   }
   return resting;
@@ -110,11 +110,11 @@ std::vector<bool> DriftWatch::at_rest(const translate::Progress& progress) const
 
 void DriftWatch::see(const Levels& levels, const translate::Progress& progress) {
   assert(progress.actions.size() == changes_.size());
-  actions_.resize(changes_.size(), run::ActionState::Pending);
+  actions_.resize(changes_.size(), translate::ActionState::Pending);
   for (std::size_t action = 0; action < actions_.size(); ++action) {
     const bool ran =
-        actions_[action] == run::ActionState::Active ||
-        (actions_[action] == run::ActionState::Pending && progress.actions[action] == run::ActionState::Done);
+        actions_[action] == translate::ActionState::Active ||
+        (actions_[action] == translate::ActionState::Pending && progress.actions[action] == translate::ActionState::Done);
     if (!ran) continue;
     for (const auto& [sensor, change] : changes_[action]) move(sensor, action);
   }
@@ -136,7 +136,7 @@ void DriftWatch::balance(const Levels& levels, const translate::Progress& progre
                          const std::vector<bool>& resting) {
   for (std::size_t action = 0; action < changes_.size(); ++action) {
     const Changes& changes = changes_[action];
-    if (progress.actions[action] != run::ActionState::Done || changes.size() != 2) continue;
+    if (progress.actions[action] != translate::ActionState::Done || changes.size() != 2) continue;
     const auto& [a, change_a] = *changes.begin();
     const auto& [b, change_b] = *changes.rbegin();
     const auto alone = [&](std::size_t sensor) {

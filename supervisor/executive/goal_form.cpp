@@ -10,7 +10,7 @@
 namespace stepwright::executive {
 namespace {
 
-using internal::json;
+using run::internal::json;
 
 json symbols_json(const std::vector<pddl::GoalSymbol>& symbols) {
   json list = json::array();
@@ -51,14 +51,14 @@ std::string_view symbol_of(std::string_view atom) {
 }
 
 std::string bounded(const json& document, const json& otherwise) {
-  std::string text = internal::text_of(document);
-  return text.size() <= kMaxGoalFormBytes ? text : internal::text_of(otherwise);
+  std::string text = run::internal::text_of(document);
+  return text.size() <= kMaxGoalFormBytes ? text : run::internal::text_of(otherwise);
 }
 
 }  // namespace
 
 std::string no_goal_form_json(const std::string& reason) {
-  return internal::text_of({{"available", false}, {"reason", reason}});
+  return run::internal::text_of({{"available", false}, {"reason", reason}});
 }
 
 std::string goal_form_json(const PlanningDesk& desk) {
@@ -85,15 +85,15 @@ std::string OutlookWriter::json(const Outlook& outlook, const std::string& what_
     goal_ = outlook.goal;
     goal_text_ = desk_.goal_text(outlook.goal);
   }
-  internal::json facts = internal::json::array();
+  run::internal::json facts = run::internal::json::array();
   for (const std::string& fact : outlook.state.facts) {
     if (predicates_.contains(symbol_of(fact))) facts.push_back(fact);
   }
-  internal::json state = {{"facts", std::move(facts)}, {"fluents", outlook.state.fluents}};
-  if (internal::text_of(state).size() > kMaxStateBytes) state = internal::json::object();
+  run::internal::json state = {{"facts", std::move(facts)}, {"fluents", outlook.state.fluents}};
+  if (run::internal::text_of(state).size() > kMaxStateBytes) state = run::internal::json::object();
   state["goal"] = goal_text_;
-  state["what_if"] = internal::json::parse(what_if, nullptr, false);
-  return internal::text_of(state);
+  state["what_if"] = run::internal::json::parse(what_if, nullptr, false);
+  return run::internal::text_of(state);
 }
 
 }  // namespace stepwright::executive

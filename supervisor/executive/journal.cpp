@@ -6,7 +6,7 @@
 namespace stepwright::executive {
 namespace {
 
-using internal::json;
+using run::internal::json;
 
 constexpr int kVersion = 3;
 
@@ -67,7 +67,7 @@ result::Result<std::optional<Journal>> journal_from(const json& document, const 
   };
   if (document.at("version") != kVersion) return refuse("a journal of another version");
   Journal journal;
-  journal.record = internal::record_from(document.at("record"));
+  journal.record = run::internal::record_from(document.at("record"));
   journal.start = start_from(document.at("start"));
   journal.plan = plan_from(document.at("plan"));
   document.at("changed").get_to(journal.changed);
@@ -88,7 +88,7 @@ result::Result<std::optional<Journal>> journal_from(const json& document, const 
 
 result::Result<void> write_journal(const std::filesystem::path& file, const Journal& journal) {
   const json document = {{"version", kVersion},
-                         {"record", internal::record_json(journal.record)},
+                         {"record", run::internal::record_json(journal.record)},
                          {"start", start_json(journal.start)},
                          {"plan", plan_json(journal.plan)},
                          {"changed", journal.changed},
@@ -99,14 +99,14 @@ result::Result<void> write_journal(const std::filesystem::path& file, const Jour
                          {"held", journal.held},
                          {"known", journal.known},
                          {"seen", {{"facts", journal.seen.facts}, {"fluents", journal.seen.fluents}}}};
-  return run::replace_journal_file(file, internal::text_of(document));
+  return run::replace_journal_file(file, run::internal::text_of(document));
 }
 
 result::Result<std::optional<Journal>> read_journal(const std::filesystem::path& file) {
   auto text = run::read_journal_file(file);
   if (!text) return result::forward(text);
   if (!*text) return std::optional<Journal>();
-  return internal::read_text(**text, file.string(), "journal",
+  return run::internal::read_text(**text, file.string(), "journal",
                              [&](const json& document) { return journal_from(document, file); });
 }
 

@@ -12,7 +12,7 @@
 namespace stepwright::executive {
 namespace {
 
-using internal::json;
+using run::internal::json;
 
 // Of the thread that searches; whatever plans for the plant comes first.
 constexpr int kNice = 10;
@@ -91,7 +91,7 @@ result::Result<void> WhatIf::ask(WhatIfQuestion question) {
   if (thread_.joinable()) thread_.join();  // it has said its last word
   cancel_ = false;
   planning_ = true;
-  publish(internal::text_of(beginning_of(question, "planning")));
+  publish(run::internal::text_of(beginning_of(question, "planning")));
   {
     const std::lock_guard lock(mutex_);
     id_ = question.id;
@@ -102,7 +102,7 @@ result::Result<void> WhatIf::ask(WhatIfQuestion question) {
     if (const auto thrown = result::thrown_by([&] { plan(question); })) {
       json told = beginning_of(question, "failed");
       told["reason"] = *thrown;
-      publish(internal::text_of(told));
+      publish(run::internal::text_of(told));
     }
     planning_ = false;
   });
@@ -154,7 +154,7 @@ void WhatIf::plan(const WhatIfQuestion& question) {
   const auto running = desk_.worth_of({.planning = outlook.state, .goal = outlook.goal}, outlook.remaining);
   const bool comparable = running && !outlook.remaining.empty();
   told["running"] = comparable ? worth_json(*running, outlook.remaining.size()) : json(nullptr);
-  publish(internal::text_of(told));
+  publish(run::internal::text_of(told));
 }
 
 }  // namespace stepwright::executive

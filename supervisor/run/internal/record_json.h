@@ -12,7 +12,7 @@
 #include "runtime/result/result.h"
 #include "supervisor/run/run_record.h"
 
-namespace stepwright::internal {
+namespace stepwright::run::internal {
 
 using nlohmann::json;
 
@@ -40,4 +40,4 @@ auto read_text(const std::string& text, const std::string& file, const std::stri
   }
 }
 
-}  // namespace stepwright::internal
+}  // namespace stepwright::run::internal

@@ -32,7 +32,7 @@ class DriftWatchTest : public ::testing::Test {
     return {{"(lev v1)", v1}, {"(level a1)", a1}, {"(level a2)", a2}};
   }
 
-  void see(double v1, double a1, double a2, std::vector<run::ActionState> actions) {
+  void see(double v1, double a1, double a2, std::vector<translate::ActionState> actions) {
     translate::Progress progress;
     progress.actions = std::move(actions);
     watch_.see(levels(v1, a1, a2), progress);

@@ -47,7 +47,7 @@ bool FillingMission::begin() {
 bool FillingMission::launch() {
   const auto program = program_for(counts_);
   if (!program) return give_up("no program could be made", program.error());
-  auto reader = ImageReader::create(*program, "filling", {"level"});
+  auto reader = ImageReader::create(*program, "filling", {"filling.level"});
   if (!reader) return give_up("the program cannot be read", reader.error());
   reader_ = std::move(*reader);
   do {
@@ -56,7 +56,9 @@ bool FillingMission::launch() {
       Episode episode;
       episode.digest = digest_;
       episode.started_s = clock_.now_s();
-      episode.actions.push_back({.text = "(fill v1)", .step = "Fill", .state = ActionState::Active});
+      episode.actions.emplace_back();
+      episode.actions.back().text = "(fill v1)";
+      episode.actions.back().state = ActionState::Active;
       record_.episodes.push_back(std::move(episode));
       set_phase(Phase::Executing, "the pump runs");
       return true;
@@ -68,7 +70,7 @@ bool FillingMission::launch() {
 // What is observed.
 Decision FillingMission::judge_image(std::span<const std::byte> image) {
   const bool done = reader_->active_steps(image).back();
-  record_.observed["level"] = reader_->values(image).at("level");
+  record_.observed["level"] = reader_->values(image).at("filling.level");
   publish(/*now=*/true);
   return {done ? Verdict::Finished : Verdict::GoOn};
 }
@@ -76,7 +78,7 @@ Decision FillingMission::judge_image(std::span<const std::byte> image) {
 // What a surprise means: the same again, from where the level is.
 bool FillingMission::replan(const Cause& cause) {
   open_incident(cause);
-  record_.replans.push_back({clock_.now_s(), sentence_of(cause.evidence)});
+  record_.replans.push_back({clock_.now_s(), sentence_of(cause.evidence), {}});
   set_phase(Phase::Replanning, sentence_of(cause.evidence));
   decide(Response::Replan);
   return launch();

@@ -23,7 +23,7 @@ class MissionTest : public testing::Test {
     return record;
   }
 
-  support::SimulatedController controller_{{.seed = 7}};
+  support::SimulatedController controller_{assemblies::BenchParameters{}};
 };
 
 TEST_F(MissionTest, WhenThePlanEnds_ThenTheGoalIsReachedAndTheRuntimeStopped) {
