@@ -29,7 +29,9 @@ class CellMission {
       std::function<void(const run::RunRecord&)>;  // after every change, from the thread of `run`
 
   virtual ~CellMission() = default;
-  // Reads all files; what is wrong with them.
+  // Whether the cell has anything for a supervisor to do.
+  static bool is_wanted(const config::CellConfig& config);
+  // Reads all files; what is wrong with them. Requires that it is wanted.
   [[nodiscard]] static result::Result<std::unique_ptr<CellMission>> open(const config::CellConfig& config);
 
   // Once, before the others; the controller must outlive this.
@@ -46,5 +48,8 @@ class CellMission {
   // call. One thread at a time.
   virtual std::optional<std::string> new_outlook() = 0;
 };
+
+// X0003: a request that another kind of cell takes.
+[[nodiscard]] result::Result<void> not_of_this_cell(const char* hint);
 
 }  // namespace stepwright::supervisor_program

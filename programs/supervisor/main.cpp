@@ -153,9 +153,7 @@ result::Diagnostics check(std::span<const config::CellConfig> cells) {
   result::Diagnostics problems;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const result::Location where{cells[i].file.string(), 0, 0};
-    const bool plans = !cells[i].planning.domain.empty();
-    const bool drives = !cells[i].fleet.problem.empty();
-    if (!plans && !drives) {
+    if (!supervisor_program::CellMission::is_wanted(cells[i])) {
       problems.push_back({"C0005", result::Severity::Error, where,
                           "there is no [planning] table and no [fleet]",
                           "name domain, problem and binding there, or the problem of a fleet"});
