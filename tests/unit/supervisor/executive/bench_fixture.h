@@ -59,7 +59,7 @@ inline run::RunRecord run_bench(support::SimulatedController& controller, Execut
 // For messages of failed tests.
 inline std::string story(const run::RunRecord& record) {
   std::string text = std::string(to_string(record.phase)) + ": " + record.message;
-  for (const Replan& replan : record.replans) {
+  for (const run::Replan& replan : record.replans) {
     text += "\n  " + std::to_string(replan.time_s) + " s after " + replan.after_action + ": " + replan.cause;
   }
   return text;

@@ -215,7 +215,7 @@ TEST(ExecutiveHold, WhenTheSupervisorIsRestarted_ThenTheRunIsStillHeld) {
   ASSERT_EQ(record.replans.size(), 2u) << "what the first supervisor has noted is kept";
   EXPECT_EQ(record.replans[0].cause, "held by the operator");
   EXPECT_EQ(record.replans[1].cause, "held by the operator; the supervisor was restarted meanwhile");
-  for (const Replan& each : record.replans) EXPECT_TRUE(each.held) << each.cause;
+  for (const run::Replan& each : record.replans) EXPECT_TRUE(each.held) << each.cause;
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ TEST_P(IncidentTest, WhenItHappens_ThenItIsClassifiedAndDecided) {
   const run::RunRecord record = run_bench(controller);
   ASSERT_FALSE(record.incidents.empty()) << story(record);
   const run::Incident& first = record.incidents.front();
-  EXPECT_EQ(first.kind, GetParam().kind) << to_string(first.kind) << ": " << sentence_of(first.evidence);
+  EXPECT_EQ(first.kind, GetParam().kind) << to_string(first.kind) << ": " << run::sentence_of(first.evidence);
   EXPECT_FALSE(first.evidence.empty());
   for (const run::Incident& incident : record.incidents) {
     EXPECT_NE(incident.response, run::Response::Open);
@@ -142,12 +142,12 @@ TEST(ExecutiveIncident, WhenAPumpStandsStillForAWhile_ThenThatIsAnIncidentOfTheP
   EXPECT_EQ(record.phase, run::Phase::Done) << story(record);
   ASSERT_FALSE(record.incidents.empty());
   const run::Incident& first = record.incidents.front();
-  EXPECT_EQ(first.kind, run::IncidentKind::FailedActuator) << sentence_of(first.evidence);
+  EXPECT_EQ(first.kind, run::IncidentKind::FailedActuator) << run::sentence_of(first.evidence);
   EXPECT_LT(first.time_s, 13.5);
-  EXPECT_NE(
-      sentence_of(first.evidence).find("has stopped halfway: the level of v1 stands still though B1 is on"),
-      std::string::npos)
-      << sentence_of(first.evidence);
+  EXPECT_NE(run::sentence_of(first.evidence)
+                .find("has stopped halfway: the level of v1 stands still though B1 is on"),
+            std::string::npos)
+      << run::sentence_of(first.evidence);
 }
 
 // One that shows the same for ever ends the run all the same, as what it is: nothing that can be told from a
@@ -187,7 +187,7 @@ TEST(ExecutiveIncident, WhenAWishOvertakesAPlanning_ThenItStartsAgain) {
   EXPECT_EQ(record.phase, run::Phase::Done) << story(record);
   ASSERT_EQ(record.incidents.size(), 1u) << story(record);
   EXPECT_EQ(record.incidents[0].restarts, 1u);
-  EXPECT_NE(sentence_of(record.incidents[0].evidence).find("(demand c2) was changed to 9"),
+  EXPECT_NE(run::sentence_of(record.incidents[0].evidence).find("(demand c2) was changed to 9"),
             std::string::npos);
   EXPECT_NEAR(controller.plant_value("delivered_c2_percent"), 90.0, 4.0);
 }

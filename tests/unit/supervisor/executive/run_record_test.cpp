@@ -59,14 +59,14 @@ run::RunRecord sample() {
   return record;
 }
 
-TEST(run::RunRecord, WhenWrittenAndRead_ThenItIsTheSame) {
+TEST(RunRecord, WhenWrittenAndRead_ThenItIsTheSame) {
   const run::RunRecord record = sample();
   const auto read = run::record_from_json(to_json(record), "test");
   ASSERT_TRUE(read.has_value()) << result::to_string(read.error());
   EXPECT_EQ(*read, record);
 }
 
-TEST(run::RunRecord, WhenTheTextIsDamaged_ThenItIsRefused) {
+TEST(RunRecord, WhenTheTextIsDamaged_ThenItIsRefused) {
   const std::string text = to_json(sample());
   EXPECT_FALSE(run::record_from_json(text.substr(0, text.size() / 2), "test").has_value());
   EXPECT_FALSE(run::record_from_json("{\"cell\": 3}", "test").has_value());
@@ -100,7 +100,7 @@ TEST(Journal, WhenWrittenAndRead_ThenItIsTheSame) {
 }
 
 // A search that its budget ended knows no bound; JSON has no infinity.
-TEST(run::RunRecord, WhenNoBoundIsKnown_ThenItIsReadBackAndTheReportSaysSo) {
+TEST(RunRecord, WhenNoBoundIsKnown_ThenItIsReadBackAndTheReportSaysSo) {
   run::RunRecord record = sample();
   record.episodes[0].bound.reset();
   const auto read = run::record_from_json(to_json(record), "test");
@@ -109,7 +109,7 @@ TEST(run::RunRecord, WhenNoBoundIsKnown_ThenItIsReadBackAndTheReportSaysSo) {
   EXPECT_NE(run::report_table(record).find("no bound known"), std::string::npos);
 }
 
-TEST(run::RunRecord, WhenAMessageIsNoUtf8_ThenItIsWrittenAllTheSame) {
+TEST(RunRecord, WhenAMessageIsNoUtf8_ThenItIsWrittenAllTheSame) {
   run::RunRecord record = sample();
   record.message = "stopped from outside: \xFF";
   const auto read = run::record_from_json(to_json(record), "test");
@@ -143,7 +143,7 @@ TEST(Journal, WhenItIsDamaged_ThenTheErrorNamesTheFile) {
   EXPECT_EQ(read.error()[0].where.file, file.string());
 }
 
-TEST(run::Report, WhenDrawn_ThenEveryActionIsThereAndTextIsEscaped) {
+TEST(Report, WhenDrawn_ThenEveryActionIsThereAndTextIsEscaped) {
   const std::string gantt = run::gantt_svg(sample());
   EXPECT_NE(gantt.find("(load v1 f1 level8)"), std::string::npos);
   EXPECT_NE(gantt.find("&lt;&amp;&gt;"), std::string::npos);
@@ -152,7 +152,7 @@ TEST(run::Report, WhenDrawn_ThenEveryActionIsThereAndTextIsEscaped) {
   EXPECT_NE(run::report_table(sample()).find("NOT MET"), std::string::npos);
 }
 
-TEST(run::Report, WhenThereAreIncidents_ThenTableAndPictureTellEvidenceDecisionAndTime) {
+TEST(Report, WhenThereAreIncidents_ThenTableAndPictureTellEvidenceDecisionAndTime) {
   const std::string table = run::report_table(sample());
   EXPECT_NE(table.find("Incident at 3.00 s, failed_actuator: (load v1 f1 level8) had no effect"),
             std::string::npos)
@@ -168,14 +168,14 @@ TEST(run::Report, WhenThereAreIncidents_ThenTableAndPictureTellEvidenceDecisionA
   EXPECT_NE(run::gantt_svg(sample()).find("failed_actuator: "), std::string::npos);
 }
 
-TEST(run::RunRecord, WhenAnIncidentHasAnUnknownKind_ThenItIsRefused) {
+TEST(RunRecord, WhenAnIncidentHasAnUnknownKind_ThenItIsRefused) {
   std::string text = to_json(sample());
   text.replace(text.find("failed_actuator"), 15, "bored_actuator!");
   EXPECT_FALSE(run::record_from_json(text, "test").has_value());
 }
 
 // The plan of the first episode came from a replan already, and the last replan found none.
-TEST(run::Report, WhenReplansAndPlansDoNotPair_ThenEveryCauseStandsBeforeThePlanThatItLedTo) {
+TEST(Report, WhenReplansAndPlansDoNotPair_ThenEveryCauseStandsBeforeThePlanThatItLedTo) {
   run::RunRecord record = sample();
   record.episodes[0].started_s = 5.0;
   record.replans = {{3.0, "FIRST", ""}, {8.0, "LAST", ""}};
@@ -187,7 +187,7 @@ TEST(run::Report, WhenReplansAndPlansDoNotPair_ThenEveryCauseStandsBeforeThePlan
   EXPECT_NE(table.find("LAST"), std::string::npos);
 }
 
-TEST(run::Report, WhenTheLastActionFails_ThenItsBarEndsAtTheReplan) {
+TEST(Report, WhenTheLastActionFails_ThenItsBarEndsAtTheReplan) {
   run::RunRecord record = sample();
   run::ActionRecord& failed = record.episodes[0].actions[1];
   failed.state = run::ActionState::Failed;
@@ -201,7 +201,7 @@ TEST(run::Report, WhenTheLastActionFails_ThenItsBarEndsAtTheReplan) {
       << run::gantt_svg(record);
 }
 
-TEST(run::Report, WhenWrittenAndRead_ThenTheFiguresAreTheSame) {
+TEST(Report, WhenWrittenAndRead_ThenTheFiguresAreTheSame) {
   run::Report report{sample(), {}};
   report.runtime.scan = 1234;
   report.runtime.trace_hash = 0xFFFF'FFFF'FFFF'FFFFull;
