@@ -5,8 +5,9 @@
 // that it is known after a restart, too. Beside them what somebody else has forced (`stepwright force`,
 // another server), as the runtime tells of it.
 //
-//   auto desk = ForceDesk::open(file, control, audit, std::chrono::system_clock::now, [&](auto json) { ...
-//   }); desk->force({"MAIN.valve", "TRUE", 15min, "ada", "commissioning"});
+//   auto desk = ForceDesk::open(file, control, audit, std::chrono::system_clock::now,
+//                               [&](auto json) { feed.set_forces(json); });
+//   (*desk)->force({"MAIN.valve", "TRUE", 15min, "ada", "commissioning"});
 //
 // Threads: every function from any; a thread of its own asks the runtime and takes off what is over, once a
 // second.

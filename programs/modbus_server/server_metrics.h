@@ -3,8 +3,8 @@
 // What the Modbus server counts, for Prometheus.
 //
 //   FiguresBoard board;
-//   board.publish({server.figures(), data.serving(), expires});             // the server's thread, now and
-//   then const std::string text = server_metrics("bench", board.newest());       // any other
+//   board.publish({server.figures(), data.serving(), expires});              // the server's thread, at times
+//   const std::string text = server_metrics("bench", board.newest());        // any other
 
 #include <chrono>
 #include <mutex>

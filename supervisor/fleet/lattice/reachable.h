@@ -5,8 +5,8 @@
 //
 // A pure function; any thread. The same floor gives the same poses in the same order.
 //
-//   planner.visit_reachable(start, 50'000, [&](const geometry::Pose& at, std::uint32_t) { return !good(at);
-//   });
+//   planner.visit_reachable(start, 50'000,
+//                           [&](const geometry::Pose& at, std::uint32_t) { return !good(at); });
 
 #include <cstddef>
 #include <cstdint>

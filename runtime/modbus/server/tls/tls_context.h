@@ -4,8 +4,8 @@
 // newer, both sides show certificates, no renegotiation, no resumption: every connection proves anew who it
 // is and in which role.
 //
-//   auto context = TlsContext::create({.certificate = "plc.crt", .key = "plc.key", .authorities =
-//   "plant-ca.crt"});
+//   auto context = TlsContext::create(
+//       {.certificate = "plc.crt", .key = "plc.key", .authorities = "plant-ca.crt"});
 //
 // A value that is shared by the transports of a door, each of which keeps the one that it began with.
 // Threads: that of the server. OpenSSL's headers stay in the sources of this folder.
