@@ -1,6 +1,6 @@
 #pragma once
 
-// What /api/scan says of the runtimes that the server follows (hmi_web/doc/protocol.md, "Scan").
+// Answer of /api/scan about the runtimes that the server follows (hmi_web/doc/protocol.md, "Scan").
 //
 //   const std::string json =
 //       scan_report({{.runtime = "bench", .own = true, .alive = true, .status = status}});

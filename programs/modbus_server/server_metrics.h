@@ -1,6 +1,7 @@
 #pragma once
 
-// What the Modbus server counts, for Prometheus.
+// Metrics of the Modbus server for Prometheus, and the board on which its thread leaves its newest figures
+// for others. Threads: any.
 //
 //   FiguresBoard board;
 //   board.publish({server.figures(), data.serving(), expires});              // the server's thread, at times

@@ -1,7 +1,6 @@
 #pragma once
 
-// What stands behind the I/O of a cell's runtime: its simulated plant with the driver wired to it, or
-// nothing.
+// I/O of a cell's runtime: its simulated plant with the driver wired to it, shared memory, or nothing.
 
 #include <memory>
 #include <optional>
