@@ -1,6 +1,6 @@
 #pragma once
 
-// Which engine runs a program.
+// Choice of the engine that runs a program.
 
 #include <cstddef>
 #include <cstdint>

@@ -1,8 +1,8 @@
 #pragma once
 
-// Who the server is and whom it believes: Modbus/TCP Security (MB-TCP-Security v2.1, port 802). TLS 1.2 or
-// newer, both sides show certificates, no renegotiation, no resumption: every connection proves anew who it
-// is and in which role.
+// Identity of the server and the authorities that it believes: Modbus/TCP Security (MB-TCP-Security v2.1,
+// port 802). TLS 1.2 or newer, both sides show certificates, no renegotiation, no resumption: every
+// connection proves anew who it is and in which role.
 //
 //   auto context = TlsContext::create(
 //       {.certificate = "plc.crt", .key = "plc.key", .authorities = "plant-ca.crt"});
