@@ -1,7 +1,7 @@
 #pragma once
 
-// Which primitives a vehicle can drive from each pose of the lattice on one floor: every collision check of
-// the floor, made once, for work that comes to all of it.
+// Free motions: the primitives that a vehicle can drive from each pose of the lattice on one floor. It is
+// every collision check of the floor, made once, for work that comes to all of it.
 //
 // A value that does not change; any thread may read. Poses in which the vehicle cannot stand have no number.
 //
