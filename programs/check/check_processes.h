@@ -4,6 +4,8 @@
 // The Modbus server its certificates, the Modbus client its devices, the gateway its line and the table of
 // its plan.
 //
+// Any thread; reads files.
+//
 // Nothing is opened but files to read: whether an address or a device is free is known at the start only.
 
 #include "programs/config/cell_config.h"

@@ -3,6 +3,8 @@
 // Beginning of every process, and its command line: outlive those who read what it says, parse the arguments,
 // report what is wrong, choose the exit code.
 //
+// Threads: the main one, before it starts others.
+//
 //   CLI::App app{"Carry the service of a runtime over Fast DDS", "stepwright link"};
 //   ...
 //   if (const auto exit = process::parse(app, argc, argv)) return *exit;

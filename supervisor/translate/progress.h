@@ -4,6 +4,8 @@
 // enough: a token in a step proves that everything ordered before it is done, so a supervisor that was
 // restarted reads on where the old one stopped.
 //
+// Values and a pure function; any thread.
+//
 //   Progress now = progress(translation, active);
 //   now.actions[3] == ActionState::Done
 

@@ -2,6 +2,8 @@
 
 // Conflict that leaves no allocation: parts of the problem, made minimal by leaving out one after the other
 // (deletion filter, Chinneck and Dravnieks 1991), with branch and bound as the judge.
+//
+// One thread at a time, as the limits are.
 
 #include <cstdint>
 #include <optional>
