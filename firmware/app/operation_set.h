@@ -1,8 +1,8 @@
 #pragma once
 
-// Which operations of programs this firmware has. The basic one, for controllers with 64 KB of flash, is
-// built with STEPWRIGHT_FIRMWARE_BASIC: it lacks the operations of strings and the elementary functions (SIN,
-// LN, EXPT and their kind; SQRT is there), and refuses programs that use them.
+// Set of operations of programs that this firmware has. The basic one, for controllers with 64 KB of flash,
+// is built with STEPWRIGHT_FIRMWARE_BASIC: it lacks the operations of strings and the elementary functions
+// (SIN, LN, EXPT and their kind; SQRT is there), and refuses programs that use them.
 //
 // Pure; any thread.
 

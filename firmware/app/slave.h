@@ -1,7 +1,7 @@
 #pragma once
 
-// What the firmware is to a Modbus master: the variables of the program below 0xF000, the controller from
-// there on. A request lies in one of them; one that reaches from the one into the other is refused.
+// Data model of the firmware as a Modbus slave: the variables of the program below 0xF000, the controller
+// from there on. A request lies in one of them; one that reaches from the one into the other is refused.
 //
 // Called by the main loop only. No heap.
 

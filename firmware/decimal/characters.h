@@ -1,7 +1,8 @@
 #pragma once
 
-// What std::to_chars and std::from_chars do with a floating-point number, for the formats and texts that
-// runtime/base/number_text.cpp uses: `fixed` below 10^15, `scientific`, and plain decimal literals.
+// Texts of floating-point numbers, as std::to_chars and std::from_chars have them, for the formats and texts
+// that runtime/base/number_text.cpp uses: `fixed` below 10^15, `scientific`, and plain decimal literals. Pure
+// functions without a heap.
 
 #include <charconv>
 

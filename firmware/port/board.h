@@ -1,7 +1,7 @@
 #pragma once
 
-// What the firmware needs of a board; a new board implements these and links the rest as it is
-// (firmware/README.md).
+// A board as the firmware sees it: the interfaces that a new board implements. The rest is linked as it is
+// (firmware/README.md). Used by the main loop; what it refers to lives as long as the firmware.
 
 #include <cstddef>
 #include <span>

@@ -1,6 +1,6 @@
 #pragma once
 
-// Who has which pages: two slots for programs, two areas for retained values.
+// Layout of the flash: two slots for programs, two areas for retained values. A value; the flash outlives it.
 
 #include <cstdint>
 

@@ -3,9 +3,10 @@
 // The files of an audit trail: closed segments beside the one that grows. A segment is named after the number
 // of its first entry ("audit-000000004711.jsonl"); the chain goes on from each to the next.
 //
-//   for (const Segment& each : segments_of(folder / "audit.jsonl")) ...       // the oldest first, the
-//   growing one last const std::string page = lines_before(file, 4711, {200, 1 << 20});        // the newest
-//   below 4711, whole lines
+//   // The oldest first, the growing one last.
+//   for (const Segment& each : segments_of(folder / "audit.jsonl")) ...
+//   // The newest below 4711, whole lines.
+//   const std::string page = lines_before(file, 4711, {200, 1 << 20});
 //
 // Reads no more than it is asked for, however long the trail is. Any thread; the growing file may grow
 // meanwhile. Fails with H0021.

@@ -8,8 +8,7 @@
 //
 //   auto log = AuditLog::open("cell-state/access/audit.jsonl");
 //   if (!(*log)->append({.user = "ada", .action = "plan.goal", .result = "done"})) refuse();
-//   (*log)->append_later({.user = "ada", .action = "plan.abort", .result = "begun"});   // never waits for a
-//   disk
+//   (*log)->append_later({.user = "ada", .action = "plan.abort", .result = "begun"});   // waits for no disk
 //
 // Threads: every function from any. Invariants: a line whose append has returned is on the disk; opening
 // reads the end of the newest file only. Fails with H0021.

@@ -1,7 +1,7 @@
 #pragma once
 
-// How many refusals of one user, or of everybody who has not logged in, the audit trail tells: some at once,
-// then few, so that nobody fills a disk by being refused. What is left out is counted.
+// Budget of refusals that the audit trail tells of one user, or of everybody who has not logged in: some at
+// once, then few, so that nobody fills a disk by being refused. What is left out is counted.
 //
 //   if (const auto told = budget.take("ada")) write(entry, told->left_out);
 //

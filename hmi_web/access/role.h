@@ -1,6 +1,6 @@
 #pragma once
 
-// What a person may do. Each role may do what those before it may.
+// Roles of people. Each role may do what those before it may.
 //
 //   if (who.role >= Role::Operator) ...
 //

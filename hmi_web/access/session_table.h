@@ -1,7 +1,8 @@
 #pragma once
 
-// Who is logged in. A session is named by a random token that only its browser knows; the table keeps the
-// token's hash. Sessions live in memory: a restart of the server logs everybody out.
+// Table of the sessions, one for each login. A session is named by a random token that only its browser
+// knows; the table keeps the token's hash. Sessions live in memory: a restart of the server logs everybody
+// out.
 //
 //   SessionTable sessions({}, std::chrono::steady_clock::now);
 //   const OpenedSession opened = sessions.open("ada", Role::Operator);

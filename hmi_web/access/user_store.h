@@ -1,6 +1,6 @@
 #pragma once
 
-// Who may log in: names, roles and argon2id hashes in one JSON file of mode 0600.
+// Store of the users, who may log in: names, roles and argon2id hashes in one JSON file of mode 0600.
 //
 //   auto users = UserStore::open("cell-state/access/users.json");
 //   (*users)->add("ada", Role::Operator, hash);

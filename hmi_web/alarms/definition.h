@@ -1,6 +1,7 @@
 #pragma once
 
-// What an alarm watches, how it behaves, and what people shall know of it.
+// Definition of an alarm: the variable that it watches, its condition, how it behaves, and what people shall
+// know of it.
 //
 // Plain values.
 

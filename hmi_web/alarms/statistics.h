@@ -1,7 +1,7 @@
 #pragma once
 
-// What ISA-18.2 (clause 16) measures an alarm system by: how many alarms people are told in ten minutes,
-// floods, what stands, what chatters, which alarms come most.
+// Figures of an alarm system after ISA-18.2 (clause 16): how many alarms people are told in ten minutes,
+// floods, alarms that stand, chatter, and those that come most.
 //
 //   AlarmStatistics statistics(engine.definitions());
 //   for (const Transition& t : transitions) statistics.note(t);

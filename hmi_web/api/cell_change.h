@@ -1,6 +1,6 @@
 #pragma once
 
-// What the routes ask of the cell when a program is to take over from the one that runs
+// Interface of the routes to the cell for a program that takes over from the one that runs
 // (runtime/doc/online_change.md). The program implements it over Fast DDS and with the compiler, tests with a
 // cell of their own.
 //

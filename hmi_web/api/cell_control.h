@@ -1,6 +1,7 @@
 #pragma once
 
-// What the routes ask of the cell. The program implements it over Fast DDS, tests with a cell of their own.
+// Interface of the routes to the cell: requests to its supervisor, values, forces, the stop. The program
+// implements it over Fast DDS, tests with a cell of their own.
 //
 // Threads: every function from any; each blocks for some seconds at most. Fails with D0001 where nobody
 // answers, with other codes where it is refused: D0002 and R0009 say that another program has just come, and

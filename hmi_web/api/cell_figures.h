@@ -1,6 +1,6 @@
 #pragma once
 
-// What the routes ask of the runtimes that a server follows: how punctual, how healthy.
+// Interface of the routes to the figures of the runtimes that a server follows: how punctual, how healthy.
 //
 //   Answer answer = figures.scan();                     // hmi_web/doc/protocol.md, "Scan"
 //

@@ -1,6 +1,6 @@
 #pragma once
 
-// What the routes ask of the program that runs: its sources, for those that look.
+// Interface of the routes to the sources of the program that runs.
 //
 //   Answer answer = program.sources();                     // hmi_web/doc/program.md
 //

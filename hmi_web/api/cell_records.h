@@ -1,6 +1,6 @@
 #pragma once
 
-// What the routes ask of what is kept of the cell: values over months, alarms and their journal.
+// Interface of the routes to the records of the cell: values over months, alarms and their journal.
 // hmi_web/recorder implements it; a server without it keeps nothing.
 //
 //   records.trend({{"tags", "points/a1.level"}, {"columns", "600"}});       // hmi_web/doc/records.md

@@ -1,7 +1,7 @@
 #pragma once
 
-// What engineers do with programs: bring one to look at, compare it with the one that runs, have it take
-// over, and bring back an earlier one (hmi_web/doc/change.md).
+// Service for changes of the program: engineers bring one to look at, compare it with the one that runs, have
+// it take over, and bring back an earlier one (hmi_web/doc/change.md).
 //
 //   auto candidate = desk.take_container("mixer.swb", bytes);
 //   auto seen = desk.compare(candidate->digest);

@@ -1,12 +1,13 @@
 #pragma once
 
-// What is forced: of the page's own forces until when, by whom and why. Each of those ends by itself: the
+// Service for the forces of the page: until when, by whom and why each stands. Each ends by itself: the
 // runtime has its time and releases it, whatever becomes of this server. The list is kept on the disk, so
-// that it is known after a restart, too. Beside them what somebody else has forced (`stepwright force`,
-// another server), as the runtime tells of it.
+// that it is known after a restart, too. Beside them it lists the forces of others (`stepwright force`,
+// another server), as the runtime tells of them.
 //
-//   auto desk = ForceDesk::open(file, control, audit, std::chrono::system_clock::now, [&](auto json) { ...
-//   }); desk->force({"MAIN.valve", "TRUE", 15min, "ada", "commissioning"});
+//   auto desk = ForceDesk::open(file, control, audit, std::chrono::system_clock::now,
+//                               [&](auto json) { feed.set_forces(json); });
+//   (*desk)->force({"MAIN.valve", "TRUE", 15min, "ada", "commissioning"});
 //
 // Threads: every function from any; a thread of its own asks the runtime and takes off what is over, once a
 // second.

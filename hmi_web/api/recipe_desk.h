@@ -1,7 +1,7 @@
 #pragma once
 
-// What people do with recipes: reads, saves, removes and compares them, and loads one into the running
-// program: all of its values or none.
+// Service for recipes: people read, save, remove and compare them, and load one into the running program: all
+// of its values or none.
 //
 //   RecipeDesk desk(tags, **store, cell, *forces, std::chrono::system_clock::now);
 //   desk.save("Blue 20 l", "for the small drum", {{"mixer.level", "20"}}, "ada");

@@ -1,7 +1,7 @@
 #pragma once
 
-// What would be different if one program took over from another: variables, steps, addresses, tasks, and what
-// the runtime would refuse. Sources are compared by the page (hmi_web/doc/change.md).
+// Difference between two programs, one of which would take over from the other: variables, steps, addresses,
+// tasks, and what the runtime would refuse. Sources are compared by the page (hmi_web/doc/change.md).
 //
 //   auto diff = compare(running, next, image);
 //   diff->retyped.front();                          // {"MAIN.count", "INT", "DINT"}

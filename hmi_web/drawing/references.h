@@ -1,7 +1,7 @@
 #pragma once
 
-// What the references of a drawing multiply: a <use>, a pattern, a clip or a marker that holds others again
-// can make a browser draw without an end, from a file of a few lines.
+// Limit of the references of a drawing: a <use>, a pattern, a clip or a marker that holds others again can
+// make a browser draw without an end, from a file of a few lines.
 //
 //   if (const auto excess = excess_of_references(root)) tell(excess->offset, excess->message, excess->hint);
 //

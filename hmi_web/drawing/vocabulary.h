@@ -1,9 +1,9 @@
 #pragma once
 
-// What may stand in a drawing: names of SVG 1.1 that draw, and nothing that runs, loads or styles from
+// Vocabulary of a drawing: the names of SVG 1.1 that draw, and nothing that runs, loads or styles from
 // elsewhere.
 //
-// Pure.
+// Pure; any thread.
 
 #include <string>
 #include <string_view>

@@ -1,8 +1,7 @@
 #pragma once
 
-// What is known of many samples of one tag without looking at them: their number, times, extremes, first and
-// last. Summaries of neighbours merge into the summary of both; that is how 30 days are drawn without reading
-// them.
+// Summary of many samples of one tag: their number, times, extremes, first and last. Summaries of neighbours
+// merge into the summary of both; that is how 30 days are drawn without reading them.
 //
 // Plain values; any thread.
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Which samples of a tag need not be kept.
+// Suppression of samples of a tag that need not be kept.
 //
 //   Repeats       a value that is what the last kept one was: nothing is lost for whoever reads the tag as
 //                 holding its value until the next sample. The default.

@@ -1,6 +1,7 @@
 #pragma once
 
-// What the three kinds of reading make of a walk.
+// Visitors of a walk over the history of a tag, one for each kind of reading: samples of a range, a trend,
+// rows of CSV.
 //
 // Not thread-safe; one object per walk.
 

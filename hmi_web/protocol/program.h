@@ -1,9 +1,9 @@
 #pragma once
 
-// What a viewer is told about the program that runs: the chart's steps and transitions and the tags, each
-// known afterwards by its index. Sent once per program digest.
+// Description of the program that runs, for viewers: the charts with their steps and transitions, and the
+// tags, each known afterwards by its index. Sent once per program digest.
 //
-// Plain values; no thread rule.
+// Plain values; any thread.
 
 #include <cstdint>
 #include <string>

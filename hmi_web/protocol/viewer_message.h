@@ -1,6 +1,6 @@
 #pragma once
 
-// What a viewer says: what it has already (`begin`, its first message) and what it wants to be told from now
+// Message of a viewer: what it has already (`begin`, its first message) and what it wants to be told from now
 // on (`begin`, `show`). Specified in hmi_web/doc/protocol.md.
 //
 //   auto message = read_viewer_message(text);

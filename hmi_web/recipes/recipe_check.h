@@ -1,7 +1,7 @@
 #pragma once
 
-// Whether values can be a recipe of a cell: exactly the defined tags, each with a literal of its type within
-// its range. Told all at once.
+// Check whether values can be a recipe of a cell: exactly the defined tags, each with a literal of its type
+// within its range. All problems are told at once.
 //
 //   auto checked = check(tags, {{"mixer.level", "20"}, {"mixer.stir", "t#1.5m"}});
 //   checked->at("mixer.stir");                                            // "T#1m30s"

@@ -1,6 +1,6 @@
 #pragma once
 
-// What is recorded, as the API's routes ask for it (hmi_web/api/record_routes.cpp, hmi_web/doc/records.md).
+// Queries of the API's routes for records (hmi_web/api/record_routes.cpp, hmi_web/doc/records.md).
 //
 //   RecordQueries records(recorder);
 //   RouteTable table(api::all_routes({.control = ..., .records = &records}));

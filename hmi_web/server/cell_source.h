@@ -1,7 +1,7 @@
 #pragma once
 
-// Where the server gets the cell from. The program implements it over Fast DDS, tests with a cell of their
-// own; the server knows neither.
+// Interface of the server to the cell that it shows. The program implements it over Fast DDS, tests with a
+// cell of their own; the server knows neither.
 //
 // Thread rule: one thread calls, always the same one. `observe` may block for a moment (a request for a new
 // program), never for ever.

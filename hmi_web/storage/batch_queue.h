@@ -1,6 +1,6 @@
 #pragma once
 
-// What many threads hand to the one that writes it, in batches: a batch is due when there are enough items,
+// Queue from many threads to the one that writes, in batches: a batch is due when there are enough items,
 // when the period is over, or when somebody waits for it. Nobody who hands something over ever waits: beyond
 // its capacity the queue drops and counts.
 //

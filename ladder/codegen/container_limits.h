@@ -1,8 +1,8 @@
 #pragma once
 
-// What a container has no room for, told at its place in the source before or instead of the verifier's
-// refusal, and what only viewers read, as UTF-8 and cut to the room there is. ladder/doc/language.md lists
-// the limits. Internal to this folder; one object per program.
+// Limits of a container: what it has no room for is told at its place in the source, before or instead of the
+// verifier's refusal; texts that only viewers read become UTF-8 and are cut to the room there is.
+// ladder/doc/language.md lists the limits. Internal to this folder; one object per program, one thread.
 
 #include <cstdint>
 #include <string>

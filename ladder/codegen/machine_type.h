@@ -1,6 +1,7 @@
 #pragma once
 
-// How the machine computes with a type, and the instructions for it. Internal to this folder.
+// Machine types of the types of a program, and the instructions that compute with them. Pure functions;
+// internal to this folder.
 
 #include "ladder/semantics/type.h"
 #include "ladder/syntax/expression.h"

@@ -1,7 +1,7 @@
 #pragma once
 
-// How a container names its source files: so that equal sources give equal bytes wherever they lie, and that
-// who reads a name in the folder of the compilation can open it.
+// Names of source files in a container: equal sources give equal bytes wherever they lie, and who reads a
+// name in the folder of the compilation can open it. Pure functions; any thread.
 //
 // A relative name stays, in normal form. An absolute one becomes relative to `folder` if it lies below, else
 // to the folder that all such files share; only if that makes two files one name do they keep their paths.

@@ -1,8 +1,10 @@
 #pragma once
 
-// What editors of the matiec family bring along beside the standard (Dialect::extension_types): types of
+// Extensions of the editors of the matiec family beside the standard (Dialect::extension_types): types of
 // their pages, and blocks that run Python beside the program. Types are known by their base; the blocks are
 // opaque: they can be called and do nothing. Internal to this folder.
+//
+// Threads: that of the compilation. Invariant: what the sources declare themselves stays as it is.
 
 #include <string_view>
 

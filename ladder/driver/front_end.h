@@ -1,7 +1,7 @@
 #pragma once
 
-// What all compilations begin with: texts and projects become one unit of the syntax tree. Internal to this
-// folder.
+// Front end of all compilations: texts and projects become one unit of the syntax tree. Internal to this
+// folder; one object per compilation, one thread.
 
 #include <cstddef>
 #include <string>

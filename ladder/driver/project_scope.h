@@ -1,7 +1,7 @@
 #pragma once
 
-// What a diagram of a project sees of the program: types of variables, interfaces of POUs, places in the
-// file. Internal to this folder.
+// Scope of a diagram of a project: types of variables, interfaces of POUs, places in the file. Internal to
+// this folder; one thread.
 
 #include <map>
 #include <span>

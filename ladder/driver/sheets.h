@@ -1,7 +1,7 @@
 #pragma once
 
-// What there is to print of a program: the other way to read sources beside `compile`. Texts become
-// listings, tables of declarations and charts; drawn POUs become rungs and charts.
+// Sheets of a program, to be printed: the other way to read sources beside `compile`. Texts become listings,
+// tables of declarations and charts; drawn POUs become rungs and charts.
 //
 // Pure, as `compile` is. Types are not checked: a program that is not finished can be printed.
 //

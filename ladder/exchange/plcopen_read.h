@@ -1,6 +1,7 @@
 #pragma once
 
-// What the parts of the PLCopen reader share. Internal to this folder.
+// Shared parts of the PLCopen reader: the file that is read, its diagnostics, types, values, variables and
+// bodies. Internal to this folder; one thread per file.
 
 #include <optional>
 #include <string>

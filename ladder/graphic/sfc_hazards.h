@@ -1,8 +1,8 @@
 #pragma once
 
-// What a sound chart may do that its author hardly meant (IEC 61131-3, 2.6.5, "unsafe" and "unreachable"
-// charts): found by a search of all situations that its tokens can come to, with every condition TRUE or
-// FALSE at any time. Pure function; use from any thread.
+// Hazards of a sound chart: what it may do that its author hardly meant (IEC 61131-3, 2.6.5, "unsafe" and
+// "unreachable" charts). They are found by a search of all situations that its tokens can come to, with every
+// condition TRUE or FALSE at any time. Pure function; use from any thread.
 //
 // All findings are warnings with the place of a step or transition and a way there as the hint:
 //   W0701 a step can never become active          W0702 a transition can never fire

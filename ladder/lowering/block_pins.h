@@ -1,6 +1,6 @@
 #pragma once
 
-// What the pins of a drawn block stand for. Internal to this folder.
+// Meaning of the pins of a drawn block. Pure functions; internal to this folder.
 
 #include "ladder/graphic/diagram.h"
 #include "ladder/lowering/diagram_graph.h"

@@ -1,7 +1,7 @@
 #pragma once
 
-// What the lowering of a diagram asks about the program around it, and where it reports. One per POU; the
-// driver implements it over the syntax tree.
+// Interface of the lowering of a diagram to the program around it, and to whoever takes its diagnostics. One
+// per POU, one thread; the driver implements it over the syntax tree.
 
 #include <cstdint>
 #include <string>

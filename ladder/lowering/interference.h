@@ -1,8 +1,10 @@
 #pragma once
 
-// Whether the evaluation of one element of a diagram can change what another one reads. Answers yes where it
-// cannot tell: what is global, located, passed by reference or computed by a call may be changed by any of
-// its kind and by every call. Internal to this folder.
+// Interference of the elements of a diagram: whether the evaluation of one can change what another one reads.
+// Answers yes where it cannot tell: what is global, located, passed by reference or computed by a call may be
+// changed by any of its kind and by every call. Internal to this folder.
+//
+// One object per diagram, one thread: it keeps what it has found out about each element.
 
 #include <map>
 #include <set>

@@ -1,7 +1,7 @@
 #pragma once
 
-// What the parts of the SFC lowering share: the POU that grows, its generated variables and the rewriting of
-// step flags. Internal to this folder; one object per lowering, one thread.
+// Shared state of the SFC lowering: the POU that grows, its generated variables and the rewriting of step
+// flags. Internal to this folder; one object per lowering, one thread.
 
 #include <cstddef>
 #include <string>

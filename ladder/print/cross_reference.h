@@ -1,7 +1,7 @@
 #pragma once
 
-// Where the variables of a sheet are written and read: by networks in ladder diagrams, steps and transitions
-// in charts, lines in listings. Internal to this folder; pure functions.
+// Cross-reference of a sheet, the places where its variables are written and read: networks of ladder
+// diagrams, steps and transitions of charts, lines of listings. Internal to this folder; pure functions.
 
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
 
-// Where a row of things may be cut. Internal to this folder; pure functions.
+// Cuts of a row of things into pieces that fit a page. Internal to this folder; pure functions.
 
 #include <optional>
 #include <vector>

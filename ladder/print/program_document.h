@@ -1,8 +1,8 @@
 #pragma once
 
-// A program as a viewer reads it: the sheets with their bodies, and every use of every variable, as JSON.
-// What a browser shows live; hmi_web/doc/program.md says what each member means. The container carries it
-// in its section Document.
+// Document of a program for viewers: the sheets with their bodies, and every use of every variable, as JSON.
+// Browsers show it with live values; hmi_web/doc/program.md says what each member means. The container
+// carries it in its section Document.
 //
 //   container = writer::with_document(container, print::program_document(sheets));
 //

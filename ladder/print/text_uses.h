@@ -1,7 +1,7 @@
 #pragma once
 
-// Which variables a piece of ST reads and writes. Internal to this folder; one object per print, not
-// thread-safe.
+// Uses of variables in a piece of ST, by reading and writing. Internal to this folder; one object per print,
+// not thread-safe.
 
 #include <cstdint>
 #include <string>

@@ -1,6 +1,7 @@
 #pragma once
 
-// Where the stages of the compiler report what is wrong. Not thread-safe; one per compilation.
+// Sink of diagnostics, to which the stages of the compiler report what is wrong. Not thread-safe; one per
+// compilation.
 //
 // Reports of the same code at the same place are kept once, and after `kLimit` errors and as many warnings
 // the rest is counted only, so that no input makes the report endless.

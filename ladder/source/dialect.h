@@ -1,8 +1,8 @@
 #pragma once
 
-// What sources may write beside the standard because the system that they come from takes it: one object of
-// named permissions, which parser, semantic analysis and the reader of exchange files ask. The standard
-// permits nothing. An error that a dialect would permit names the dialect in its hint.
+// Dialect of sources: what they may write beside the standard because the system that they come from takes
+// it. It is one object of named permissions, which parser, semantic analysis and the reader of exchange files
+// ask. The standard permits nothing. An error that a dialect would permit names the dialect in its hint.
 //
 // Plain values; pure.
 //

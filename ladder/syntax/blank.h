@@ -1,7 +1,7 @@
 #pragma once
 
-// What may stand between two tokens (IEC 61131-3, 6.1.4, 6.1.5 and 6.2): white space, comments and pragmas.
-// The one place that knows how they begin and end. Pure; use from any thread.
+// Blanks between two tokens (IEC 61131-3, 6.1.4, 6.1.5 and 6.2): white space, comments and pragmas. The one
+// place that knows how they begin and end. Pure; use from any thread.
 
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,7 @@
 #pragma once
 
-// Where the parts of the sorting line stand. x runs along the main line, 0 at the end of the infeed; y to the
-// left of the way the boxes go, 0 in the middle of the main line.
+// Layout of the sorting line: the places of its parts. x runs along the main line, 0 at the end of the
+// infeed; y to the left of the way the boxes go, 0 in the middle of the main line. Plain values.
 
 #include <cstddef>
 #include <string>

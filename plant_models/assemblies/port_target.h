@@ -1,6 +1,7 @@
 #pragma once
 
-// What a numbered port, truth or fault of a plant stands for, and what values a fault may have.
+// Targets of a plant's numbered ports, truths and faults, and the values that a fault may have. Pure; any
+// thread.
 
 #include <cstddef>
 #include <span>

@@ -1,6 +1,6 @@
 #pragma once
 
-// What carries a box that lies on belts: dry (Coulomb) friction between its bottom and the surfaces below.
+// Belts that carry a box: dry (Coulomb) friction between its bottom and the surfaces below.
 //
 // A belt in a plane seen from above is the floor, which is no contact of Box2D. So the box stands on a grid
 // of 3 x 3 points, each of which bears a ninth of its weight. At each point friction pulls the box towards

@@ -1,7 +1,8 @@
 #pragma once
 
-// What a viewer has to know to draw a plant, without knowing which plant it is. Constant while the plant
-// lives; every name refers to a port or a truth of the same plant, so that live values can be looked up.
+// Description of a plant for viewers, who draw it without knowing which plant it is. Plain data, constant
+// while the plant lives; any thread. Invariant: every name refers to a port or a truth of the same plant, so
+// that live values can be looked up.
 
 #include <string>
 #include <vector>

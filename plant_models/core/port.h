@@ -1,6 +1,6 @@
 #pragma once
 
-// What the outside of a plant looks like: terminals, and quantities with a unit.
+// Outside of a plant: its terminals, and quantities with a unit. Plain values; any thread.
 
 #include <cstdint>
 #include <string>

@@ -1,7 +1,10 @@
 #pragma once
 
-// What the processes around a cell's runtime would refuse at their start, in their own words: the Modbus
-// server its certificates, the Modbus client its devices, the gateway its line and the table of its plan.
+// Check of the processes around a cell's runtime: what they would refuse at their start, in their own words.
+// The Modbus server its certificates, the Modbus client its devices, the gateway its line and the table of
+// its plan.
+//
+// Any thread; reads files.
 //
 // Nothing is opened but files to read: whether an address or a device is free is known at the start only.
 

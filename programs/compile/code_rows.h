@@ -1,7 +1,7 @@
 #pragma once
 
-// What documents say about a code: the rows of their tables whose first cell names it ("P0101 to P0105",
-// "F0201, F0202"). The documents are those of the folders */doc as they were when this program was built.
+// Rows of documents about a code: those of their tables whose first cell names it ("P0101 to P0105", "F0201,
+// F0202"). The documents are those of the folders */doc as they were when this program was built.
 //
 // Pure; use from any thread.
 

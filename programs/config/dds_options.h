@@ -1,6 +1,7 @@
 #pragma once
 
-// What a cell's configuration says to those of its processes that speak Fast DDS.
+// Options of Fast DDS from a cell's configuration, for those of its processes that speak it. Pure; any
+// thread.
 
 #include <string>
 #include <utility>

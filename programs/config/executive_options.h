@@ -1,6 +1,7 @@
 #pragma once
 
-// What a cell's configuration means for planning and executive: used by supervisor, demo and check alike.
+// Options of planning and executive from a cell's configuration: used by supervisor, demo and check alike.
+// Pure; any thread.
 
 #include "programs/config/cell_config.h"
 #include "supervisor/executive/executive.h"

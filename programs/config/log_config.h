@@ -6,9 +6,9 @@
 //   format = "json"        # one object per line; "text" is for people
 //   level = "info"         # "debug", "info", "warning", "error"
 //   file = "cell.log"      # of all processes of the cell, from the folder of the configuration; else stderr
-//   max_mb = 16            # then it is renamed to cell.log.1, and that to cell.log.2; 0: it grows without
-//   end keep = 4               # so many older ones are kept limit_per_s = 10       # lines of one kind in a
-//   second; how many more there were is said afterwards
+//   max_mb = 16            # then it is renamed to cell.log.1, and that to cell.log.2; 0: it has no limit
+//   keep = 4               # so many older ones are kept
+//   limit_per_s = 10       # lines of one kind in a second; how many more there were is said afterwards
 //
 // Plain values. What is wrong takes its default and is reported by the document (C0002 to C0006).
 

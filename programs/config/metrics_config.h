@@ -1,7 +1,7 @@
 #pragma once
 
-// Where a process serves its own figures to Prometheus: [modbus.server.metrics], [modbus.client.metrics],
-// [controller.metrics]. The keys are those of [hmi], which serves the runtime's.
+// Address at which a process serves its own figures to Prometheus: [modbus.server.metrics],
+// [modbus.client.metrics], [controller.metrics]. The keys are those of [hmi], which serves the runtime's.
 //
 //   [modbus.server.metrics]
 //   host = "127.0.0.1"     # a name or address of this machine, the one by which it is scraped

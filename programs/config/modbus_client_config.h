@@ -7,8 +7,8 @@
 //   [modbus.client]                    # all of it optional
 //   cycle_ms = 5                       # exchange with the runtime
 //   silence_ms = 250                   # after which the runtime takes the client for lost
-//   [modbus.lines."/dev/ttyUSB0"]      # a serial line; the defaults are those of the standard: 19200, even,
-//   8, 1 baud = 9600
+//   [modbus.lines."/dev/ttyUSB0"]      # a serial line; defaults of the standard: 19200, even, 8, 1
+//   baud = 9600
 //   [[modbus.device]]
 //   name = "press"
 //   host = "192.168.1.10"              # and port = 502; or line = "/dev/ttyUSB0"

@@ -2,12 +2,15 @@
 
 // One tag of [[modbus.device.group]]:
 //
-//   { address = "%IW0", holding = 100 }                                    # INT from an int16
-//   { address = "%ID2", name = "level", input = 8, type = "real", order = "CDAB", quality = "%IB20", age =
-//   "%IW11" } { address = "%ID3", holding = 40, type = "int16", iec = "REAL", factor = 0.1, offset = -20.0,
-//   low = 0.0 } { address = "%IX0.0", discrete = 5 }          # coil, discrete, input, holding: the object's
-//   address, from 0 { address = "%QX0.1", holding = 50, bit = 3 } # %Q is written, %I is read { address =
-//   "%IW5", holding = 9, loss_value = 100 }
+//   { address = "%IW0", holding = 100 }                      # INT from an int16
+//   { address = "%ID2", name = "level", input = 8, type = "real", order = "CDAB",
+//     quality = "%IB20", age = "%IW11" }
+//   { address = "%ID3", holding = 40, type = "int16", iec = "REAL", factor = 0.1,
+//     offset = -20.0, low = 0.0 }
+//   { address = "%IX0.0", discrete = 5 }                     # coil, discrete, input, holding:
+//                                                            # the object's address, from 0
+//   { address = "%QX0.1", holding = 50, bit = 3 }            # %Q is written, %I is read
+//   { address = "%IW5", holding = 9, loss_value = 100 }
 //
 // Thread-safe: pure.
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Where a runtime lives, in one text that no other machine and no other folder has by accident.
+// Place of a runtime, in one text that no other machine and no other folder has by accident.
 //
 // Threads: any.
 

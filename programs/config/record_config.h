@@ -11,8 +11,7 @@
 //   folder = "history"       # in the state folder, unless it is a whole path; default: nothing is kept
 //   days = 90                # older values and alarms go; 0: none do
 //   max_mb = 4096            # the oldest values go beyond it; 0: none do
-//   alarms = "alarms.toml"   # beside this file: alarms beyond those that every cell has
-//   (hmi_web/doc/alarms.md)
+//   alarms = "alarms.toml"   # beside this file: alarms beyond those of every cell (hmi_web/doc/alarms.md)
 
 #include <chrono>
 #include <cstdint>

@@ -1,6 +1,6 @@
 #pragma once
 
-// What follows lost I/O that is there again, in the table [io]:
+// Settings of the restart once lost I/O is there again, in the table [io]:
 //
 //   restart = "operator"     # the program is started by a person; or "auto": by the runtime
 //   restart_after_s = 5      # "auto": the I/O has been there for so long without a break

@@ -1,7 +1,7 @@
 #pragma once
 
-// What a cell's configuration says about values and programs that outlive the process: [retain], and of
-// [runtime] the keys program, autostart and boot.
+// Settings of a cell for values and programs that outlive the process: [retain], and of [runtime] the keys
+// program, autostart and boot.
 //
 //   [retain]
 //   file = "retain.store"     # in the state folder; "" keeps nothing on the disk

@@ -7,9 +7,8 @@
 //   "%QW2" = { value = 500 }
 //   "%QW4" = { ramp_to = 0, per_second = 100 }
 //   "%QD3" = { ramp_to = 0.0, per_second = 1.5, type = "REAL" }
-//   [safe_state.watchdog]             # for this cause instead: stop, trap, watchdog, lost_io,
-//   lost_supervisor,
-//   "%QX0.0" = "zero"                 # killed
+//   [safe_state.watchdog]             # for this cause instead; the others are stop, trap, lost_io,
+//   "%QX0.0" = "zero"                 # lost_supervisor and killed
 //
 //   [watchdog]                        # of every task, in real time
 //   time_us = 20_000                  # 0: none
@@ -20,8 +19,11 @@
 //
 //   [io]
 //   kind = "shared_memory"            # "plant": the plant of the [plant] table; "modbus": devices of
-//   [[modbus.device]] name = "press"                    # /dev/shm/stepwright-io-press [guard] enabled = true
-//   # the runtime starts one if there is none; default of kind = "modbus" timeout_ms = 50
+//                                     # [[modbus.device]]
+//   name = "press"                    # /dev/shm/stepwright-io-press
+//   [guard]
+//   enabled = true                    # the runtime starts one if there is none; default of kind = "modbus"
+//   timeout_ms = 50
 //
 // Numbers: without a type %QB is USINT, %QW is INT and %QD is DINT.
 // Diagnostics with their place: C0302 no address, C0303 no output of the cell, C0442 not a rule, C0443 a

@@ -1,6 +1,6 @@
 #pragma once
 
-// Which devices of a cell are lost, and why, from what its Modbus client says over its status socket.
+// Lost devices of a cell, with the reasons, from what its Modbus client says over its status socket.
 //
 // Thread-safe: pure but for the question, which waits for an answer (a second for each piece of it).
 

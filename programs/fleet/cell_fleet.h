@@ -1,7 +1,7 @@
 #pragma once
 
-// What a cell's configuration means for the programs of a fleet: used by supervisor, fleet and check alike.
-// Pure; any thread.
+// Options of a fleet's programs from a cell's configuration: used by supervisor, fleet and check alike. Any
+// thread.
 
 #include <filesystem>
 #include <optional>

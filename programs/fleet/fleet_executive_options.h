@@ -1,6 +1,6 @@
 #pragma once
 
-// What a cell's configuration means for the executive of its fleet: used by supervisor and check alike.
+// Options of a fleet's executive from a cell's configuration: used by supervisor and check alike. Any thread.
 
 #include <algorithm>
 #include <numbers>

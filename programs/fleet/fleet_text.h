@@ -1,7 +1,7 @@
 #pragma once
 
-// What `stepwright fleet` prints: vehicles and their stops with times, who waits for whom where; or why there
-// is no schedule.
+// Output of `stepwright fleet`: vehicles and their stops with times, who waits for whom where; or why there
+// is no schedule. Pure; any thread.
 
 #include <string>
 

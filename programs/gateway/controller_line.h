@@ -1,6 +1,6 @@
 #pragma once
 
-// What a cell's configuration says about its controller, as the gateway's libraries want it. Pure.
+// Options of the gateway's libraries from the [controller] of a cell's configuration. Pure; any thread.
 
 #include <memory>
 

@@ -3,8 +3,8 @@
 // Everything between the page's server and the cell that decides who may do what: users, audit trail, forces,
 // recipes, route table, door; made from a cell's configuration.
 //
-//   auto access = AccessPoint::open(config, {control, &records}, log, [&](auto json) { feed.set_forces(json);
-//   });
+//   auto access = AccessPoint::open(config, {control, &records}, log,
+//                                   [&](auto json) { feed.set_forces(json); });
 //   (*http)->serve_api((*access)->door());
 //
 // Threads: as its parts. What it is given outlives it.

@@ -1,7 +1,7 @@
 #pragma once
 
-// What the page's server keeps of its cell: [history] of the configuration. A disk that takes nothing keeps
-// nobody from looking at the plant: the server starts without records, says why, and tries again.
+// Records of the page's server about its cell: [history] of the configuration. A disk that takes nothing
+// keeps nobody from looking at the plant: the server starts without records, says why, and tries again.
 //
 //   auto recording = Recording::open(config, picture->synoptic, log);     // null: the cell keeps nothing
 //   if (*recording) (*recording)->take(seen, view);

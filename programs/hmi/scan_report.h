@@ -1,9 +1,9 @@
 #pragma once
 
-// What /api/scan says of the runtimes that the server follows (hmi_web/doc/protocol.md, "Scan").
+// Answer of /api/scan about the runtimes that the server follows (hmi_web/doc/protocol.md, "Scan").
 //
-//   const std::string json = scan_report({{.runtime = "bench", .own = true, .alive = true, .status =
-//   status}});
+//   const std::string json =
+//       scan_report({{.runtime = "bench", .own = true, .alive = true, .status = status}});
 //
 // Pure; any thread. What is not known is null, never a zero.
 

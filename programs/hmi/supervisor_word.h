@@ -1,7 +1,7 @@
 #pragma once
 
-// Whether a supervisor is at work, by the newest document that it has published
-// (supervisor/doc/plan_document.md).
+// Reading of a supervisor's newest published document (supervisor/doc/plan_document.md), for whether it is at
+// work.
 //
 //   const std::string why = at_work(document, "9f..");   // empty: nobody is in the way
 //

@@ -1,6 +1,6 @@
 #pragma once
 
-// How a message becomes a line. Pure functions; any thread.
+// Form of a message as a line of the log. Pure functions; any thread.
 
 #include <chrono>
 #include <string>

@@ -1,7 +1,7 @@
 #pragma once
 
-// What a process says while it runs: lines for people or JSON objects for machines, on standard error or in a
-// file, limited in number per kind.
+// Log of a process: lines for people or JSON objects for machines, on standard error or in a file, limited in
+// number per kind.
 //
 //   auto log = log::Logger::open("runtime", config.log);
 //   (*log)->info("listens", "runtime 'bench' listens on /run/bench.sock", {{"socket", "/run/bench.sock"}});

@@ -1,7 +1,7 @@
 #pragma once
 
-// What a process does when it is told to read its configuration again (SIGHUP): its log changes, and what it
-// says that it can take over; everything else waits for a restart and is named.
+// Reload of a process's configuration (SIGHUP): its log changes, and what it says that it can take over;
+// everything else waits for a restart and is named. Threads: that of the process's loop.
 
 #include <functional>
 #include <string_view>

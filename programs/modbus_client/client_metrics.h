@@ -1,6 +1,6 @@
 #pragma once
 
-// What a Modbus client counts, for Prometheus: of each device its state, requests, errors and times, of each
+// Metrics of a Modbus client for Prometheus: of each device its state, requests, errors and times, of each
 // group its periods, of the tags their quality. Pure; any thread. runtime/doc/modbus_client.md lists them.
 
 #include <nlohmann/json_fwd.hpp>

@@ -1,8 +1,8 @@
 #pragma once
 
-// What the devices are to put out: what the runtime, or its guard, says in the shared-memory area, for as
-// long as one of them is alive; else the column `killed` of [safe_state], ramps included. That is the second
-// net: with a guard it is of use only when runtime and guard are gone together.
+// Outputs for the devices: what the runtime, or its guard, says in the shared-memory area, for as long as one
+// of them is alive; else the column `killed` of [safe_state], ramps included. That is the second net: with a
+// guard it is of use only when runtime and guard are gone together.
 //
 // Threads: one. No heap after the constructor.
 //

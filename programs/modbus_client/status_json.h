@@ -1,7 +1,7 @@
 #pragma once
 
-// What a client says about its devices: as JSON (keys with units), which is what comes over the socket, and
-// as lines for people, which are made of it. Pure; any thread. For Prometheus: client_metrics.h.
+// Status of a client's devices: as JSON (keys with units), which is what comes over the socket, and as lines
+// for people, which are made of it. Pure; any thread. For Prometheus: client_metrics.h.
 
 #include <nlohmann/json_fwd.hpp>
 #include <span>

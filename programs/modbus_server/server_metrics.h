@@ -1,10 +1,11 @@
 #pragma once
 
-// What the Modbus server counts, for Prometheus.
+// Metrics of the Modbus server for Prometheus, and the board on which its thread leaves its newest figures
+// for others. Threads: any.
 //
 //   FiguresBoard board;
-//   board.publish({server.figures(), data.serving(), expires});             // the server's thread, now and
-//   then const std::string text = server_metrics("bench", board.newest());       // any other
+//   board.publish({server.figures(), data.serving(), expires});              // the server's thread, at times
+//   const std::string text = server_metrics("bench", board.newest());        // any other
 
 #include <chrono>
 #include <mutex>

@@ -1,6 +1,6 @@
 #pragma once
 
-// What the commands of a monitor share in telling. Threads: one.
+// Reports of the commands of a monitor: the parts that they share. Threads: one.
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
 
-// What both commands write: diagnostics, files, JSON values.
+// Output of `plan` and `validate`: diagnostics, files, JSON values. Threads: one.
 
 #include <nlohmann/json_fwd.hpp>
 

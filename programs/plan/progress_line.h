@@ -1,6 +1,6 @@
 #pragma once
 
-// What the planner is at, on stderr: one line that is written over on a terminal, a line a second elsewhere.
+// Progress of the planner on stderr: one line that is written over on a terminal, a line a second elsewhere.
 //
 // Thread rule: one thread. Writes nothing before the first `show`.
 

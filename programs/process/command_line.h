@@ -1,7 +1,9 @@
 #pragma once
 
-// What every process does at its beginning and around its command line: outlive those who read what it says,
-// parse it, report what is wrong, choose the exit code.
+// Beginning of every process, and its command line: outlive those who read what it says, parse the arguments,
+// report what is wrong, choose the exit code.
+//
+// Threads: the main one, before it starts others.
 //
 //   CLI::App app{"Carry the service of a runtime over Fast DDS", "stepwright link"};
 //   ...

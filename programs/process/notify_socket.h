@@ -1,6 +1,6 @@
 #pragma once
 
-// What a process tells the init system that started it: the datagram protocol of sd_notify(3), spoken
+// Messages to the init system that started the process: the datagram protocol of sd_notify(3), spoken
 // directly so that no library comes into the process for a few bytes. Without NOTIFY_SOCKET in the
 // environment nothing happens.
 //

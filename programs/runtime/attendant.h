@@ -1,7 +1,7 @@
 #pragma once
 
-// What the runtime's process does beside serving: it keeps the log, tells the init system how it is, and
-// reads the configuration again when asked to.
+// Attendant of the runtime's process, for all but serving: it keeps the log, tells the init system how it is,
+// and reads the configuration again when asked to.
 //
 //   Attendant attendant(config, *log, init);
 //   auto server = service::Server::create({..., .observer = &attendant}, *runtime);

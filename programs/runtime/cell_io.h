@@ -1,7 +1,9 @@
 #pragma once
 
-// What stands behind the I/O of a cell's runtime: its simulated plant with the driver wired to it, or
-// nothing.
+// I/O of a cell's runtime: its simulated plant with the driver wired to it, shared memory, or nothing.
+//
+// Threads: the service's, but for driver and plant: from the creation of the HostRuntime on those belong to
+// it (image::IoDriver, host::PlantAccess).
 
 #include <memory>
 #include <optional>

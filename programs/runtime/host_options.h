@@ -1,6 +1,6 @@
 #pragma once
 
-// What a cell's configuration says to the host of its runtime.
+// Options of the runtime's host from a cell's configuration. Any thread.
 
 #include "programs/config/cell_config.h"
 #include "runtime/host/host_config.h"

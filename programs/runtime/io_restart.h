@@ -1,8 +1,8 @@
 #pragma once
 
-// When the runtime starts a program again by itself that has lost its I/O: the configuration asks for it, the
-// I/O has been there for as long as it says, and it did not happen too often. Nobody else has decided
-// anything meanwhile: a stop, a start, another program or a supervisor take the decision away.
+// Decision when the runtime starts a program again by itself that has lost its I/O: the configuration asks
+// for it, the I/O has been there for as long as it says, and it did not happen too often. Nobody else has
+// decided anything meanwhile: a stop, a start, another program or a supervisor take the decision away.
 //
 // Threads: one. No clock of its own.
 

@@ -1,7 +1,8 @@
 #pragma once
 
-// What the runtime does about lost I/O besides making its outputs safe: the log and the status name the
-// devices that are lost, and where the configuration says so the program is started again when they are back.
+// Watch over the I/O of a runtime, for what is done about its loss besides making outputs safe: the log and
+// the status name the devices that are lost, and where the configuration says so the program is started again
+// when they are back.
 //
 //   IoWatch watch(config, *io, *runtime, log);
 //   attendant.attach(watch);

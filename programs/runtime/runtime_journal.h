@@ -1,6 +1,6 @@
 #pragma once
 
-// What the log says about a runtime: started, stopped, traps, lost I/O, overruns, lost events, clients,
+// Journal of a runtime in the log: started, stopped, traps, lost I/O, overruns, lost events, clients,
 // supervisors, programs and refused downloads with their digest. It hears of everything from the service.
 //
 // Threads: the service's. The scan neither logs nor waits for it.

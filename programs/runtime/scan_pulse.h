@@ -1,7 +1,7 @@
 #pragma once
 
-// Whether the scan is alive, judged from outside by its progress: the init system's watchdog is fed only
-// while this says so.
+// Pulse of the scan: whether it is alive, judged from outside by its progress. The init system's watchdog is
+// fed only while this says so.
 //
 //   ScanPulse pulse(500ms);
 //   pulse.set_period(10ms);                    // of the program that is loaded now

@@ -1,7 +1,6 @@
 #pragma once
 
-// What a cell's supervisor has its runtime do, whichever kind it is: a PDDL problem ([planning]) or a fleet's
-// ([fleet]).
+// Mission of a cell's supervisor, of either kind: a PDDL problem ([planning]) or a fleet's ([fleet]).
 //
 // Threads: `run` belongs to one; every other function but `begin` may be called from another one meanwhile.
 //

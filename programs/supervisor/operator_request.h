@@ -1,7 +1,7 @@
 #pragma once
 
-// What an operator's page asks of the supervisor. The text comes over Fast DDS from anywhere: whatever it is,
-// it is a request or it is refused. Pure; any thread.
+// Request of an operator's page to the supervisor. The text comes over Fast DDS from anywhere: whatever it
+// is, it is a request or it is refused. Pure; any thread.
 //
 //   {"request": "abort"}
 //   {"request": "hold"}

@@ -1,6 +1,6 @@
 #pragma once
 
-// What became of a test.
+// Result of a test. Plain values; any thread.
 
 #include <cstdint>
 #include <optional>

@@ -1,6 +1,6 @@
 #pragma once
 
-// What the program of a fleet shows of one vehicle in the image (supervisor/doc/fleet_program.md).
+// One vehicle in the image of a fleet's program (supervisor/doc/fleet_program.md).
 //
 // Immutable once made; any thread.
 //

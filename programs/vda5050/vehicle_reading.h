@@ -1,6 +1,6 @@
 #pragma once
 
-// What the controller shows of a vehicle in the words of VDA 5050. Pure; any thread.
+// Reading of a vehicle, as the controller shows it, in the words of VDA 5050. Pure; any thread.
 //
 //   const auto reading = reading_of({.image = seen, .vehicle = entry, .mission = mission, ...});
 //   side.show(reading);

@@ -1,8 +1,10 @@
 #pragma once
 
-// What the scan asks of an engine: run one program instance once. runtime/vm interprets, other engines may
-// compile; for equal input every engine leaves the same image and the same trap.
-// Thread rule: one engine belongs to one scan thread. No heap, lock or exception inside run.
+// Interface of an execution engine: it runs one program instance from its beginning to its end, or to a trap.
+// runtime/vm interprets, runtime/native compiles.
+//
+// Thread rule: one engine belongs to one scan thread. No heap, lock or exception inside run. Invariant: for
+// equal input every engine leaves the same image and the same trap.
 
 #include <cstddef>
 #include <cstdint>

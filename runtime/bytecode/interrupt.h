@@ -1,9 +1,10 @@
 #pragma once
 
-// How a program that does not come to an end is ended from outside. An engine that is given an Interrupt
-// hands out the budget of a run in slices and looks here between two of them, which costs the loops of a
-// program nothing; if it is asked to end, the run traps as if its budget were used up (TrapCode::Watchdog).
-// A run has a number while it lasts, so that whoever finds a run too long ends that one and never the next.
+// Interrupt of a run from outside, for a program that does not come to an end. An engine that is given an
+// Interrupt hands out the budget of a run in slices and looks here between two of them, which costs the loops
+// of a program nothing; if it is asked to end, the run traps as if its budget were used up
+// (TrapCode::Watchdog). A run has a number while it lasts, so that whoever finds a run too long ends that one
+// and never the next.
 //
 // Threads: begin and end by the thread that runs the engine, ask by any other. No lock.
 //

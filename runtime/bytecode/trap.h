@@ -1,7 +1,7 @@
 #pragma once
 
-// What stops a PLC program at run time. A trap is located (function, pc) and leaves the image as it was at
-// the faulting instruction; the scan then puts the outputs into their safe state.
+// A trap: the located fault (function, pc) that ends a PLC program at run time. It leaves the image as it was
+// at the faulting instruction; the scan then puts the outputs into their safe state. Plain data; any thread.
 //
 // In a function of the library the place of the fault says little to who wrote the program: the trap also
 // knows the call that led into the library, the innermost one in a function that is not marked as library.

@@ -1,6 +1,6 @@
 #pragma once
 
-// Why the verifier refuses a container, and where.
+// Result of the verifier: whether and where it refuses a container, and why. Plain values; any thread.
 
 #include <cstdint>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// What is known of a runtime beyond its status: distributions and watchdogs of its tasks, the devices of its
-// I/O, and how its news arrive here. Plain data; any thread.
+// Health of a runtime, beyond its status: distributions and watchdogs of its tasks, the devices of its I/O,
+// and how its news arrive here. Plain data; any thread.
 
 #include <cstdint>
 #include <string>

@@ -6,8 +6,8 @@
 //
 //   auto publisher = PlanPublisher::create({61, "supervisor", "bench"});
 //   (*publisher)->publish(document);
-//   if (auto request = (*publisher)->wait_request(100ms)) (*publisher)->answer(*request,
-//   obey(request->text));
+//   if (auto request = (*publisher)->wait_request(100ms))
+//     (*publisher)->answer(*request, obey(request->text));
 //
 // Threads: every function from any thread. Fast DDS failing to start is D0005.
 

@@ -1,8 +1,8 @@
 #pragma once
 
-// Where the variables of one program lie in another: by path, without regard to case, as far as the type of
-// the other takes their values. What moves with its variable when programs change (forces, references) finds
-// its new place here.
+// Map of the variables of one program to their places in another: by path, without regard to case, as far as
+// the type of the other takes their values. What moves with its variable when programs change (forces,
+// references) finds its new place here.
 //
 // Threads: made on any, immutable; `find` is for the scan thread too: no heap, no lock, O(log variables).
 //

@@ -1,7 +1,8 @@
 #pragma once
 
-// Which bytes of an image are BOOL variables. Programs may rely on such a byte being 0 or 1 (runtime/doc/
-// native.md), so whoever writes the image from outside settles what it writes.
+// BOOL variables of an image, by their bytes. Programs may rely on such a byte being 0 or 1
+// (runtime/doc/native.md), so whoever writes the image from outside settles what it writes.
+//
 // Thread rule: as its owner; nothing changes after construction.
 
 #include <cstddef>

@@ -1,8 +1,9 @@
 #pragma once
 
-// How a program takes over from the running one between two scans: which values, steps, forces and task
-// phases go where, and what would make it unsafe. Everything that takes time is done here, on the service
-// thread and beside the running program; what is left for the scan thread is a list of copies.
+// Plan of an online change, by which a program takes over from the running one between two scans: which
+// values, steps, forces and task phases go where, and what would make it unsafe. Everything that takes time
+// is done here, on the service thread and beside the running program; what is left for the scan thread is a
+// list of copies.
 //
 // Threads: made by the service thread; the functions under "scan thread" belong to that one afterwards; the
 // reports are read by the service thread at any time, as they do not change. No heap, lock or failure on the

@@ -1,7 +1,7 @@
 #pragma once
 
-// What an online change is refused for, in words (runtime/doc/online_change.md), and the part of it that can
-// be told of two programs and an image without performing anything: for whoever wants to know before.
+// Diagnostics of a refused online change (runtime/doc/online_change.md), and the outlook on one: the part
+// that can be judged from two programs and an image without performing anything, for whoever asks beforehand.
 //
 // Pure; service thread or any other.
 //

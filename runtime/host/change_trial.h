@@ -1,6 +1,6 @@
 #pragma once
 
-// What the scan thread remembers of an online change from one scan to the next.
+// State of an online change in the scan thread, from one scan to the next.
 //
 // On trial are the first scans of a program that took over: until they have passed without a trap, the
 // program before it stands by with its image as of the swap.

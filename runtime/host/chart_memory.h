@@ -1,7 +1,7 @@
 #pragma once
 
-// Where the charts of a program keep their state, and which of its functions are theirs: what starting the
-// charts afresh has to put back while every other variable keeps its value.
+// Memory of the charts of a program, and the functions that are theirs: what starting the charts afresh has
+// to put back while every other variable keeps its value.
 //
 // The compiler appends what a chart needs (step bits, step times, stored actions, action timers) behind the
 // variables of the POU that holds it, in this order: the clock of the step times if there is one, the bit of

@@ -1,6 +1,6 @@
 #pragma once
 
-// Whether the steps that are active when a program changes can be active together in the new chart: two
+// Check whether the steps that are active when a program changes can be active together in the new chart: two
 // tokens of simultaneous branches must not land in a chart where the branches are alternatives.
 //
 // The situations of a chart are those that its transitions can lead to from its initial steps (the

@@ -1,8 +1,10 @@
 #pragma once
 
-// What the service thread tells the scan thread between two scans, and what comes back. Commands are plain
-// values; a completion carries heap only where a plant refused a fault, which never happens in real
-// operation.
+// Commands of the service thread to the scan thread, which performs them between two scans, and their
+// completions.
+//
+// Threads: plain values, handed over in queues. A completion carries heap only where a plant refused a fault,
+// which never happens in real operation.
 
 #include <cstdint>
 

@@ -3,8 +3,8 @@
 // Histograms in the coarse form in which they travel: two buckets for a doubling, from 16 ns to 18 minutes.
 //
 //   const DurationCounts counts = counts_of(timing.execution);
-//   draw(count_begin_us(counts.first), counts.counts[0]);          // durations from there to
-//   count_begin_us(first + 1)
+//   // Durations from there up to count_begin_us(counts.first + 1).
+//   draw(count_begin_us(counts.first), counts.counts[0]);
 //
 // Pure; any thread.
 

@@ -1,6 +1,8 @@
 #pragma once
 
-// Which engine runs a program.
+// Choice of the engine that runs a program.
+//
+// Any thread; each engine then belongs to one scan thread (bytecode::Engine).
 
 #include <cstddef>
 #include <cstdint>

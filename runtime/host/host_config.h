@@ -1,6 +1,6 @@
 #pragma once
 
-// How a runtime runs: the part of a cell's configuration that concerns the scan.
+// Configuration of a runtime: the part of a cell's that concerns the scan. Plain data; any thread.
 
 #include <cstddef>
 #include <cstdint>

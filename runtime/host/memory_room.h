@@ -1,7 +1,7 @@
 #pragma once
 
-// Whether there is memory for a program, asked before it is prepared: beyond its limit a process is ended by
-// the system, with its outputs on, where a refused download changes nothing.
+// Check for the memory of a program, made before it is prepared: beyond its limit a process is ended by the
+// system, with its outputs on, where a refused download changes nothing.
 //
 // Threads: any. What is free is what the tightest limit leaves: the one of the configuration, those of the
 // control groups that the process is in (systemd's MemoryMax=), RLIMIT_AS and RLIMIT_DATA, and

@@ -1,7 +1,7 @@
 #pragma once
 
-// What a runtime tells and is told: the values that travel over the service socket and, unchanged in meaning,
-// over Fast DDS. Plain data without behaviour; any thread.
+// Messages of a runtime: the values that travel over the service socket and, unchanged in meaning, over Fast
+// DDS. Plain data without behaviour; any thread.
 //
 // Addresses are byte offsets into the process image, whose layout the container describes; a bit of a located
 // BOOL is a one-bit mask. Times are the runtime's scan clock: nanoseconds since the process started it.

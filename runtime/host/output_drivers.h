@@ -1,6 +1,6 @@
 #pragma once
 
-// Which bits of the output area the code of a program may write: what a new program does not drive must not
+// Bits of the output area that the code of a program may write: what a new program does not drive must not
 // stay as the old one left it.
 //
 // Threads: any; immutable. Invariant: errs on the side of "written": an output whose address the code takes

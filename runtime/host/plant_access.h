@@ -1,6 +1,8 @@
 #pragma once
 
-// What the host wants of a simulated plant beside its terminals: the true state for reports, and faults.
+// Interface to a simulated plant beside its terminals: the true state for reports, and faults to inject.
+//
+// Threads: the scan thread; the names are constant. Reading values allocates nothing.
 
 #include <span>
 #include <string>

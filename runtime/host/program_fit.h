@@ -1,7 +1,7 @@
 #pragma once
 
-// Whether a program has room in a cell: the areas of its I/O and its image. Asked when it is loaded, and by
-// whoever wants to know before.
+// Check whether a program has room in a cell: the areas of its I/O and its image. Asked when it is loaded,
+// and by whoever wants to know before.
 //
 // Pure; any thread.
 

@@ -1,7 +1,10 @@
 #pragma once
 
-// What a scan thread gets from the operating system: a monotonic clock, sleep until an instant, and, where it
-// is permitted, a real-time priority and memory that is never paged out.
+// Services of the operating system for a scan thread: a monotonic clock, sleep until an instant, and, where
+// it is permitted, a real-time priority and memory that is never paged out.
+//
+// Threads: any; a placement is that of the calling thread. What the system refuses is told, and is no
+// failure.
 
 #include <cstdint>
 #include <string>

@@ -1,6 +1,7 @@
 #pragma once
 
-// What the service needs of a runtime. HostRuntime implements it; the service's tests have one of their own.
+// Interface of a runtime towards its service. HostRuntime implements it; the service's tests have one of
+// their own.
 //
 // Threads: all of it belongs to one thread, the service's. Nothing blocks.
 

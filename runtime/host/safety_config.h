@@ -1,7 +1,7 @@
 #pragma once
 
-// What a cell's configuration says about safety: the safe state by cause and output, and the watchdogs of
-// tasks. The guard process reads the same. All of it is in this header: the guard links no host.
+// Safety settings of a cell: the safe state by cause and output, and the watchdogs of tasks. The guard
+// process reads the same. All of it is in this header, as the guard links no host.
 //
 // Threads: plain data. Invariant: what `matrix` refers to is the table itself, which must outlive its use.
 

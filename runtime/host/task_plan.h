@@ -1,6 +1,6 @@
 #pragma once
 
-// How the tasks of one program run in this runtime: which of them the scan thread runs itself, which get a
+// Plan of the tasks of one program in this runtime: which of them the scan thread runs itself, which get a
 // thread of their own, how urgent each is, and what the configuration says of them.
 //
 // In simulated time the scan thread runs all, one after the other, so that equal inputs give equal traces. In

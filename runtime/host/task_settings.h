@@ -1,6 +1,6 @@
 #pragma once
 
-// What the configuration says of a task by its name ([tasks.NAME]).
+// Settings of one task by its name ([tasks.NAME] of the configuration). Plain data; any thread.
 
 #include <cstdint>
 #include <string>

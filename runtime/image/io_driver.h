@@ -1,7 +1,8 @@
 #pragma once
 
-// What stands on the other side of %I and %Q: a simulated plant, a Modbus device, a test.
-// The scan calls it from its own thread: no heap, lock, exception or log inside.
+// Interface of the I/O driver behind %I and %Q: a simulated plant, shared memory, a test.
+//
+// Thread rule: the scan thread calls it, but for what says otherwise; no heap, lock, exception or log inside.
 
 #include <cstddef>
 #include <cstdint>

@@ -1,6 +1,6 @@
 #pragma once
 
-// How old the inputs are that a scan works on, where a read may fail: whether they may still be held, and how
+// Age of the inputs that a scan works on, where a read may fail: whether they may still be held, and how
 // often they were. All instants of one clock, in ns.
 //
 // Thread rule: one thread; held_reads any.

@@ -1,7 +1,7 @@
 #pragma once
 
-// How typed values lie in the 64-bit slots of the stack: Bool as 0 or 1, I32 and F32 in the low half with a
-// zero high half, a Ref as its offset.
+// Slot of the stack: 64 bits that hold a typed value. Bool is 0 or 1, I32 and F32 lie in the low half with a
+// zero high half, a Ref is its offset.
 
 #include <bit>
 #include <cstddef>

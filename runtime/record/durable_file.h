@@ -5,8 +5,7 @@
 //
 // Threads: any; waits for the disk, and so is not for a scan thread.
 //
-//   if (auto written = replace_file(folder / "boot.swb", bytes); !written) ...   // the old one is still
-//   there
+//   if (auto written = replace_file(folder / "boot.swb", bytes); !written) ...   // the old one is there
 
 #include <cstddef>
 #include <filesystem>

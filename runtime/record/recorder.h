@@ -4,10 +4,10 @@
 // recording, and the thread that writes it.
 //
 //   Recorder recorder;
-//   auto session = recorder.begin({.file = "run.swrec"}, facts);      // then the scan thread:
-//   tap.begin(*session) recorder.announce(digest, container);                             // before the
-//   program is loaded
-//   ... tap.end("told to");
+//   auto session = recorder.begin({.file = "run.swrec"}, facts);
+//   tap.begin(*session);                          // the scan thread
+//   recorder.announce(digest, container);         // before a further program is loaded
+//   tap.end("told to");                           // the scan thread
 //   recorder.status().state == RecordingState::Done
 //
 // Threads: one service thread calls everything here; the writer is the recorder's own. The scan thread knows

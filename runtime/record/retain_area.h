@@ -1,7 +1,7 @@
 #pragma once
 
-// Which bytes of the image survive the process: the retain map of a program, sorted and joined, and the
-// payload that a store keeps, the same bytes one behind the other.
+// Retained bytes of the image, which survive the process: the retain map of a program, sorted and joined, and
+// the payload that a store keeps, the same bytes one behind the other.
 //
 // Threads: immutable; any. `gather` is for the scan thread: no heap, a copy per piece.
 //

@@ -1,6 +1,6 @@
 #pragma once
 
-// What one program retains, with all the memory that keeping it takes.
+// Retained values of one program, with all the memory that keeping them takes.
 //
 // Threads: made on any; `buffer` goes from the scan thread to the one that writes the store, `kept` belongs
 // to the scan thread, the rest is immutable once the program is handed over.

@@ -1,8 +1,9 @@
 #pragma once
 
-// What a program keeps between two scans, by name: every variable of a container expanded to single values,
-// strings and runs of equal values, with its path, its type and its place. Carrying state from one program to
-// another, and a store of retained values that outlives its program, need no more than two of these.
+// Layout of a program's state, by name: every variable that has a value between two scans, expanded to single
+// values, strings and runs of equal values, with its path, its type and its place. Carrying state from one
+// program to another, and a store of retained values that outlives its program, need no more than two of
+// these.
 //
 // Threads: immutable; any. Invariants: paths are unique without regard to case (a second variable of a path
 // gets "#2" behind it); members that the compiler hides are listed, VAR_IN_OUT and VAR_TEMP, which have no

@@ -1,7 +1,7 @@
 #pragma once
 
-// What the service's thread and the line's thread tell each other: commands and their completions, events,
-// the newest figures. Nothing here is on a scan's path, so that a mutex does.
+// Mailbox between the service's thread and the line's thread of a gateway: commands and their completions,
+// events, the newest figures. Nothing here is on a scan's path, so that a mutex does.
 //
 // Threads: "service" and "line" functions belong to those threads. Invariant: who sees a completion or an
 // event finds figures that are at least as new.

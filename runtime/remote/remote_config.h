@@ -1,7 +1,7 @@
 #pragma once
 
-// How a controller behind a line is driven. Everything about scans, safe states, faults and the supervisor is
-// what a host of its own would have (runtime/host/host_config.h).
+// Configuration of a controller behind a line. Everything about scans, safe states, faults and the supervisor
+// is what a host of its own would have (runtime/host/host_config.h). Plain data; any thread.
 
 #include <chrono>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// What Stepwright says about bad input: a code, a place, a message and a hint.
+// Diagnostic about bad input: a code, a place, a message and a hint. Plain values; any thread.
 
 #include <cstdint>
 #include <string>

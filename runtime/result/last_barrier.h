@@ -1,7 +1,7 @@
 #pragma once
 
-// What stands at the top of a thread that serves others for long: whatever is thrown below it costs one step
-// of its work, and never the process.
+// Barrier for exceptions at the top of a thread that serves others for long: whatever is thrown below it
+// costs one step of its work, and never the process.
 //
 //   while (!stopping()) {
 //     if (const auto thrown = result::thrown_by([&] { step(); })) tell(*thrown);

@@ -1,6 +1,6 @@
 #pragma once
 
-// How long something took, in fixed memory: log-linear buckets in the manner of HdrHistogram (32 per power of
+// Histogram of durations, in fixed memory: log-linear buckets in the manner of HdrHistogram (32 per power of
 // two), so that percentiles are right to 1/32 from one nanosecond to 18 minutes. The extremes are exact.
 // Where memory is scarce the whole program is built with fewer of them: STEPWRIGHT_HISTOGRAM_BITS = 1 makes 2
 // per power of two.

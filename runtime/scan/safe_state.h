@@ -1,8 +1,8 @@
 #pragma once
 
-// What the outputs do when nobody may drive them: a matrix of cause and output. A cause has a list of rules:
-// off, as it was, a fixed value, or a ramp, which brings a number to its target at a rate per second of the
-// scan's clock and leaves it there.
+// Safe state of the outputs, for the time when nobody may drive them: a matrix of cause and output. A cause
+// has a list of rules: off, as it was, a fixed value, or a ramp, which brings a number to its target at a
+// rate per second of the scan's clock and leaves it there.
 //
 // Thread rule: one thread. No heap: rules and memory belong to the caller and outlive the state.
 // Invariants: bits without a rule are zero; what the program writes after the cause came is not driven; for

@@ -1,7 +1,7 @@
 #pragma once
 
-// What a configuration says of one task beside its program: when it starts within its interval, what happens
-// when it could not start in time, and how long it may take.
+// Options of one task beside its program: when it starts within its interval, what happens when it could not
+// start in time, and how long it may take. Plain data; any thread.
 
 #include <cstdint>
 

@@ -1,8 +1,7 @@
 #pragma once
 
-// How punctual a task is, in fixed memory: distributions of its start latency, its execution time and its
-// periods, and what was missed. The names follow CODESYS: jitter of a period is its distance from the
-// interval.
+// Timing of a task, in fixed memory: distributions of its start latency, its execution time and its periods,
+// and what was missed. The names follow CODESYS: jitter of a period is its distance from the interval.
 //
 // Thread rule: one writer, the thread that runs the task; readers copy it between two cycles.
 //

@@ -1,6 +1,6 @@
 #pragma once
 
-// What travels on the service socket, in either direction, one message per frame.
+// Messages of the service socket, in either direction, one per frame. Plain values; any thread.
 //
 // A client begins with Hello and is answered with Welcome (which brings the descriptor of the snapshot
 // memory). Whoever speaks another version is told that of the service by the Welcome, and nothing more. Then

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a runtime answers to people who look on, as the bytes of Reply::data.
+// Encoding of the answers to people who look on (forces, recording), as the bytes of Reply::data.
 //
 //   auto reply = connection.call(ReadForces{}, 1s);
 //   auto forces = decode_forces(reply->data);

@@ -1,6 +1,6 @@
 #pragma once
 
-// What clients ask of a runtime over its service, and what it answers.
+// Requests of clients to a runtime's service, and the replies. Plain values; any thread.
 //
 // A request is named by (client, id): the client draws its number at random and counts its ids. Whoever did
 // not get an answer sends the same request again; the service answers a repetition from memory and never

@@ -3,8 +3,10 @@
 // Whoever wants to know what happens in the service of a runtime: the log, the watchdog of the init system.
 // The service tells; what is done with it is decided by the program that puts the runtime together.
 //
-//   class Journal final : public ServiceObserver { ... void on_event(const host::StepEvent& event) override;
-//   }; auto server = Server::create({.socket = path, .observer = &journal}, *runtime);
+//   class Journal final : public ServiceObserver {
+//     void on_event(const host::StepEvent& event) override;
+//   };
+//   auto server = Server::create({.socket = path, .observer = &journal}, *runtime);
 //
 // Threads: the service's; never that of the scan. A function may take a moment (a line in a file), as no scan
 // waits for it.

@@ -1,7 +1,7 @@
 #pragma once
 
-// How deep the keys of a TOML text go, before it is parsed: each part of a dotted key or of a table's name is
-// a table within a table, and whoever parses, compares or frees them goes down as deep as they are nested.
+// Depth of the keys of a TOML text, found before it is parsed: each part of a dotted key or of a table's name
+// is a table within a table, and whoever parses, compares or frees them goes down as deep as they are nested.
 //
 //   if (auto deep = too_deep_key(text)) ...   // its place
 //

@@ -9,8 +9,8 @@
 //   std::vector<std::byte> quick(program.container().section(bytecode::Section::Code).size());
 //   vm::Interpreter engine(program, stack, quick);
 //   std::uint64_t budget = 1'000'000;
-//   bytecode::Trap trap = engine.run({.function = 0, .instance = 3, .frames = program.frames_of(0)}, memory,
-//   budget);
+//   const bytecode::Invocation invocation{.function = 0, .instance = 3, .frames = program.frames_of(0)};
+//   bytecode::Trap trap = engine.run(invocation, memory, budget);
 
 #include <cstddef>
 #include <cstdint>

@@ -29,7 +29,7 @@ find_library(STEPWRIGHT_MODBUS modbus REQUIRED)
 add_library(modbus::modbus UNKNOWN IMPORTED)
 set_target_properties(modbus::modbus PROPERTIES IMPORTED_LOCATION ${STEPWRIGHT_MODBUS})
 
-# Clp brings pkg-config only. Licence: EPL-2.0; linked as it is, never changed.
+# Clp brings pkg-config only. Licence of Clp and CoinUtils as Debian packages them: EPL-1.0; linked as they are, never changed.
 find_path(STEPWRIGHT_COIN_INCLUDE ClpSimplex.hpp PATH_SUFFIXES coin REQUIRED)
 find_library(STEPWRIGHT_COIN_UTILS CoinUtils REQUIRED)
 find_library(STEPWRIGHT_CLP Clp REQUIRED)

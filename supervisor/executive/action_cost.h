@@ -1,7 +1,8 @@
 #pragma once
 
-// What an action adds to a quantity when it starts in a given state: with the planned state the planned cost,
-// with the measured one the actual cost (the paper's Figures 15 and 16).
+// Cost of an action that starts in a given state: how much it adds to a quantity. With the planned state it
+// is the planned cost, with the measured one the actual cost (the paper's Figures 15 and 16). A pure
+// function; any thread.
 
 #include <string>
 

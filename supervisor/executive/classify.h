@@ -1,6 +1,7 @@
 #pragma once
 
-// From what is observed to a class: which of plant, sensor, actuator and plan is at odds with the others.
+// Classification of an incident: which of plant, sensor, actuator and plan is at odds with the others, from
+// what is observed.
 //
 // What speaks for a sensor is what liquid and vehicles cannot do: a level that rises while nothing fills it,
 // a place that is left while nothing drives, two places at once, counts at the end of their range. What

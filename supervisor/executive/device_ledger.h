@@ -1,8 +1,8 @@
 #pragma once
 
-// Which devices of the binding have failed. An action that did nothing or did not end in time casts suspicion
-// on every device that it needs; one that ends clears all that it needs. A device that is suspected for the
-// second time has failed: a plan that needs it would be in vain.
+// Ledger of the devices of the binding that have failed. An action that did nothing or did not end in time
+// casts suspicion on every device that it needs; one that ends clears all that it needs. A device that is
+// suspected for the second time has failed: a plan that needs it would be in vain.
 //
 // Threads: one thread uses an object.
 //

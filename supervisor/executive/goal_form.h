@@ -1,7 +1,8 @@
 #pragma once
 
-// What a page needs to put a goal together without knowing the domain, as JSON (supervisor/doc/goals.md): the
-// form, which stays the same for as long as the supervisor runs, and the present, which changes with the run.
+// Form in which a page puts a goal together without knowing the domain, as JSON (supervisor/doc/goals.md):
+// the form itself, which stays the same for as long as the supervisor runs, and the present, which changes
+// with the run.
 //
 // Functions are pure; any thread.
 

@@ -1,9 +1,10 @@
 #pragma once
 
-// What a restarted supervisor needs to go on with the plan that the controller still executes: the plan,
-// where it started, the tare, what was changed from outside, and the record so far.
+// Journal of a run, from which a restarted supervisor goes on with the plan that the controller still
+// executes: the plan, where it started, the tare, what was changed from outside, and the record so far.
 //
-// Written to a new file that then takes the place of the old one, so that a reader never sees half of it.
+// Threads: any; both functions wait for the disk. Invariant: it is written to a new file that then takes the
+// place of the old one, so that a reader never sees half of it.
 
 #include <cstddef>
 #include <filesystem>

@@ -1,7 +1,8 @@
 #pragma once
 
-// Where a plan that is made at this moment for another goal would begin: what is known of the plant, what is
-// wanted of it, and what is left of the plan that runs. A copy for whoever is not the thread of the run.
+// Outlook: where a plan that is made at this moment for another goal would begin. It is what is known of the
+// plant, what is wanted of it, and what is left of the plan that runs. A copy for whoever is not the thread
+// of the run.
 //
 // Plain values.
 

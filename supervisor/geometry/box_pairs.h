@@ -1,7 +1,7 @@
 #pragma once
 
-// Which of many boxes overlap, by a uniform grid: near-linear in boxes and pairs where boxes are of like
-// size.
+// Pairs of boxes that overlap, among many, by a uniform grid: near-linear in boxes and pairs where boxes are
+// of like size.
 //
 // A pure function; any thread. Boxes that only touch do not overlap.
 //

@@ -1,7 +1,7 @@
 #pragma once
 
-// Where a vehicle drives: poses in the order in which it takes them. A value; planners make one, people may
-// draw or record one.
+// Path of a vehicle: poses in the order in which it takes them. A value; planners make one, people may draw
+// or record one.
 //
 //   const Path path{{{0, 0, 0}, 0.0, Travel::Forward}, {{0.1, 0, 0}, 0.1, Travel::Forward}};
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a plan means, free of any planning language: named states, ground conditions, and for every action of
+// Meaning of a plan, free of any planning language: named states, ground conditions, and for every action of
 // a plan the state before and after it. A front end (pddl) makes it, translation and executive read it.
 //
 // Values only; safe to copy and to share between threads. Names are written as PDDL writes ground atoms, in

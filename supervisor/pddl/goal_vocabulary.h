@@ -1,6 +1,6 @@
 #pragma once
 
-// What a goal of a task can speak of: for forms in which people put goals together.
+// Vocabulary of the goals of a task, for forms in which people put goals together.
 //
 // Thread rule: pure function.
 //

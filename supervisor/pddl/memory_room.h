@@ -1,6 +1,9 @@
 #pragma once
 
-// What may still be held in memory: asked before large tables are made, which no check in between could stop.
+// Question whether so much more may be held in memory: asked before large tables are made, which no check in
+// between could stop.
+//
+// Threads: as whoever answers it says.
 //
 //   if (!room_for(rows * sizeof(Row))) return give_up();
 

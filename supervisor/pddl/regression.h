@@ -1,7 +1,8 @@
 #pragma once
 
-// What must hold before a sequence of actions so that all of them can be executed and the task's goal holds
-// after them: goal regression (Waldinger 1977; for numbers by substitution, as in Hoare's assignment rule).
+// Goal regression: the weakest condition before a sequence of actions, so that all of them can be executed
+// and the task's goal holds after them (Waldinger 1977; for numbers by substitution, as in Hoare's assignment
+// rule).
 //
 // Conditional effects are regressed into the cases of their conditions; linear comparisons are kept in one
 // normal form, so that amounts that cancel out disappear. What an action does to a derived fact is not

@@ -1,7 +1,8 @@
 #pragma once
 
-// What a plan does, step by step, and which goals a state meets. Evaluates the action schemas themselves:
-// nothing is shared with the planner's grounded form, so that one can catch the mistakes of the other.
+// Simulation of a plan, step by step, and evaluation of goals in a state. Evaluates the action schemas
+// themselves: nothing is shared with the planner's grounded form, so that one can catch the mistakes of the
+// other.
 //
 // Thread rule: pure functions.
 //

@@ -1,6 +1,7 @@
 #pragma once
 
-// What did not go as planned: its class, the evidence for it, and what was decided in how much time.
+// Incident of a run, a deviation from the plan: its class, the evidence for it, and what was decided in how
+// much time.
 //
 // Plain values.
 

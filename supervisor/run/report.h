@@ -1,6 +1,6 @@
 #pragma once
 
-// What is left of a run for people and scripts: the record, the runtime's last figures, and pictures of both.
+// Report of a run for people and scripts: the record, the runtime's last figures, and pictures of both.
 //
 // Pure functions over values.
 

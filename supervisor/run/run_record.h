@@ -1,7 +1,7 @@
 #pragma once
 
-// What happened in a run: every plan, every action with its planned and actual times, costs and levels, every
-// replan with its cause. The one record behind the plan document that viewers see, the journal that a
+// Record of a run: every plan, every action with its planned and actual times, costs and levels, every replan
+// with its cause. It is the one record behind the plan document that viewers see, the journal that a
 // restarted supervisor reads, and the report.
 //
 // Plain values. Times are seconds of the runtime's scan clock; planned times count from the start of the

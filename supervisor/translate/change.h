@@ -1,7 +1,7 @@
 #pragma once
 
-// What actions should change when they end where the binding says, from a start that was measured and not
-// rounded: a pump that stops at an absolute level evens out the rounding of that level and moves the
+// Changes that actions should make when they end where the binding says, from a start that was measured and
+// not rounded: a pump that stops at an absolute level evens out the rounding of that level and moves the
 // difference to where the liquid came from or went to.
 //
 // Pure functions; use from any thread.

@@ -1,8 +1,10 @@
 #pragma once
 
-// Which actions of a plan are done, from the step bits of its running chart. One snapshot is enough: a token
-// in a step proves that everything ordered before it is done, so a supervisor that was restarted reads on
-// where the old one stopped.
+// Progress of a plan: the actions that are done, from the step bits of its running chart. One snapshot is
+// enough: a token in a step proves that everything ordered before it is done, so a supervisor that was
+// restarted reads on where the old one stopped.
+//
+// Values and a pure function; any thread.
 //
 //   Progress now = progress(translation, active);
 //   now.actions[3] == ActionState::Done

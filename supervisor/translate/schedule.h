@@ -1,8 +1,8 @@
 #pragma once
 
-// When each action should run: the makespan schedule of a plan's partial order on a simple temporal network
-// (stn.h), with durations from the binding. Actions that exclude each other at their outputs run one after
-// the other; which of them comes first is chosen for the shortest makespan (`makespan_order`).
+// Schedule of a plan, when each action should run: the makespan schedule of its partial order on a simple
+// temporal network (stn.h), with durations from the binding. Actions that exclude each other at their outputs
+// run one after the other; which of them comes first is chosen for the shortest makespan (`makespan_order`).
 //
 // Pure functions; use from any thread.
 //

@@ -1,6 +1,6 @@
 #pragma once
 
-// What the tests of mutations share: settings from the environment, seeds from files and to files.
+// Shared parts of the tests of mutations: settings from the environment, seeds from files and to files.
 //
 //   const auto rounds = setting("STEPWRIGHT_FUZZ_ROUNDS", 600);
 

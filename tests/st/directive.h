@@ -5,10 +5,10 @@
 //   (* SET scan 2: main.go = TRUE *)             before the scan
 //   (* CHECK scan 3: main.x = 5 *)               after the scan
 //   (* CHECK x = 5 *)                            short for: scan 1, variable of `main`
-//   (* CHECK trap scan 4: division by zero *)    the scan ends with this trap, in the line of the comment; or
-//   "at 7", "at 7:12"
-//   (* ERROR E0301 *)                            refused, with this error in the line of the comment; or "at
-//   7:12"
+//   (* CHECK trap scan 4: division by zero *)    the scan ends with this trap, in the line of the comment;
+//                                                or "at 7", "at 7:12"
+//   (* ERROR E0301 *)                            refused, with this error in the line of the comment;
+//                                                or "at 7:12"
 //   (* WARNING W0001 *)                          as ERROR, yet the program runs
 //   (* REQ REQ-61131-7.3.3.1-01 *)               the requirements that the program shows (tests/conformance)
 //

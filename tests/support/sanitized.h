@@ -1,7 +1,7 @@
 #pragma once
 
-// Whether the tests are compiled with a sanitizer: it owns the allocator and takes many times the processor's
-// time.
+// Flag whether the tests are compiled with a sanitizer: it owns the allocator and takes many times the
+// processor's time.
 
 namespace stepwright::support {
 

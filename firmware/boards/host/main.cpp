@@ -3,8 +3,8 @@
 //
 //   firmware_host FLASH_FILE                  prints the device of its line
 //   firmware_host --link PATH FLASH_FILE      the device has that name, too
-//   firmware_host --tcp PORT FLASH_FILE       Modbus TCP on the loopback in the place of the line; 0: any
-//   port
+//   firmware_host --tcp PORT FLASH_FILE       Modbus TCP on the loopback in the place of the line;
+//                                             0: any port
 
 #include <fcntl.h>
 #include <sys/mman.h>

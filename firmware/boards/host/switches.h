@@ -1,7 +1,8 @@
 #pragma once
 
-// What a board has beside its line, for a process: the reset button is SIGUSR1, the mains switch SIGTERM or
-// SIGINT. Make it before any thread is started: threads inherit the blocked signals.
+// Switches of a board, for a process: the reset button is SIGUSR1, the mains switch SIGTERM or SIGINT.
+//
+// Threads: make it before any thread is started, as threads inherit the blocked signals; then one.
 
 #include <sys/signalfd.h>
 #include <unistd.h>

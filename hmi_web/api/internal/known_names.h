@@ -1,6 +1,7 @@
 #pragma once
 
-// What somebody may have meant who wrote a name that is not known: of a member of a body, of a parameter.
+// Hints for unknown names, of a member of a body or of a parameter: the name that was probably meant. Pure;
+// any thread.
 
 #include <cstddef>
 #include <string>

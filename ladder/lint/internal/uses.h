@@ -1,6 +1,7 @@
 #pragma once
 
-// What a program does with its variables: filled by the walk over the bodies, read by the rules.
+// Uses of a program's variables: filled by the walk over the bodies, read by the rules. One thread; model and
+// unit outlive it.
 
 #include <map>
 #include <optional>

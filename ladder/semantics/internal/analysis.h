@@ -1,6 +1,7 @@
 #pragma once
 
-// What the parts of the analysis share: the model in the making and the global names.
+// Shared state of the analysis: the model in the making and the global names. One thread; it refers to model,
+// names and sink, which outlive it.
 
 #include <set>
 #include <span>

@@ -1,7 +1,9 @@
 #pragma once
 
-// What a container brings for viewers: the text of its section Document. Nobody has looked at it: not the
-// verifier, and not the one who sent it.
+// Reader of a container's section Document: the text that it brings for viewers. Nobody has checked the text:
+// neither the verifier nor whoever sent it.
+//
+// Pure; any thread.
 //
 //   const std::string_view text = reader::document_text(container);   // empty: there is none
 

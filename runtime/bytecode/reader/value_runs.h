@@ -1,9 +1,8 @@
 #pragma once
 
-// Where the values of a program lie in its image, without their names: what the types of its symbols come to
-// when they are expanded to single values, strings and references. Whoever must treat every value of a
-// program alike (merge it, settle it) asks here: a list of names is for people, and may leave out what has
-// none.
+// Values of a program in its image, without their names: what the types of its symbols come to when they are
+// expanded to single values, strings and references. Whoever must treat every value of a program alike (merge
+// it, settle it) asks here: a list of names is for people, and may leave out what has none.
 //
 // Pure; any thread. Invariants: every run lies within the image; members that the compiler hides are among
 // them; what no type describes (where a VAR_IN_OUT leads, what an edge senses), which has no value between

@@ -1,6 +1,7 @@
 #pragma once
 
-// Which two boolean instructions that follow each other are one: the peephole of FunctionBuilder.
+// Fusion of two boolean instructions that follow each other into one: the peephole of FunctionBuilder. Pure
+// functions; any thread.
 
 #include <optional>
 

@@ -1,7 +1,8 @@
 #pragma once
 
-// What a compiler hands to the container writer: the container's content with names, vectors and indexes
-// instead of offsets. Host side only.
+// Input of the container writer, which a compiler fills: the content of a container with names, vectors and
+// indexes instead of offsets. Host side only; plain data, no thread rule. Invariant: a type refers only to
+// types before it, but for the target of a reference.
 //
 //   ContainerModel model;
 //   model.sizes = {.input_bytes = 2, .output_bytes = 1, .marker_bytes = 0, .data_bytes = 16};

@@ -1,8 +1,10 @@
 #pragma once
 
-// Where each function's memory locals lie within a task's frame. As nothing recurses, a function's frame lies
+// Layout of the functions' memory locals within a task's frame. As nothing recurses, a function's frame lies
 // behind those of every caller on the longest way to it, and functions that are never active together share
 // their bytes.
+//
+// Pure but for the sections that it completes; any thread.
 
 #include "runtime/bytecode/verify_result.h"
 #include "runtime/bytecode/writer/container_model.h"

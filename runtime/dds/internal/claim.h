@@ -1,7 +1,7 @@
 #pragma once
 
-// Which supervisor drives a runtime: the one that came first, for as long as it is heard of. Others are
-// refused with its name; when it is gone, the next one that asks has it.
+// Claim of a supervisor on a runtime: the one that came first drives it, for as long as it is heard of.
+// Others are refused with its name; when it is gone, the next one that asks has it.
 //
 // Threads: one at a time; who has more brings a mutex. No clock of its own.
 

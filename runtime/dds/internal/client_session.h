@@ -1,6 +1,6 @@
 #pragma once
 
-// What a RuntimeClient holds: the endpoints of one client, its open requests, and the newest news of its
+// State of a RuntimeClient: the endpoints of one client, its open requests, and the newest news of its
 // runtime.
 //
 // Threads: Fast DDS calls the handlers from its own threads; everything shared is behind `mutex` or a

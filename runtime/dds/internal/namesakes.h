@@ -1,6 +1,6 @@
 #pragma once
 
-// Where in the domain runtimes of one name live, as their links say.
+// Places in the domain where runtimes of one name live, as their links say.
 //
 // Threads: any.
 

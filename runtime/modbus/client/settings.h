@@ -1,8 +1,8 @@
 #pragma once
 
-// What a cell says about its remote I/O over Modbus: devices, what is read and written of each, how often,
-// and what happens when one is lost. Plain data with safe defaults; any thread. Links nothing: the runtime
-// and the checker read it, too.
+// Settings of a cell's remote I/O over Modbus: devices, what is read and written of each, how often, and what
+// happens when one is lost. Plain data with safe defaults; any thread. Links nothing: the runtime and the
+// checker read it, too.
 
 #include <chrono>
 #include <cstdint>

@@ -1,7 +1,7 @@
 #pragma once
 
-// What a master and a slave need of a serial device beside its bytes: that nobody else speaks on it, that the
-// driver has taken what it was asked for, and that bytes come as they arrive.
+// Claim on a serial device, for a master or a slave: nobody else speaks on it. Beside it two further needs of
+// a line: that the driver has taken the settings that were asked for, and that bytes come as they arrive.
 //
 //   LineClaim claim;
 //   if (const int error = claim.take("/dev/ttyUSB0"); error == EBUSY) ...   // another process has the line

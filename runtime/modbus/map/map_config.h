@@ -1,6 +1,7 @@
 #pragma once
 
-// Which addresses of the tables are which variables, as a user says it. Plain data.
+// Settings of the register map, which address of the tables is which variable, as a user says it. Plain data;
+// any thread.
 
 #include <cstdint>
 #include <string>

@@ -1,7 +1,7 @@
 #pragma once
 
-// Where slaves are reached: a TCP address, or a serial line that several share. Values; any thread. All of it
-// is in this header: a configuration names endpoints and links no libmodbus.
+// Endpoint of a slave: a TCP address, or a serial line that several share. Values; any thread. All of it is
+// in this header: a configuration names endpoints and links no libmodbus.
 
 #include <array>
 #include <chrono>

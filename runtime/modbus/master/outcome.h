@@ -1,6 +1,6 @@
 #pragma once
 
-// How a request to a slave ended. A value without heap, because a master that polls dead slaves makes many.
+// Outcome of a request to a slave. A value without heap, because a master that polls dead slaves makes many.
 //
 //   const Outcome outcome = master.read_registers(RegisterTable::Holding, 0, words);
 //   if (outcome.fault == Fault::Exception && outcome.exception == 2) ...    // no such address there

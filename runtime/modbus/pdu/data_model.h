@@ -1,6 +1,6 @@
 #pragma once
 
-// What a slave's tables are made of: the engine asks, the model answers with an exception code.
+// Interface to the tables of a slave: the protocol engine asks, the model answers with an exception code.
 //
 // A request is one call: it is carried out as a whole or not at all, so a model checks before it changes
 // anything. Ranges arrive within 0 to 65536 and not empty; which of them exist only the model knows.

@@ -1,8 +1,8 @@
 #pragma once
 
-// Who may read and write which addresses. Without rules every client that is let in reads everything and
-// writes nothing; with rules the one that fits best decides: a rule with a role before one without, then the
-// longest prefix. Whom none fits may nothing.
+// Access of clients to addresses. Without rules every client that is let in reads everything and writes
+// nothing; with rules the one that fits best decides: a rule with a role before one without, then the longest
+// prefix. Whom none fits may nothing.
 //
 //   const Access access(rules);
 //   const Rights rights = access.of(peer);

@@ -1,6 +1,7 @@
 #pragma once
 
-// What can be said about a server; every field has a safe default. And what it counts.
+// Options of a Modbus server, each with a safe default, and the figures that it counts. Plain data; any
+// thread.
 
 #include <array>
 #include <chrono>

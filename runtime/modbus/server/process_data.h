@@ -1,8 +1,8 @@
 #pragma once
 
-// What the server serves: the values of a controller. Reads are answered at once; writes when the controller
-// has them. RuntimeData (runtime_data.h) implements it over a runtime's service; tests have tables of their
-// own.
+// Interface to the values that a Modbus server serves: those of a controller. Reads are answered at once;
+// writes when the controller has them. RuntimeData (runtime_data.h) implements it over a runtime's service;
+// tests have tables of their own.
 //
 // Threads: one, the server's. Nothing blocks.
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// How bytes come to the server and go back: TCP, TLS, a serial line. A Door lets clients in, a Transport is
+// Transport of bytes to the server and back: TCP, TLS, a serial line. A Door lets clients in, a Transport is
 // one of them. Server (server.h) drives all of them in one epoll loop and one thread; nothing here may block.
 //
 // A new kind needs these two classes and a line in the program that adds the Door to the Server. What the

@@ -1,6 +1,7 @@
 #pragma once
 
-// Which bytes an access can touch, as far as it is known when the code is made.
+// Extent of an access: the bytes that it can touch, as far as it is known when the code is made. Plain
+// values.
 
 #include <cstdint>
 

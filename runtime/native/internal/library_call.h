@@ -1,6 +1,8 @@
 #pragma once
 
-// What generated code calls: operations that are written once for every engine (runtime/operations).
+// Entry points for generated code: operations that are written once for every engine (runtime/operations).
+//
+// Thread rule: as bytecode::Engine, in whose run they are called.
 
 #include <cstdint>
 

@@ -1,8 +1,8 @@
 #pragma once
 
-// What each instruction of a function may touch. This is the one place that decides it, for every kind of
-// access: the plan of loops, the facts about the program and the translators all ask here, so that no two of
-// them can disagree about where an access leads.
+// Memory effects: the bytes that each instruction of a function may touch. This is the one place that decides
+// it, for every kind of access: the plan of loops, the facts about the program and the translators all ask
+// here, so that no two of them can disagree about where an access leads. A pure function; any thread.
 //
 //   direct (Abs, This, fused BOOLs), bits, locals   their bytes
 //   through an address, copies                      what the address is made of: a base, elements, distances;

@@ -1,7 +1,9 @@
 #pragma once
 
-// What holds for a whole program and makes its code shorter: where instances lie, where slots lie, which
-// bytes can only be 0 or 1.
+// Facts about a whole program that make its code shorter: where instances lie, where slots lie, which bytes
+// can only be 0 or 1.
+//
+// Threads: immutable; any. The program's container outlives it.
 
 #include <cstdint>
 #include <vector>

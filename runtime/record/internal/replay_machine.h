@@ -1,7 +1,6 @@
 #pragma once
 
-// What a replay runs a recorded program on: an engine, an image and I/O that gives what was recorded.
-// One thread.
+// Machine of a replay: an engine, an image and I/O that gives what was recorded. One thread.
 
 #include <algorithm>
 #include <cstddef>

@@ -1,6 +1,7 @@
 #pragma once
 
-// What the system knows of this process, for its status. Threads: one. Reads /proc at most once a second.
+// Figures of this process from the system, for the runtime's status. Threads: one. Reads /proc at most once a
+// second.
 
 #include <chrono>
 #include <cstddef>

@@ -1,6 +1,7 @@
 #pragma once
 
-// Whether a supervisor is alive: heard of within a time, from whichever client speaks for it.
+// Watch over the supervisor: it is alive if it was heard of within a time, from whichever client speaks for
+// it.
 //
 // Threads: one. The first sign of life begins the watch: a runtime that never had a supervisor has not lost
 // one.

@@ -1,6 +1,6 @@
 #pragma once
 
-// Which vehicle takes which load in which order, or why no vehicles can.
+// Answer to an allocation problem: which vehicle takes which load in which order, or why no vehicles can.
 //
 // Values; any thread may read.
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// What is to be carried and by whom (Pecora and Cirillo 2012, definition 2): vehicles with capacities, goals
-// <k, s, g> as transports, temporal constraints between them, and what operators have fixed by hand.
+// Allocation problem (Pecora and Cirillo 2012, definition 2): vehicles with capacities, goals <k, s, g> as
+// transports, temporal constraints between them, and what operators have fixed by hand.
 //
 // Values; any thread may read. Ids are indices into the vectors of the problem.
 //

@@ -1,6 +1,6 @@
 #pragma once
 
-// How long one class of vehicles drives from location to location.
+// Travel times of one class of vehicles from location to location.
 //
 // A value; any thread may read. Nothing: there is no way. Ways need not be equally long in both directions,
 // nor be the shortest ones; from a location to itself it takes no time unless set otherwise.

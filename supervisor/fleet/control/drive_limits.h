@@ -1,6 +1,7 @@
 #pragma once
 
-// What a controller knows about how a vehicle moves. Values.
+// Limits of a vehicle's motion as its controller knows them, its measured state and its commands. Values; any
+// thread.
 
 namespace stepwright::fleet {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// How fast a vehicle may be along a way that ends at rest: curves, the rate of the steering, and braking
-// before what is slower. What controllers and programs drive by. Pure.
+// Greatest speeds of a vehicle along a way that ends at rest, by its curves, the rate of the steering, and
+// braking before what is slower. Controllers and programs drive by them. Pure.
 //
 //   std::vector<SpeedStation> stations = {{.sharpest_1_m = 0.25, .to_next_m = 0.1}, ...};
 //   const std::vector<double> speeds = greatest_speeds(stations, limits);   // the last one is 0

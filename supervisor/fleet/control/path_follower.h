@@ -9,8 +9,8 @@
 //
 //   auto follower = PathFollower::create(path, areas, limits, footprint, {});
 //   while (!follower->arrived()) {
-//     const DriveCommand command = follower->step(measured(), now_s, {.permitted_m = granted_m, .gates =
-//     gates});
+//     const DriveCommand command =
+//         follower->step(measured(), now_s, {.permitted_m = granted_m, .gates = gates});
 //   }
 
 #include <optional>

@@ -1,7 +1,7 @@
 #pragma once
 
-// How fast a vehicle may be along a leg: top speed, curves, and that it can stop at the leg's end. A value;
-// any thread may read.
+// Speed plan of a vehicle for a leg: top speed, curves, and that it can stop at the leg's end. A value; any
+// thread may read.
 //
 //   const SpeedPlan plan(leg, limits);
 //   Progress now{.arc_m = 2.0, .speed_m_s = 0.8};

@@ -1,7 +1,7 @@
 #pragma once
 
-// How long a vehicle takes for a stretch of its path (Pecora and Cirillo 2012, "Temporal envelope
-// generation"). Pure functions.
+// Bounds of the time that a vehicle takes for a stretch of its path (Pecora and Cirillo 2012, "Temporal
+// envelope generation"). Pure functions.
 //
 //   time_bounds(3.0, {.min_mps = 0.05, .max_mps = 1.5})  // 2000 ms to 60000 ms
 

@@ -6,8 +6,8 @@
 // the next one. A vehicle is within polygon k from its entry s(k) to its exit e(k); it enters polygon k + 1
 // before it leaves k.
 //
-//   TrajectoryEnvelope{.vehicle = "v1", .polygons = {{area, {4s, 40s}, {1s, 10s}}, {next_area, {6s, 60s},
-//   {}}}};
+//   TrajectoryEnvelope{.vehicle = "v1",
+//                      .polygons = {{area, {4s, 40s}, {1s, 10s}}, {next_area, {6s, 60s}, {}}}};
 
 #include <chrono>
 #include <cstdint>

@@ -7,8 +7,8 @@
 //
 //   FleetFollow follow(plan, program, {.late = 3s});
 //   const FollowNews news = follow.take(reading, now);
-//   for (const StopMade& stop : news.stops) ledger.made(stop.vehicle,
-//   plan.missions[stop.vehicle].stops[stop.stop], now);
+//   for (const StopMade& stop : news.stops)
+//     ledger.made(stop.vehicle, plan.missions[stop.vehicle].stops[stop.stop], now);
 
 #include <chrono>
 #include <cstdint>

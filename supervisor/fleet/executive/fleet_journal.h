@@ -1,10 +1,11 @@
 #pragma once
 
-// What a restarted supervisor needs to go on with a fleet: not the plan, but all that it was made of. The
-// same request gives the same plan, and so the program that the runtime still has; what vehicles have done
-// since shows in its image.
+// Journal of a fleet, from which a restarted supervisor goes on: not the plan, but all that it was made of.
+// The same request gives the same plan, and so the program that the runtime still has; what vehicles have
+// done since shows in its image.
 //
-// A file of its own, replaced as a whole; it is not trusted when it is read.
+// Threads: any; both functions wait for the disk. Invariant: it is a file of its own, replaced as a whole; it
+// is not trusted when it is read.
 
 #include <cstdint>
 #include <filesystem>

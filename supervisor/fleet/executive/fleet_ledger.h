@@ -1,8 +1,8 @@
 #pragma once
 
-// What has become of a fleet's loads and drives over all plans of a run: who has what aboard, what is
-// delivered, what was ordered meanwhile; and the problem of what remains. The one thing that a new plan needs
-// to know of the old ones.
+// Ledger of a fleet's loads and drives over all plans of a run: who has what aboard, what is delivered, what
+// was ordered meanwhile; and the problem of what remains. A new plan needs to know nothing else of the old
+// ones.
 //
 // No clock, no I/O; one thread at a time. Times count from the time zero of the first plan.
 //

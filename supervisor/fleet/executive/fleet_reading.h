@@ -1,6 +1,6 @@
 #pragma once
 
-// What the image of a fleet's program says: where each vehicle is on its way, what it stands at, what has
+// Reader of the image of a fleet's program: where each vehicle is on its way, what it stands at, what has
 // stopped it.
 //
 // Immutable; any thread. An image that is too short reads as zeros.

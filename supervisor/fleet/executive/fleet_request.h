@@ -1,6 +1,6 @@
 #pragma once
 
-// What people ask of a fleet while it runs. Values.
+// Requests of people to a fleet that runs. Values; any thread.
 //
 //   FleetChange{OrderChange{"order 44", "rack 1", "outbound A", 1}}
 

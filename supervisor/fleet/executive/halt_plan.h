@@ -1,7 +1,7 @@
 #pragma once
 
-// How a fleet comes to rest between two plans: each vehicle drives on along its way as far as its chart lets
-// it already, and no farther than it needs, then stands. A pure function.
+// Halt plan, by which a fleet comes to rest between two plans: each vehicle drives on along its way as far as
+// its chart lets it already, and no farther than it needs, then stands. A pure function.
 //
 // Nobody needs anything that he has not been permitted: polygons are the ones that the vehicle is in or may
 // enter, and no two of different vehicles overlap, because the interlocks let nobody in before the other one

@@ -5,8 +5,8 @@
 //
 // Pure functions.
 //
-//   for (const LeadIn& way : lead_ins(mission.path, reading.arc_m, map.frame())) ...   // the first that is
-//   free
+//   // The first that is free is taken.
+//   for (const LeadIn& way : lead_ins(mission.path, reading.arc_m, map.frame())) ...
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// Why a vehicle has stopped by itself: what the numbers of ladder/driver/library/vehicle.st mean for whoever
-// plans around it. Pure.
+// Cause for which a vehicle has stopped by itself: the meaning of the numbers of
+// ladder/driver/library/vehicle.st for whoever plans around it. Pure.
 
 #include <cstdint>
 #include <string>

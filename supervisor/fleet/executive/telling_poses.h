@@ -1,6 +1,6 @@
 #pragma once
 
-// Which poses of a mission's path say where it goes: a planned path has one every 5 cm, most of which lie
+// Poses of a mission's path that say where it goes: a planned path has one every 5 cm, most of which lie
 // between their neighbours. What the others say of those between is true to a centimetre. A pure function.
 //
 //   for (const std::size_t k : telling_poses(mission)) send(mission.path[k]);

@@ -1,7 +1,7 @@
 #pragma once
 
-// What it costs at least to drive from every pose of a floor to one goal: exact on this floor, and a lower
-// bound on every floor that has more obstacles. The estimate for goals to which many ways are asked for.
+// Least costs from every pose of a floor to one goal: exact on this floor, and a lower bound on every floor
+// that has more obstacles. The estimate for goals to which many ways are asked for.
 //
 // A value that does not change; any thread may read. Worked out by Dijkstra's algorithm backwards from the
 // goal over all of the lattice: a fraction of a second for a hall of 100 m, after which a search from

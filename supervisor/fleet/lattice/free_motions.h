@@ -1,13 +1,13 @@
 #pragma once
 
-// Which primitives a vehicle can drive from each pose of the lattice on one floor: every collision check of
-// the floor, made once, for work that comes to all of it.
+// Free motions: the primitives that a vehicle can drive from each pose of the lattice on one floor. It is
+// every collision check of the floor, made once, for work that comes to all of it.
 //
 // A value that does not change; any thread may read. Poses in which the vehicle cannot stand have no number.
 //
 //   const FreeMotions motions(map, clearance, primitives, cells, 2);
-//   if (const auto pose = motions.number({40, 12}, 3)) use(motions.from(*pose));   // bit k: its k-th
-//   primitive
+//   // Bit k of what is used stands for the pose's k-th primitive.
+//   if (const auto pose = motions.number({40, 12}, 3)) use(motions.from(*pose));
 
 #include <cstdint>
 #include <optional>

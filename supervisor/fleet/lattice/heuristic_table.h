@@ -1,7 +1,7 @@
 #pragma once
 
-// What it costs at least to drive from one pose to another near one where nothing stands in the way: the
-// heuristic look-up table of Knepper and Kelly 2006.
+// Least costs from one pose to another near one where nothing stands in the way: the heuristic look-up table
+// of Knepper and Kelly 2006.
 //
 // A value that does not change; any thread may read. Worked out by Dijkstra's algorithm backwards from each
 // of four headings; the other twelve look the same turned by right angles. An entry is the exact least cost

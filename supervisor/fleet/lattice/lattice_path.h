@@ -1,6 +1,6 @@
 #pragma once
 
-// What a path planner is asked and what it answers. Values; any thread may read.
+// Options and answers of a path planner. Values; any thread may read.
 //
 //   const PathOptions soon{.first_weight = 3.0, .last_weight = 1.5};
 //   if (answer.end == PathEnd::Found) follow(answer.path->poses);  // costs at most 1.5 times the least

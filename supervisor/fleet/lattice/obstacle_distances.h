@@ -1,7 +1,7 @@
 #pragma once
 
-// How far it is from each vertex of the lattice to the goal around obstacles, whatever the heading: the
-// estimate that finds the way through tunnels (Pecora and Cirillo 2012, "Trajectory Planning").
+// Distances from each vertex of the lattice to the goal around obstacles, whatever the heading: the estimate
+// that finds the way through tunnels (Pecora and Cirillo 2012, "Trajectory Planning").
 //
 // A value that does not change; any thread may read. The paper's graph has eight neighbours, whose distances
 // are up to 8 percent longer than straight lines: no lower bound. Here the steps are the vectors of the

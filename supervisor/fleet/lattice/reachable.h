@@ -1,12 +1,12 @@
 #pragma once
 
-// Where a vehicle can drive from a pose: what is cheapest to drive to comes first (Dijkstra 1959). For places
-// that are known by what they are like, and not by where they are.
+// Reachable poses of a vehicle from a pose, those first that are cheapest to drive to (Dijkstra 1959). For
+// places that are known by what they are like, and not by where they are.
 //
 // A pure function; any thread. The same floor gives the same poses in the same order.
 //
-//   planner.visit_reachable(start, 50'000, [&](const geometry::Pose& at, std::uint32_t) { return !good(at);
-//   });
+//   planner.visit_reachable(start, 50'000,
+//                           [&](const geometry::Pose& at, std::uint32_t) { return !good(at); });
 
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,7 @@
 #pragma once
 
-// Which cells a vehicle covers while it drives a motion primitive, worked out once, so that a collision check
-// is a look at runs of bits (Pecora and Cirillo 2012, "Trajectory Planning").
+// Swept cells: those that a vehicle covers while it drives a motion primitive, worked out once, so that a
+// collision check is a look at runs of bits (Pecora and Cirillo 2012, "Trajectory Planning").
 //
 // A value that does not change; any thread may read. Conservative: a cell that the outline touches anywhere
 // along the motion is in the set; so is one that it passes within `clearance_m`. Others may be in the set

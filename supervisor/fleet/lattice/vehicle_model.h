@@ -1,6 +1,6 @@
 #pragma once
 
-// What a path planner knows about a vehicle: its outline and how tightly it turns.
+// Model of a vehicle for path planners: its outline and how tightly it turns.
 //
 // A value. The reference point lies on the axle that does not steer, in the middle; a counterbalanced
 // forklift steers with its rear wheels, so that this is the axle below the mast and "forward" is where the

@@ -1,7 +1,7 @@
 #pragma once
 
-// How far it is to the nearest obstacle (Felzenszwalb and Huttenlocher 2012, Distance Transforms of Sampled
-// Functions), exactly, at the corners of all cells.
+// Distance field: exact distances to the nearest obstacle, at the corners of all cells (Felzenszwalb and
+// Huttenlocher 2012, Distance Transforms of Sampled Functions).
 //
 // A value that does not change; any thread may read. The nearest point of a blocked square to a corner of the
 // grid is a corner of that square: the transform of corners is therefore the distance to the blocked area

@@ -1,6 +1,6 @@
 #pragma once
 
-// Which cells of a grid a convex region covers, as runs in rows. Pure functions; any thread.
+// Cells of a grid that a convex region covers, as runs in rows. Pure functions; any thread.
 //
 //   for (const RowSpan& span : covered_spans(polygon, grid.frame())) ...
 //   if (meets_obstacle(grid, footprint_at(pose, footprint))) ...

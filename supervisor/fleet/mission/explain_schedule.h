@@ -1,7 +1,7 @@
 #pragma once
 
-// What schedules say, in words that name vehicles, places of the floor and lines of the problem. Pure
-// functions.
+// Explanations of schedules, in words that name vehicles, places of the floor and lines of the problem. Pure
+// functions; any thread.
 //
 //   for (const Wait& wait : waits_of(plan)) print(wait);   // who waits for whom, where, for how long
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a fleet is asked: a map, vehicles, places, loads to be carried, drives, and constraints on their times
+// Problem of a fleet: a map, vehicles, places, loads to be carried, drives, and constraints on their times
 // (Pecora and Cirillo 2012, definition 2). supervisor/doc/fleet_problems.md describes the file.
 //
 // Values; any thread may read. Indices are those of the problem's vectors. Each thing knows its key in

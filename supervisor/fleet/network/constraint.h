@@ -1,6 +1,7 @@
 #pragma once
 
-// What a simple temporal network is made of: timepoints, and least distances between two of them. Values.
+// Parts of a simple temporal network: timepoints, and least distances between two of them. Values; any
+// thread.
 //
 //   const Constraint at_least{entry, exit, 4000, label};   // t(exit) - t(entry) >= 4 s
 //   const Constraint at_most{exit, entry, -9000, label};   // t(exit) - t(entry) <= 9 s, the other way round

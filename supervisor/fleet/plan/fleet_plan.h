@@ -1,7 +1,7 @@
 #pragma once
 
-// What the planners of the fleet hand on: for each vehicle its mission as path, envelope and stops, and the
-// schedule of all of them. Allocation, traffic, programs and messages read it; only `mission` makes one.
+// Plan of a fleet: for each vehicle its mission as path, envelope and stops, and the schedule of all of them.
+// Allocation, traffic, programs and messages read it; only `mission` makes one.
 //
 // Values; any thread may read. Vehicles are in the same order in `missions`, in the schedule's times and in
 // its precedences. A vehicle without anything to do is in the plan as well: its path has one pose, its

@@ -1,7 +1,7 @@
 #pragma once
 
-// What a plan keeps back for whatever drives it. Planned to the last centimetre and at full lock, nothing is
-// left to steer with. Pure; any thread.
+// Reserve of a plan for the control of the vehicles: room around the outline and wider curves. Planned to the
+// last centimetre and at full lock, nothing is left to steer with. Pure; any thread.
 //
 //   auto floor = FleetFloor::create(problem.map, models_of(with_reserve(problem, {})), {});
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// How long a vehicle takes for each polygon when its program drives it and nobody holds it up: what a
-// schedule needs, so that it can be kept. Pure.
+// Driving times of a vehicle for each polygon when its program drives it and nobody holds it up: a schedule
+// that is made with them can be kept. Pure.
 //
 //   for (VehicleMission& mission : plan.missions) set_driving_times(mission, options);
 //   plan.schedule = schedule(envelopes_of(plan), plan.constraints, {});

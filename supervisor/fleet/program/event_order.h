@@ -1,7 +1,8 @@
 #pragma once
 
-// Whether all that vehicles wait for can come: entering and leaving of polygons and the end of stops as
-// events, each with the events that must have come before it. Not for several threads.
+// Order of events, and the check that all that vehicles wait for can come: entering and leaving of polygons
+// and the end of stops as events, each with the events that must have come before it. Not for several
+// threads.
 //
 //   EventOrder order(plan, interlocks);
 //   order.require(wait, rules.events);

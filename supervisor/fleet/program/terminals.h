@@ -1,6 +1,6 @@
 #pragma once
 
-// Where the terminals of the vehicles are in the process image. Values.
+// Terminals of the vehicles in the process image. Values.
 //
 //   const FleetTerminals terminals = terminals_in_a_row(3);
 //   terminals.vehicles[1].x;   // "%IW5"

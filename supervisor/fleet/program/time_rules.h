@@ -1,7 +1,7 @@
 #pragma once
 
-// What a program does about the temporal constraints of a plan: a lower bound becomes a wait in a chart, an
-// upper bound a limit that is monitored. Pure functions.
+// Rules that a program makes of the temporal constraints of a plan: a lower bound becomes a wait in a chart,
+// an upper bound a limit that is monitored. Pure functions; any thread.
 //
 //   least <= t(to) - t(from) <= most
 //

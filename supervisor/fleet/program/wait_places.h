@@ -1,8 +1,8 @@
 #pragma once
 
-// Where on its way a program has a vehicle wait for others, and from where on it has left a polygon. Planning
-// and program go by the same places: whoever plans with them (set_driving_times) never has vehicles wait for
-// each other for ever. Pure.
+// Places on its way where a program has a vehicle wait for others, and from where on it has left a polygon.
+// Planning and program go by the same places: whoever plans with them (set_driving_times) never has vehicles
+// wait for each other for ever. Pure.
 //
 //   const WaitPlaces places = wait_places(mission, options.margins);
 //   polygon.left_into = places.left_into[k] - k;

@@ -1,7 +1,7 @@
 #pragma once
 
-// Where in a JSON text a key stands: for messages about values that have been read, whose places the JSON
-// library does not keep.
+// Place of a key in a JSON text: for messages about values that have been read, whose places the JSON library
+// does not keep.
 //
 // Pure functions; any thread.
 //

@@ -1,6 +1,7 @@
 #pragma once
 
-// What is to be scheduled: trajectory envelopes, constraints between them, and what the answer must hold.
+// Scheduling problem: trajectory envelopes, constraints between them, and the conditions that the answer must
+// meet.
 //
 // Values; any thread may read.
 //

@@ -8,9 +8,8 @@
 // schedule is for the scheduler to say.
 //
 //   auto problem = read_problem(text, "night_shift.json");
-//   if (!problem) print(to_string(problem.error()));   // night_shift.json:7:5: F0603:
-//   vehicles[2].polygons[0]
-//   ...
+//   // night_shift.json:7:5: F0603: vehicles[2].polygons[0] ...
+//   if (!problem) print(to_string(problem.error()));
 
 #include <string>
 #include <string_view>

@@ -1,6 +1,7 @@
 #pragma once
 
-// Which polygons of different vehicles overlap in space, and which of these pairs are one critical section.
+// Critical sections: the polygons of different vehicles that overlap in space, and which of these pairs are
+// one section.
 //
 // Two pairs (i, k), (i', k') of polygons of the same two vehicles with |i - i'| <= 1 and |k - k'| <= 1 must
 // be ordered alike wherever the vehicles' least times leave no room for a change of order between them. Proof

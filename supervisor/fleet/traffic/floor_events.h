@@ -1,7 +1,7 @@
 #pragma once
 
-// What happens on the floor while vehicles drive: places that are blocked, vehicles that die and come back.
-// Keeps traffic and route planner in step, and says what became of every vehicle concerned.
+// Events on the floor while vehicles drive: places that are blocked, vehicles that die and come back. Keeps
+// traffic and route planner in step, and says what became of every vehicle concerned.
 //
 // One thread at a time; both must outlive it. A vehicle whose way leads through a blocked place may at once
 // go no farther than to there; then it is planned anew from where it can stop. Who finds no way goes home;

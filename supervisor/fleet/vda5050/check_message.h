@@ -1,10 +1,10 @@
 #pragma once
 
-// Whether a message keeps the rules of VDA 5050 2.1.0: those of its published schemas (members that must be
-// there, types, enumerations, ranges, formats) and those that its text adds (sequenceIds alternate between
-// nodes and edges, no base behind the horizon, edges join their nodes, ids differ, knot vectors fit).
-// Where schema and text differ the text holds, as it says itself: an action may be PAUSED, orientationType
-// has two values, headers are complete in every message.
+// Check of a message against the rules of VDA 5050 2.1.0: those of its published schemas (members that must
+// be there, types, enumerations, ranges, formats) and those that its text adds (sequenceIds alternate between
+// nodes and edges, no base behind the horizon, edges join their nodes, ids differ, knot vectors fit). Where
+// schema and text differ the text holds, as it says itself: an action may be PAUSED, orientationType has two
+// values, headers are complete in every message.
 //
 // Pure functions; any thread. Any bytes may come: a message has 4 MiB and 32 levels at most.
 //

@@ -1,6 +1,7 @@
 #pragma once
 
-// Which polygons vehicles may enter, from the precedences of a plan and what vehicles have reached.
+// Clearances: the polygons that vehicles may enter, from the precedences of a plan and what vehicles have
+// reached.
 //
 // A polygon is clear once the first vehicle of each precedence on it, and on the polygons before it, has left
 // its own. A vehicle has left polygon k once it is whole within k + 1 and k + 1 is clear: one that waits in

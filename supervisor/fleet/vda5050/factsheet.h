@@ -1,7 +1,7 @@
 #pragma once
 
-// What a type of vehicle is and can, for whoever sets it up (VDA 5050 2.1.0, section 6.15). A value; any
-// thread may read.
+// Factsheet of a type of vehicle, what it is and can, for whoever sets it up (VDA 5050 2.1.0, section 6.15).
+// A value; any thread may read.
 //
 //   const Factsheet sheet = factsheet_of(mission.model, mission.speed, header);
 //   publish(to_json(sheet));

@@ -1,6 +1,6 @@
 #pragma once
 
-// What every message begins with (VDA 5050 2.1.0, section 6.4).
+// Header of every message (VDA 5050 2.1.0, section 6.4).
 //
 // Values and pure functions; any thread. HeaderIds: one thread at a time.
 //

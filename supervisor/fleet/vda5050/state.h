@@ -1,6 +1,6 @@
 #pragma once
 
-// What a vehicle says: state, visualization and connection as values (VDA 5050 2.1.0, sections 6.10, 6.13,
+// Messages of a vehicle: state, visualization and connection as values (VDA 5050 2.1.0, sections 6.10, 6.13,
 // 6.14). Information and maps of a state are not kept. Values; any thread may read.
 //
 //   const auto state = read_state(payload, topic);   // read_message.h

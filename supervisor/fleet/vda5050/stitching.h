@@ -1,7 +1,7 @@
 #pragma once
 
-// Whether an order may be sent to a vehicle after another one: an update continues the base where it ends and
-// changes nothing in it (VDA 5050 2.1.0, section 6.6.2).
+// Check whether an order may be sent to a vehicle after another one: an update continues the base where it
+// ends and changes nothing in it (VDA 5050 2.1.0, section 6.6.2).
 //
 // Pure functions; any thread. Requires orders that keep the rules of a single message (check_message.h).
 //

@@ -1,7 +1,7 @@
 #pragma once
 
-// Whether one operator keeps "at most one of these facts holds", and "at least one does". The induction step
-// of invariants: it is assumed that at most one holds before.
+// Check whether one operator keeps "at most one of these facts holds", and "at least one does". The induction
+// step of invariants: it is assumed that at most one holds before.
 //
 // Thread rule: one synthesis, one object.
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// What a join needs to know of an action or an axiom: its variables, the positive atoms that must hold, and
-// the conditions that are decided once their variables are bound.
+// Rule of a join, made of an action or an axiom: its variables, the positive atoms that must hold, and the
+// conditions that are decided once their variables are bound.
 //
 // Thread rule: plain values, pure functions. The rules point into the definition, which must outlive them.
 

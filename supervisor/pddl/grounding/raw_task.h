@@ -1,8 +1,8 @@
 #pragma once
 
-// What grounding works on before unreachable and irrelevant parts are left out.
+// Ground task before unreachable and irrelevant parts are left out.
 //
-// Thread rule: plain values.
+// Thread rule: plain values; the definition outlives them.
 
 #include <vector>
 

@@ -1,6 +1,7 @@
 #pragma once
 
-// Which facts and variables decide anything, and which fluents merely add up in the metric.
+// Relevance of facts and variables, those that decide anything; and the fluents that merely add up in the
+// metric.
 //
 // Thread rule: pure function.
 

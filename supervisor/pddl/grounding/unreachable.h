@@ -1,6 +1,6 @@
 #pragma once
 
-// Why a goal cannot be reached, as relaxed reachability saw it.
+// Reason why a goal cannot be reached, as relaxed reachability saw it.
 //
 // Thread rule: pure function.
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a formula is as far as static facts and the objects bound so far decide it, in three-valued logic:
+// Truth of a formula as far as static facts and the objects bound so far decide it, in three-valued logic:
 // quantifiers need not be multiplied out where it is decided already.
 //
 // Thread rule: pure function.

@@ -1,6 +1,6 @@
 #pragma once
 
-// Which functions are read by what.
+// Usage of functions: which of them only the metric reads.
 //
 // Thread rule: pure functions.
 

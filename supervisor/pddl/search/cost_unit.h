@@ -1,6 +1,7 @@
 #pragma once
 
-// Where all costs are multiples of one number, so is what a plan costs, and bounds are rounded up to it.
+// Unit of costs: where all costs are multiples of one number, so is what a plan costs, and bounds are rounded
+// up to it.
 //
 // Thread rule: pure functions.
 

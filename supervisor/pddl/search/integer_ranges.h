@@ -1,7 +1,7 @@
 #pragma once
 
-// Which fluents are always integers: they start as one, and every change keeps them one. Which expressions
-// are.
+// Integer fluents, which start as an integer and which every change keeps one, and expressions that are
+// integers, too.
 //
 // Thread rule: pure function.
 

@@ -1,9 +1,9 @@
 #pragma once
 
-// How much of what every plan must reach is still to be reached: landmarks not reached yet, those that were
-// reached, do not hold and are needed again, and those that were reached too early: they hold but will have
-// to be given up for another (Richter, Westphal 2010, "The LAMA planner", section 4).
-// Which landmarks a way has reached belongs to the way: a search keeps it as a bit set per node.
+// Count of the landmarks that are still to be reached: those not reached yet, those that were reached, do not
+// hold and are needed again, and those that were reached too early: they hold but will have to be given up
+// for another (Richter, Westphal 2010, "The LAMA planner", section 4). Which landmarks a way has reached
+// belongs to the way: a search keeps it as a bit set per node.
 //
 // Thread rule: one search, one object.
 

@@ -1,8 +1,7 @@
 #pragma once
 
-// What is true of every plan from a state, said in numbers of applications of the operators: rows of a linear
-// program with one column per operator (Pommerening, Roeger, Helmert, Bonet 2014, "LP-based heuristics for
-// cost-optimal planning").
+// Rows of a linear program, with one column per operator, that hold for the operator counts of every plan
+// from a state (Pommerening, Roeger, Helmert, Bonet 2014, "LP-based heuristics for cost-optimal planning").
 //
 // Facts: who makes a fact true and who makes it false balance, up to what the state has and the goal wants
 // (state equation, lower bounds of net change). Numbers: what the operators add to an expression at most must

@@ -1,8 +1,8 @@
 #pragma once
 
-// What operators read and write, and so which of them get in each other's way: of two operators that do not,
-// either can be applied after the other wherever both can, and both orders lead to the same state for the
-// same cost.
+// Footprints of operators: what they read and write, and so which of them get in each other's way. Of two
+// operators that do not, either can be applied after the other wherever both can, and both orders lead to the
+// same state for the same cost.
 //
 // Thread rule: one owner: interference is worked out when it is asked for, and kept.
 //

@@ -1,9 +1,9 @@
 #pragma once
 
-// What the rest of a plan needs of the state that it starts in: the literals that it reads before it makes
-// them true itself, comparisons of numbers as they are before it changes them, and the variables whose very
-// values count because something looks at them that is not linear or a condition of an effect. In any state
-// that has those, the rest runs and costs no more.
+// Needs of the rest of a plan: the literals that it reads before it makes them true itself, comparisons of
+// numbers as they are before it changes them, and the variables whose very values count because something
+// looks at them that is not linear or a condition of an effect. In any state that has those, the rest runs
+// and costs no more.
 //
 // Thread rule: plain values.
 

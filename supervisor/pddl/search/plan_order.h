@@ -1,8 +1,8 @@
 #pragma once
 
-// Which operators of a plan must stay in their order, and how those that may move can be brought together
-// (Siddiqui, Haslum 2015, "Continuing plan quality optimisation", block deordering). An operator stays behind
-// whatever wrote what it reads or writes, and behind whatever read what it writes.
+// Order of the operators of a plan: which of them must stay in it, and how those that may move can be brought
+// together (Siddiqui, Haslum 2015, "Continuing plan quality optimisation", block deordering). An operator
+// stays behind whatever wrote what it reads or writes, and behind whatever read what it writes.
 //
 // Thread rule: immutable.
 //

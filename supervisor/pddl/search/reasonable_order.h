@@ -1,9 +1,9 @@
 #pragma once
 
-// Which landmarks had better be reached before others: reached the other way round, the other would have to
-// be given up and reached once more (Hoffmann, Porteous, Sebastia 2004, "Ordered landmarks in planning";
-// Richter, Westphal 2010, "The LAMA planner", section 3.3). A block that stands on another is put there after
-// the other stands where it belongs.
+// Reasonable orders of landmarks, in which one had better be reached before another: reached the other way
+// round, the other would have to be given up and reached once more (Hoffmann, Porteous, Sebastia 2004,
+// "Ordered landmarks in planning"; Richter, Westphal 2010, "The LAMA planner", section 3.3). A block that
+// stands on another is put there after the other stands where it belongs.
 //
 // Thread rule: pure function.
 

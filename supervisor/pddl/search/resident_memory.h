@@ -1,6 +1,6 @@
 #pragma once
 
-// What the process holds in memory. Budgets count everything that a call adds to it: ground tasks, heuristics
+// Memory that the process holds. Budgets count everything that a call adds to it: ground tasks, heuristics
 // and indices as well as the tables of the searches.
 //
 // Callable from any thread; a few microseconds.

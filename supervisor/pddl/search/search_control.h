@@ -1,7 +1,7 @@
 #pragma once
 
-// When to stop and what has been found: what all searches of one call share, on however many threads they
-// run. The memory budget is of all that the process has grown by since; what searches tell of their tables is
+// Control of all searches of one call, on however many threads they run: when to stop, and the best plan so
+// far. The memory budget is of all that the process has grown by since; what searches tell of their tables is
 // seen at once, everything else a few milliseconds later.
 //
 // Thread rule: thread-safe. `on_improvement` is called under a lock, one call at a time, from the thread that

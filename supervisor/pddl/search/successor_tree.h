@@ -1,8 +1,8 @@
 #pragma once
 
-// Which operators' preconditions hold, found along a decision tree over the finite-domain variables: every
-// inner node looks at one variable and leaves out all operators that want another value of it (Helmert 2006,
-// "The Fast Downward planning system", section 5.3.1).
+// Tree that finds the operators whose preconditions hold: a decision tree over the finite-domain variables,
+// every inner node of which looks at one variable and leaves out all operators that want another value of it
+// (Helmert 2006, "The Fast Downward planning system", section 5.3.1).
 //
 // Thread rule: immutable.
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// What the files of PDDL have in common: "(define (domain name) (:section ...) ...)".
+// Base of the parsers of PDDL files: "(define (domain name) (:section ...) ...)".
 //
 // Thread rule: one parse, one object.
 

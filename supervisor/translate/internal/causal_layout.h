@@ -1,7 +1,7 @@
 #pragma once
 
-// Where the boxes of a causal graph stand: in columns by how many actions come before one, and the columns in
-// bands, so that a long plan is read like a text and not along one endless line.
+// Layout of a causal graph's boxes: in columns by how many actions come before one, and the columns in bands,
+// so that a long plan is read like a text and not along one endless line.
 //
 // Pure functions.
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// What a plan lets one expect of the plant while an action runs, and when it is done, whatever the actions
-// beside it are doing. Private to supervisor/translate.
+// Expectations of the plant while an action of a plan runs, and when it is done, whatever the actions beside
+// it are doing. Private to supervisor/translate.
 //
 // Pure function.
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// How fast the level goes that an action moves, from the binding's nominal durations: what tells a level that
-// stands still, and a sensor that shows the same.
+// Pace of the level that an action moves, from the binding's nominal durations: it tells a level that stands
+// still, and a sensor that shows the same. Pure functions; any thread.
 
 #include <cstdint>
 #include <optional>

@@ -1,6 +1,7 @@
 #pragma once
 
-// What a fleet does without a planner: two rules of thumb, on the same trips and judged by the same times.
+// Baselines of the allocation: two rules of thumb for a fleet without a planner, on the same trips and judged
+// by the same times. Pure; any thread.
 
 #include <cstdint>
 #include <optional>

@@ -1,7 +1,7 @@
 #pragma once
 
-// What happens to one run of the campaign: the plant, the sensors, the customers and the runtime, drawn at
-// random from a seed. The same seed always gives the same disturbance.
+// Disturbance of one run of the campaign: the plant, the sensors, the customers and the runtime, drawn at
+// random from a seed. The same seed always gives the same disturbance. Pure; any thread.
 
 #include <array>
 #include <cstdint>

@@ -1,6 +1,6 @@
 #pragma once
 
-// What happens to a run of the fleet's campaign, and when: by its seed alone. Pure.
+// Disturbance of a run of the fleet's campaign, and its moment: by its seed alone. Pure.
 //
 //   const FleetMoment moment = fleet_moment(30, locations, vehicles);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// How the compile time grows: one kind of source at several sizes.
+// Growth of the compile time: one kind of source at several sizes.
 
 #include <string>
 #include <vector>

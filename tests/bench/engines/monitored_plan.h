@@ -1,7 +1,7 @@
 #pragma once
 
-// What the monitors of a plan (supervisor/translate/monitors.h) cost in every scan: the tank bench's plan
-// compiled with and without them, both run over the inputs of one recorded run, taking turns.
+// Cost of a plan's monitors (supervisor/translate/monitors.h) in every scan: the tank bench's plan compiled
+// with and without them, both run over the inputs of one recorded run, taking turns.
 //
 //   const MonitorFigures figures = measure_monitors(EngineKind::Native);
 //   figures.ratio()   // of the means over all scans

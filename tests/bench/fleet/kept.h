@@ -1,7 +1,7 @@
 #pragma once
 
-// What a slow baseline took for each instance, line by line in a file, so that a run of hours can be ended
-// and begun again: what is there is not measured a second time.
+// Kept measurements of a slow baseline, line by line in a file, so that a run of hours can be ended and begun
+// again: what is there is not measured a second time.
 //
 // One thread at a time, one process for one file. A line belongs to a solver, an instance (by a hash of its
 // text), a cap and a clock; a line cut short by an end in its midst is measured again.

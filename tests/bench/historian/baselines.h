@@ -1,7 +1,7 @@
 #pragma once
 
-// What one would write without a historian: a row of SQLite for every sample, written in transactions as
-// large, and lines of CSV.
+// Baselines of the historian: a row of SQLite for every sample, written in transactions as large, and lines
+// of CSV.
 //
 // Not thread-safe.
 

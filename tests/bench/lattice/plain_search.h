@@ -1,9 +1,9 @@
 #pragma once
 
-// What the lattice planner is measured against: A* over the same primitives as one would write it first. A
-// hash map of poses, a binary heap, distance to obstacles and exact outline every 0.1 m of a motion; the
-// estimate is the greater of the straight line and the distance around obstacles, as in SBPL. Neither swept
-// cells nor look-up table.
+// Baseline of the lattice planner: A* over the same primitives as one would write it first. A hash map of
+// poses, a binary heap, distance to obstacles and exact outline every 0.1 m of a motion; the estimate is the
+// greater of the straight line and the distance around obstacles, as in SBPL. Neither swept cells nor look-up
+// table. Pure.
 
 #include <cstdint>
 

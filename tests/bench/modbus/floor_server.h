@@ -1,8 +1,8 @@
 #pragma once
 
-// What the system leaves of any server: one that knows the answer before it reads. One thread, epoll, one
-// recv and one send for a request, which it neither checks nor looks up: only the transaction is copied. No
-// server that asks the kernel twice for a request can be faster.
+// Baseline of all Modbus servers: one that knows the answer before it reads, so that what the system costs is
+// left. One thread, epoll, one recv and one send for a request, which it neither checks nor looks up: only
+// the transaction is copied. No server that asks the kernel twice for a request can be faster.
 
 namespace stepwright::bench {
 

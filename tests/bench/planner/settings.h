@@ -1,6 +1,6 @@
 #pragma once
 
-// What the command line asks for.
+// Settings from the command line.
 //
 // Thread rule: a plain value.
 

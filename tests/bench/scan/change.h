@@ -1,7 +1,7 @@
 #pragma once
 
-// What an online change costs the scan: 100 changes to and fro between two programs with 10,000 variables, in
-// real time at 1 ms. Every variable lies elsewhere in the other program. Beside it the baseline: the scans
+// Cost of an online change for the scan: 100 changes to and fro between two programs with 10,000 variables,
+// in real time at 1 ms. Every variable lies elsewhere in the other program. Beside it the baseline: the scans
 // that an equally long run of the same program in the same process misses without a change, and a thread of
 // the same priority that only counts for as long as the median pause: what the machine takes from anyone.
 //

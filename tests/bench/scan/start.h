@@ -1,6 +1,6 @@
 #pragma once
 
-// How soon a killed runtime is back: from the start of the process to its first scan, with 1000 rungs and 5
+// Time until a killed runtime is back: from the start of the process to its first scan, with 1000 rungs and 5
 // KB of retained values in 2000 variables, and how much memory it then holds; beside it the start of a
 // process that does nothing.
 //

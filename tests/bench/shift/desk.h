@@ -1,7 +1,7 @@
 #pragma once
 
-// Where transports are given to vehicles: earliest due first, the nearest free vehicle. Knows the jobs, not
-// how vehicles are moved: the simulated plant and the timed model share it.
+// Dispatcher, which gives transports to vehicles: earliest due first, the nearest free vehicle. Knows the
+// jobs, not how vehicles are moved: the simulated plant and the timed model share it.
 //
 // One thread at a time.
 //

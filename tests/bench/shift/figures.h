@@ -1,6 +1,6 @@
 #pragma once
 
-// What a run of a shift is measured by. Values.
+// Figures of a run of a shift. Values.
 
 #include <cstdint>
 #include <map>

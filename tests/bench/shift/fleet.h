@@ -1,6 +1,7 @@
 #pragma once
 
-// What routes are planned with: the drawn hall, the first bays as homes, and how the plant's forklifts drive.
+// Fleet of a shift, with which routes are planned: the drawn hall, the first bays as homes, and how the
+// plant's forklifts drive. One thread.
 //
 //   Fleet fleet(scenario, 20);
 //   fleet.prepare();

@@ -2,9 +2,9 @@
 // the number of vehicles, beside first-come-first-served locks.
 //
 //   bench_shift [--vehicles N] [--hours H] [--rate R] [--seed S] [--until S] [--json FILE] [--svg FILE]
-//   [--log] bench_shift --sweep [--sizes 1,2,...] [--threads N] [--validate] [--hours H] [--rate R] [--json
-//   FILE]
-//   [--svg FILE]
+//               [--log]
+//   bench_shift --sweep [--sizes 1,2,...] [--threads N] [--validate] [--hours H] [--rate R]
+//               [--json FILE] [--svg FILE]
 //
 // Times are CPU times of one thread, of a sweep those of all threads and wall time. Exit code 5 if there was
 // a collision or a deadlock.

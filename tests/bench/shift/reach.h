@@ -12,8 +12,8 @@
 //  - through a passage that opens it takes the straight line at top speed, from the nearest place behind it.
 // A load that a vehicle has aboard when it dies comes no farther until that one is back.
 //
-//   const double at_s = earliest_delivery_s(scenario, run.stood, transport, ready_at(...), {.radius_m =
-//   0.8});
+//   const double at_s =
+//       earliest_delivery_s(scenario, run.stood, transport, ready_at(...), {.radius_m = 0.8});
 
 #include <cstdint>
 #include <optional>

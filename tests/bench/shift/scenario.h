@@ -1,6 +1,6 @@
 #pragma once
 
-// What a shift brings, drawn from a seed before it begins: transports with deadlines, delays, blocked aisles,
+// Scenario of a shift, drawn from a seed before it begins: transports with deadlines, delays, blocked aisles,
 // vehicles that die. The same seed gives the same shift for every fleet. Values; pure functions.
 //
 //   const Scenario scenario = draw_scenario({.vehicles = 20, .hours = 8.0, .seed = 1});

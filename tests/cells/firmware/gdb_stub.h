@@ -1,7 +1,7 @@
 #pragma once
 
-// What the tests need of QEMU's GDB stub (GDB manual, appendix E): memory of the board, read and written
-// while it stands still; it runs on when the stub is let go.
+// Client of QEMU's GDB stub (GDB manual, appendix E), as far as the tests need it: memory of the board, read
+// and written while it stands still; it runs on when the stub is let go. One thread.
 
 #include <sys/socket.h>
 #include <sys/un.h>

@@ -1,9 +1,9 @@
 // The master control of a made plan at a broker: for mqtt_fleet_test.py.
 //
 //   vda5050_master PORT VEHICLES SEED SECONDS [CA_FILE]     with it: inside TLS
-//   vda5050_master PORT VEHICLES SEED SECONDS cancel=NAME   cancels the order of this vehicle once it has it,
-//   and
-//                                                           exits with 0 when the vehicle has confirmed that
+//   vda5050_master PORT VEHICLES SEED SECONDS cancel=NAME   cancels the order of this vehicle once it has
+//                                                           it, and exits with 0 when the vehicle has
+//                                                           confirmed that
 //
 // Prints a line for each thing that happens, at the end one JSON object. Exits with 0 once all have arrived.
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// What the socket fuzz sends: every function code to every unit, seeds and their mutations, frames with wrong
-// lengths, several at once, half of one.
+// Frames of the socket fuzz: every function code to every unit, seeds and their mutations, frames with wrong
+// lengths, several at once, half of one. One thread; the same seed gives the same frames.
 
 #include <cstdint>
 #include <random>

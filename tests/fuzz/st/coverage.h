@@ -1,6 +1,6 @@
 #pragma once
 
-// Which constructs the generated programs have and how they ended.
+// Coverage of the generated programs: the constructs that they have and how they ended.
 
 #include <array>
 #include <cstdint>

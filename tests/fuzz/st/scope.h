@@ -1,6 +1,6 @@
 #pragma once
 
-// What the body of a POU can name: every way from a variable to a scalar, an aggregate or an instance.
+// Scope of a POU's body: every way from a variable to a scalar, an aggregate or an instance that it can name.
 
 #include <vector>
 

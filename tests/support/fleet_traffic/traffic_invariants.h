@@ -1,7 +1,8 @@
 #pragma once
 
-// What keeps vehicles from ever waiting for each other in a circle (supervisor/doc/fleet_traffic.md, "Why
-// there is no deadlock"), looked at from outside and long before anybody stands.
+// Invariants of traffic that keep vehicles from ever waiting for each other in a circle
+// (supervisor/doc/fleet_traffic.md, "Why there is no deadlock"), looked at from outside and long before
+// anybody stands.
 //
 // Pure functions of what traffic says; any thread, while nobody changes it.
 //

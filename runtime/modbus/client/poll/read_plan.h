@@ -1,7 +1,7 @@
 #pragma once
 
-// Which requests read the inputs of a group: as few as the limits of the protocol and of the slave allow.
-// Objects nobody asked for are read along where that saves a request. Pure; any thread.
+// Plan of the requests that read the inputs of a group: as few as the limits of the protocol and of the slave
+// allow. Objects nobody asked for are read along where that saves a request. Pure; any thread.
 
 #include <cstdint>
 #include <span>

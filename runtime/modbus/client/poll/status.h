@@ -1,6 +1,6 @@
 #pragma once
 
-// What can be said about devices and tags at an instant. Plain data; any thread.
+// Status of devices and tags of the Modbus client at an instant. Plain data; any thread.
 
 #include <chrono>
 #include <cstdint>

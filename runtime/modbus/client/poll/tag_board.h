@@ -1,7 +1,7 @@
 #pragma once
 
-// What is known of the devices of one connection: the poller's thread writes it, the exchange with the image
-// reads it. Here it is decided what a value is worth: good, uncertain until loss_after has passed without
+// Store of the newest values of one connection's devices: the poller's thread writes it, the exchange with
+// the image reads it. It decides what a value is worth: good, uncertain until loss_after has passed without
 // news, then bad and replaced by its value on loss.
 //
 // Threads: any; one lock, held for a copy. What one request brought is seen whole or not at all.

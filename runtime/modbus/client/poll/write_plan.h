@@ -1,8 +1,8 @@
 #pragma once
 
-// What is to be written to one slave, and what it has acknowledged. Neighbours that are due go in one
-// request; objects that no tag has are never written, but for the other bits of a register where the slave
-// cannot mask.
+// Plan of the writes to one slave: the values that are wanted, and those that it has acknowledged. Neighbours
+// that are due go in one request; objects that no tag has are never written, but for the other bits of a
+// register where the slave cannot mask.
 //
 //   WritePlan plan(device);
 //   plan.set_outputs(area, now);

@@ -1,11 +1,11 @@
 #pragma once
 
-// Who the server is and whom it believes: Modbus/TCP Security (MB-TCP-Security v2.1, port 802). TLS 1.2 or
-// newer, both sides show certificates, no renegotiation, no resumption: every connection proves anew who it
-// is and in which role.
+// Identity of the server and the authorities that it believes: Modbus/TCP Security (MB-TCP-Security v2.1,
+// port 802). TLS 1.2 or newer, both sides show certificates, no renegotiation, no resumption: every
+// connection proves anew who it is and in which role.
 //
-//   auto context = TlsContext::create({.certificate = "plc.crt", .key = "plc.key", .authorities =
-//   "plant-ca.crt"});
+//   auto context = TlsContext::create(
+//       {.certificate = "plc.crt", .key = "plc.key", .authorities = "plant-ca.crt"});
 //
 // A value that is shared by the transports of a door, each of which keeps the one that it began with.
 // Threads: that of the server. OpenSSL's headers stay in the sources of this folder.

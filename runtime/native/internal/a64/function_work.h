@@ -1,7 +1,9 @@
 #pragma once
 
-// What the parts of the translator share while they make the code of one function: where they are, the
-// operands, labels, traps and what else lies behind the function.
+// Working state of the AArch64 translator for one function, shared by its parts: position, operands, labels,
+// traps and what else lies behind the function.
+//
+// One thread; lives as long as the function is translated.
 
 #include <cstdint>
 #include <optional>

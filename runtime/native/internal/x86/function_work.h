@@ -1,7 +1,9 @@
 #pragma once
 
-// What the parts of the translator share while they make the code of one function: where they are, the
-// operands, labels, traps and the loop that keeps variables in registers.
+// Working state of the x86-64 translator for one function, shared by its parts: position, operands, labels,
+// traps and the loop that keeps variables in registers.
+//
+// One thread; lives as long as the function is translated.
 
 #include <cstdint>
 #include <utility>

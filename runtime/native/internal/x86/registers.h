@@ -1,8 +1,8 @@
 #pragma once
 
-// Which registers hold something. A register is used by values (counted), pinned to a variable for the whole
-// of a loop, or free; a free one may still hold a variable's value, until something else needs the register
-// or the variable changes.
+// Registers of the x86-64 translator and what they hold. A register is used by values (counted), pinned to a
+// variable for the whole of a loop, or free; a free one may still hold a variable's value, until something
+// else needs the register or the variable changes.
 
 #include <array>
 #include <cstdint>

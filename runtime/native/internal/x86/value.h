@@ -1,7 +1,8 @@
 #pragma once
 
-// What the translator knows about one operand: a constant, a value in a register, a load or an address that
-// no instruction has computed yet, or a comparison whose result is still in the flags.
+// One operand as the x86-64 translator knows it: a constant, a value in a register, a load or an address that
+// no instruction has computed yet, or a comparison whose result is still in the flags. A plain value; one
+// thread.
 
 #include <cstdint>
 

@@ -1,7 +1,9 @@
 #pragma once
 
-// Why there is no allocation: parts of the problem that leave none, made minimal by leaving out one after the
-// other (deletion filter, Chinneck and Dravnieks 1991), with branch and bound as the judge.
+// Conflict that leaves no allocation: parts of the problem, made minimal by leaving out one after the other
+// (deletion filter, Chinneck and Dravnieks 1991), with branch and bound as the judge.
+//
+// One thread at a time, as the limits are.
 
 #include <cstdint>
 #include <optional>

@@ -1,7 +1,9 @@
 #pragma once
 
-// How loads are divided into trips. What fixed routes take of a transport are trips already; the rest of it
-// is divided into full loads of vehicles that may take it, and at most one trip that is less.
+// Divisions of loads into trips. What fixed routes take of a transport are trips already; the rest of it is
+// divided into full loads of vehicles that may take it, and at most one trip that is less.
+//
+// Pure functions; any thread.
 //
 // Where a vehicle has one transport aboard at a time nothing better is lost by that: amounts can be moved
 // between the trips of any allocation until all but one are full, and empty ones left out.

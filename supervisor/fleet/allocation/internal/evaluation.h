@@ -1,6 +1,6 @@
 #pragma once
 
-// What routes come to: their earliest times in the network, and the objective.
+// Evaluation of routes: their earliest times in the network, and the objective. Pure functions; any thread.
 
 #include <cstdint>
 #include <optional>

@@ -1,6 +1,6 @@
 #pragma once
 
-// How long a search may go on. Copies share nothing; one thread at a time.
+// Limits of a search. Copies share nothing; one thread at a time.
 
 #include <atomic>
 #include <chrono>

@@ -1,7 +1,7 @@
 #pragma once
 
-// Which parts of a problem are looked at: all of them, or some, while the reason is sought for which there is
-// no allocation. A value.
+// Selection of the parts of a problem that are looked at: all of them, or some, while the reason is sought
+// for which there is no allocation. A value.
 
 #include <vector>
 

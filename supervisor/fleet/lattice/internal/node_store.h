@@ -1,7 +1,7 @@
 #pragma once
 
-// What a search knows of the poses that it has met: tiles of the lattice, taken when the search first comes
-// there, so that a short way on a large map stays small. Not for several threads.
+// Nodes of a search, one for each pose that it has met: tiles of the lattice, taken when the search first
+// comes there, so that a short way on a large map stays small. One thread at a time.
 
 #include <cstdint>
 #include <limits>

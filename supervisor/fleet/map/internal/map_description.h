@@ -1,6 +1,7 @@
 #pragma once
 
-// What a map.yaml says. Read as ROS map_server defines it (wiki.ros.org/map_server, section 2.2).
+// Description of a map (map.yaml), read as ROS map_server defines it (wiki.ros.org/map_server, section 2.2).
+// A pure function; any thread.
 
 #include <filesystem>
 #include <string>

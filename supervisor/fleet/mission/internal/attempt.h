@@ -1,7 +1,7 @@
 #pragma once
 
-// What a search for other paths is given, how it asks for paths and whether a set of missions has a schedule.
-// A value; its parts outlive it.
+// Context of a search for other paths: what it is given, how it asks for paths, and whether a set of missions
+// has a schedule. A value; its parts outlive it.
 
 #include <chrono>
 #include <cstdint>

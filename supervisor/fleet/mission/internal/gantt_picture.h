@@ -1,6 +1,8 @@
 #pragma once
 
-// Who is in which polygon when, as SVG elements. See fleet_svg.h.
+// Picture of who is in which polygon when, as SVG elements. See fleet_svg.h.
+//
+// One thread; the plan outlives it.
 
 #include "supervisor/fleet/mission/internal/svg_page.h"
 #include "supervisor/fleet/plan/fleet_plan.h"

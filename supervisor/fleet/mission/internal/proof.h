@@ -1,7 +1,7 @@
 #pragma once
 
-// Whether stops that are given leave no schedule on any paths. Where paths that were found leave none, others
-// might, unless all paths are given. Two reasons are seen without looking at all paths:
+// Proof that stops that are given leave no schedule on any paths. Where paths that were found leave none,
+// others might, unless all paths are given. Two reasons are seen without looking at all paths:
 //  - times alone: even the shortest ways there can be do not meet the constraints;
 //  - a vehicle that never moves closes the way of another one.
 // No answer is no proof: there may be a schedule on other paths, or none.

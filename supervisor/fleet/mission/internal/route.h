@@ -1,6 +1,6 @@
 #pragma once
 
-// Which stops each vehicle makes, as the chain hands them from allocation to paths. Values.
+// Route of a vehicle: its stops, as the chain hands them from allocation to paths. Values.
 
 #include <atomic>
 #include <chrono>

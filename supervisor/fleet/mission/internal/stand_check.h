@@ -1,6 +1,6 @@
 #pragma once
 
-// Whether vehicles can stand where a problem has them begin and stop. Pure functions.
+// Check whether vehicles can stand where a problem has them begin and stop. Pure functions.
 
 #include "supervisor/fleet/mission/internal/json_item.h"
 

@@ -1,6 +1,7 @@
 #pragma once
 
-// What pictures of a fleet share: text that grows, colours of vehicles, escapes, times on a clock.
+// Parts of pictures of a fleet: text that grows, colours of vehicles, escapes, times on a clock. One thread,
+// one page.
 
 #include <fmt/format.h>
 

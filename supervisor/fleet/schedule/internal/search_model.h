@@ -1,7 +1,7 @@
 #pragma once
 
-// What the search sees of a scheduling problem: constraints that always hold, and sections, each of which
-// adds one or the other set of constraints. It knows neither vehicles nor polygons. Values.
+// Model of a scheduling problem for the search: constraints that always hold, and sections, each of which
+// adds one or the other set of constraints. It knows neither vehicles nor polygons. Values; any thread.
 
 #include <cstdint>
 #include <span>

@@ -1,6 +1,7 @@
 #pragma once
 
-// Whether another mission goes on where the base of an order leads. Pure; any thread.
+// Match of another mission with the base of an order: whether it goes on where the base leads. Pure; any
+// thread.
 //
 //   const auto match = match_base(order, next_mission);
 //   if (match) order.lay(next_mission, route_of(next_mission, options, match->decision_pose), ...);

@@ -1,6 +1,6 @@
 #pragma once
 
-// What FleetOrders keeps: the plan, its clearances, the order of each vehicle. One thread at a time.
+// State of FleetOrders: the plan, its clearances, the order of each vehicle. One thread at a time.
 //
 //   FleetOrders::Desk desk(plan, options);
 

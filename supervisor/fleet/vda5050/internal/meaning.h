@@ -1,6 +1,6 @@
 #pragma once
 
-// What members of a message must be to each other (F0904). Pure functions.
+// Checks of members of a message against each other (F0904). Pure functions; any thread.
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a member of a message may be, as tables, and how they are applied.
+// Rules for single members of a message, as tables, and how they are applied.
 //
 // Tables are constant; functions are pure.
 //

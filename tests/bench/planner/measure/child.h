@@ -5,8 +5,8 @@
 //
 // Thread rule: from a process with one thread only (it forks).
 //
-//   ChildResult result = run_child({.time = 10s, .memory_mb = 4096}, [](const Send& send) { send("a line");
-//   });
+//   ChildResult result =
+//       run_child({.time = 10s, .memory_mb = 4096}, [](const Send& send) { send("a line"); });
 
 #include <chrono>
 #include <cstddef>

@@ -1,7 +1,7 @@
 #pragma once
 
-// What one planner did with one instance, and the runs that find it out. Every planner works in a process of
-// its own; every plan is judged by the validator here, in the bench's process.
+// Measurement of one planner with one instance, and the runs that make it. Every planner works in a process
+// of its own; every plan is judged by the validator here, in the bench's process.
 //
 // Times are wall times from the first byte of the texts: reading, grounding and search count; CPU times are
 // beside them, as a busy machine distorts the others.

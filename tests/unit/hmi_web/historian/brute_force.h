@@ -1,6 +1,7 @@
 #pragma once
 
-// What a reader must find, by looking at every sample; and samples that are drawn by a seed.
+// Reference of the historian's readers, made by looking at every sample; and samples that are drawn by a
+// seed.
 //
 // Pure functions.
 

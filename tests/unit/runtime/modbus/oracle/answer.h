@@ -1,6 +1,6 @@
 #pragma once
 
-// What a peer made of one request: its answer on the wire, and what it changed.
+// Answer of a peer to one request, on the wire, and what the request changed. Plain values; any thread.
 
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,7 @@
 #pragma once
 
-// Where a peer does something else than we do, each with its reason: runtime/doc/modbus_differences.md has
-// the same list. What is not in it is a fault, of us or of the test.
+// Differences between a peer and us, each with its reason: runtime/doc/modbus_differences.md has the same
+// list. What is not in it is a fault, of us or of the test.
 
 #include <span>
 #include <string_view>

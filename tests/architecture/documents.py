@@ -1,0 +1,106 @@
+#!/usr/bin/env python3
+"""Keeps the documents readable: README.md has at most 120 lines; the glossary has one term a row, in alphabetical order and
+each once; every relative link of a Markdown file leads to a file of the tree, and its anchor to a heading there.
+
+Prints each problem as file:line and exits with 1.
+"""
+
+import pathlib
+import re
+import subprocess
+import sys
+import urllib.parse
+
+README_LINES = 120
+GLOSSARY = "doc/glossary.md"
+ROW = re.compile(r"^\| (?P<term>[^|]+) \| [^|]+ \|$")
+LINK = re.compile(r"\[[^\]]*\]\((?P<target>[^)\s]+)\)")
+HEADING = re.compile(r"^#{1,6} +(?P<title>.+?)\s*$")
+FENCE = re.compile(r"^\s*```")
+
+
+def prose(text: str) -> list[tuple[int, str]]:
+    """The numbered lines of a document that are no code: blocks between fences and texts in backquotes are left out."""
+    found, in_code = [], False
+    for number, line in enumerate(text.splitlines(), 1):
+        if FENCE.match(line):
+            in_code = not in_code
+        elif not in_code:
+            found.append((number, re.sub(r"`[^`]*`", lambda code: "`" * (code.end() - code.start()), line)))
+    return found
+
+
+def long_readme(text: str) -> list[str]:
+    lines = len(text.splitlines())
+    return [f"README.md:{lines}: more than {README_LINES} lines"] if lines > README_LINES else []
+
+
+def unsorted_terms(text: str) -> list[str]:
+    problems, before, seen = [], "", {}
+    rows = [(number, ROW.match(line)) for number, line in enumerate(text.splitlines(), 1) if line.startswith("|")]
+    for number, row in rows[2:]:  # the first two are the head of the table
+        if not row:
+            problems.append(f"{GLOSSARY}:{number}: a row is a term and its meaning, without further bars")
+            continue
+        term = row["term"].casefold()
+        if "," in term:
+            problems.append(f"{GLOSSARY}:{number}: '{term}' is several terms: a row for each")
+        if term in seen:
+            problems.append(f"{GLOSSARY}:{number}: '{term}' stands in line {seen[term]} already")
+        elif term < before:
+            problems.append(f"{GLOSSARY}:{number}: '{term}' comes before '{before}'")
+        seen.setdefault(term, number)
+        before = term
+    return problems if len(rows) > 2 else [f"{GLOSSARY}:1: no table of terms"]
+
+
+def anchors(text: str) -> set[str]:
+    """The anchors of a document's headings, as GitHub makes them: lower case, no punctuation, hyphens for spaces."""
+    found: set[str] = set()
+    in_code = False
+    for line in text.splitlines():
+        if FENCE.match(line):
+            in_code = not in_code
+        heading = None if in_code else HEADING.match(line)
+        if heading:
+            title = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", heading["title"])
+            slug = re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-")
+            again = 0
+            while (f"{slug}-{again}" if again else slug) in found:
+                again += 1
+            found.add(f"{slug}-{again}" if again else slug)
+    return found
+
+
+def broken_links(root: pathlib.Path, name: str, texts: dict[str, str]) -> list[str]:
+    problems = []
+    for number, line in prose(texts[name]):
+        for link in LINK.finditer(line):
+            target = urllib.parse.unquote(link["target"])
+            if re.match(r"[a-z]+:", target):
+                continue  # another site
+            path, _, anchor = target.partition("#")
+            file = (root / name).parent / path if path else root / name
+            if not file.exists():
+                problems.append(f"{name}:{number}: there is no {target}")
+            elif anchor and file.suffix == ".md" and anchor not in anchors(file.read_text(encoding="utf-8")):
+                problems.append(f"{name}:{number}: {path or name} has no heading #{anchor}")
+    return problems
+
+
+def main() -> int:
+    root = pathlib.Path(sys.argv[1])
+    listed = subprocess.run(
+        ["git", "-C", str(root), "ls-files", "-z", "--cached", "--others", "--exclude-standard", "*.md"],
+        capture_output=True, check=True, text=True,
+    ).stdout.split("\0")
+    texts = {name: (root / name).read_text(encoding="utf-8") for name in listed if name and (root / name).is_file()}
+    problems = long_readme(texts["README.md"]) + unsorted_terms(texts[GLOSSARY])
+    for name in sorted(texts):
+        problems += broken_links(root, name, texts)
+    print("\n".join(problems) or f"{len(texts)} documents are in order")
+    return 1 if problems else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
