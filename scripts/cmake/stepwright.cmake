@@ -41,7 +41,7 @@ set(STEPWRIGHT_COMPILE_OPTIONS -Wall -Wextra -Wshadow -Wconversion -Wnon-virtual
 set(STEPWRIGHT_LIGHT_OPTIONS $<$<CONFIG:Release>:-Og>)
 string(JOIN "|" STEPWRIGHT_LIGHT_FOLDERS
   "programs" "hmi_web/(access|alarms|api|client|protocol|recorder|server|storage)" "tests/support" "firmware/link"
-  "ladder/(driver|exchange|print)" "runtime/(dds|mqtt|remote|settings)" "supervisor/(executive|model|translate)"
+  "ladder/(driver|exchange|print)" "runtime/(dds|mqtt|remote|settings)" "supervisor/(executive|model|run|translate)"
   "supervisor/fleet/(executive|program|report|vda5050)")
 set(STEPWRIGHT_LIGHT_FOLDERS "^(${STEPWRIGHT_LIGHT_FOLDERS})(/|$)")
 
