@@ -1,6 +1,6 @@
 #pragma once
 
-// The controller as the executive sees it: a runtime that takes programs and sends step events. Over Fast DDS
+// The controller as a mission sees it: a runtime that takes programs and sends step events. Over Fast DDS
 // in the supervisor process (DdsController), in the same process in tests.
 //
 // Threads: one thread uses a controller; `alive` may be asked from any. Every call blocks until the runtime
