@@ -180,6 +180,7 @@ class Executive final : public run::Mission {
                       double time_s) const;
   std::set<std::string> moving_atoms(const translate::Progress& progress) const;
   FailedAction failure_of(std::size_t action, double time_s) const;
+  FailedAction failing(const model::GroundAction& action) const;
   FailedAction standstill_of(const run::Alarm& alarm) const;
   void note_alarms(std::span<const std::byte> image);
   void note_told_alarms();

@@ -136,18 +136,25 @@ Situation Executive::situation(const translate::Progress& progress, const model:
   return now;
 }
 
+// What it drives and needs; not yet why it failed.
+FailedAction Executive::failing(const model::GroundAction& action) const {
+  FailedAction failed;
+  failed.text = model::to_string(action);
+  translate::Assignment assignment;
+  failed.outputs = desk_.binding().action_for(action, assignment)->outputs;
+  failed.devices = desk_.binding().devices_of(action);
+  return failed;
+}
+
 // Pump, valve or sensor: which of them, one level alone cannot tell.
 FailedAction Executive::standstill_of(const run::Alarm& alarm) const {
+  const auto& actions = current_.plan.actions;
+  const auto action = std::ranges::find(
+      actions, alarm.action, [](const model::GroundAction& each) { return model::to_string(each); });
   FailedAction failed;
+  if (action != actions.end()) failed = failing(*action);
   failed.text = alarm.action;
   failed.reason = FailedAction::Reason::NoEffect;
-  for (const model::GroundAction& action : current_.plan.actions) {
-    if (model::to_string(action) != alarm.action) continue;
-    translate::Assignment assignment;
-    failed.outputs = desk_.binding().action_for(action, assignment)->outputs;
-    failed.devices = desk_.binding().devices_of(action);
-    break;
-  }
   const auto sensor = std::ranges::find(desk_.binding().sensors, alarm.sensor, &translate::Sensor::name);
   failed.sentence =
       fmt::format("{} has stopped halfway: the {} stands still though {} {} on", alarm.action, sensor->label,
@@ -254,8 +261,7 @@ FailedAction Executive::failure_of(std::size_t action, double time_s) const {
   translate::Assignment assignment;
   const translate::ActionBinding* entry =
       desk_.binding().action_for(current_.plan.actions[action], assignment);
-  failed.outputs = entry->outputs;
-  failed.devices = desk_.binding().devices_of(current_.plan.actions[action]);
+  failed = failing(current_.plan.actions[action]);
   const double timeout_s = std::chrono::duration<double>(entry->timeout).count();
   // The chart's clock of a step and the events' times agree to a scan.
   const double scan_s = static_cast<double>(desk_.options().interval_us) * 1e-6;
