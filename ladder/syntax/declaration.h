@@ -2,7 +2,9 @@
 
 // Declarations of the syntax tree: types, variables, POUs, charts, configurations.
 
+#include <deque>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -69,8 +71,17 @@ struct TypeSpec {
   std::vector<Enumerator> enumerators;      // Enumeration
 };
 
+// Where names of a declaration are looked for (namespaces.h): of a POU, a namespace or a file. Unit::scopes
+// owns them.
+struct NameScope {
+  const NameScope* outer = nullptr;     // around this one
+  std::optional<source::NameId> space;  // full name, of a namespace
+  std::vector<Name> used;               // USING
+};
+
 struct TypeDeclaration {
   Name name;
+  const NameScope* scope = nullptr;
   TypeSpecPtr type;
   ExpressionPtr initial;  // default of the type; may be null
 };
@@ -124,6 +135,7 @@ enum class BodyOrigin : std::uint8_t { Text, Ladder, Chart };
 
 struct PouDeclaration {
   Name name;
+  const NameScope* scope = nullptr;
   PouKind kind = PouKind::Program;
   TypeSpecPtr result;  // functions; null otherwise
   std::vector<VariableDeclaration> variables;
@@ -184,17 +196,35 @@ struct Configuration {
   Name name;
   std::vector<VariableDeclaration> globals;
   std::vector<Resource> resources;
+  const NameScope* scope = nullptr;
   std::vector<ConfiguredVariable> configured;
+};
+
+// A namespace, or a part of one that is INTERNAL, by its full name.
+struct NamespacePart {
+  Name name;
+  std::optional<source::NameId> internal_to;  // the namespace that alone can use it
+  bool is_namespace = true;
 };
 
 // All declarations of a compilation, in the order of the sources.
 struct Unit {
+// Where names of the globals before `end` are looked for, from those of the scope before on.
+struct GlobalScope {
+  std::size_t end = 0;
+  const NameScope* scope = nullptr;
+};
+
   std::vector<TypeDeclaration> types;
   std::vector<PouDeclaration> pous;
   std::vector<VariableDeclaration> globals;  // VAR_GLOBAL outside of a configuration
   std::vector<Configuration> configurations;
   std::vector<TestDeclaration> tests;
+  std::vector<GlobalScope> global_scopes;    // in the order of `globals`
   std::vector<PouDeclaration> mocks;  // MOCK FUNCTION name ... END_MOCK: for the tests of its file
+  std::vector<NamespacePart> namespaces;
+  std::deque<std::string> spellings;  // texts of full names
 };
+  std::deque<NameScope> scopes;
 
 }  // namespace stepwright::syntax

@@ -19,7 +19,7 @@ TypeSpecPtr Parser::type() {
 TypeSpecPtr Parser::named_type() {
   auto spec = std::make_unique<TypeSpec>();
   spec->where = peek().where;
-  const auto name = expect_name("a type");
+  const auto name = full_name("a type");
   if (!name) return spec;
   spec->kind = TypeKind::Named;
   spec->name = *name;
@@ -140,13 +140,15 @@ TypeSpecPtr Parser::reference_type() {
   return spec;
 }
 
-void Parser::type_section(std::vector<TypeDeclaration>& out) {
+// True if the types are INTERNAL to their namespace.
+bool Parser::type_section(std::vector<TypeDeclaration>& out) {
   const Token& open = advance();
   while (!at(TokenKind::End) && (!at(TokenKind::Keyword) || at_reserved_name())) {
     if (accept(TokenKind::Semicolon)) continue;
     const bool reserved = at_reserved_name();
     const auto name = expect_name("the name of the type");
     if (!name && reserved) advance();
+  const bool internal = accept_internal();
     // A type without a name is read all the same, so that its end is found.
     if (!name && accept(TokenKind::Colon) && type()->kind != TypeKind::Error) continue;
     bool understood = name && expect(TokenKind::Colon, "behind the name of the type");
@@ -168,3 +170,4 @@ void Parser::type_section(std::vector<TypeDeclaration>& out) {
 }
 
 }  // namespace stepwright::syntax::internal
+  return internal;

@@ -56,6 +56,42 @@ constexpr ErrorCase kCases[] = {
      "main\nEND_PROGRAM"},
     {"BoundOfScalar", "E0301", 4, 18, TYPES("i := LOWER_BOUND(i, 1);")},
     {"BoundOfDimension", "E0307", 4, 21, TYPES("i := LOWER_BOUND(a, 2);")},
+    {"UsingOfNothing", "E0201", 2, 7, "PROGRAM main\nUSING Plant;\nEND_PROGRAM"},
+    {"InternalElsewhere", "E0204", 7, 6,
+     "NAMESPACE a\nFUNCTION INTERNAL f : INT\nf := 1;\nEND_FUNCTION\nEND_NAMESPACE\n"
+     "PROGRAM main VAR x : INT; END_VAR\nx := a.f();\nEND_PROGRAM"},
+    {"InternalNamespaceElsewhere", "E0204", 3, 31,
+     "NAMESPACE a\nNAMESPACE INTERNAL b TYPE T : INT; END_TYPE END_NAMESPACE END_NAMESPACE\n"
+     "PROGRAM main VAR x : INT; y : a.b.T; END_VAR\nx := y;\nEND_PROGRAM"},
+    {"NameOfSeveralNamespaces", "E0201", 5, 6,
+     "NAMESPACE a FUNCTION f : INT\nf := 1; END_FUNCTION END_NAMESPACE\n"
+     "NAMESPACE b FUNCTION f : INT\nf := 2; END_FUNCTION END_NAMESPACE PROGRAM main USING a, b; VAR x : INT; "
+     "END_VAR\n"
+     "x := f();\nEND_PROGRAM"},
+    {"InternalTypeElsewhere", "E0204", 3, 9,
+     "NAMESPACE a TYPE INTERNAL T : INT; END_TYPE FUNCTION f : T\nf := 1; END_FUNCTION END_NAMESPACE PROGRAM "
+     "main\n"
+     "VAR x : a.T; END_VAR\nx := a.f();\nEND_PROGRAM",
+     "stands in a"},
+    {"InternalByUsing", "E0204", 3, 6,
+     "NAMESPACE a FUNCTION INTERNAL f : INT\nf := 1; END_FUNCTION END_NAMESPACE PROGRAM main USING a; VAR x "
+     ": INT; "
+     "END_VAR\nx := f();\nEND_PROGRAM"},
+    {"UsingBehindDeclarations", "E0104", 2, 1,
+     "NAMESPACE a TYPE T : INT; END_TYPE\nUSING b; END_NAMESPACE NAMESPACE b END_NAMESPACE\nPROGRAM main\n"
+     "END_PROGRAM",
+     "before the declarations"},
+    {"TwiceInANamespace", "E0202", 1, 18,
+     "NAMESPACE a TYPE F : INT; END_TYPE END_NAMESPACE\nNAMESPACE A FUNCTION_BLOCK f END_FUNCTION_BLOCK "
+     "END_NAMESPACE PROGRAM main\nEND_PROGRAM"},
+    {"RecursionInANamespace", "E0206", 1, 22,
+     "NAMESPACE a FUNCTION f : INT\nf := a.f();\nEND_FUNCTION END_NAMESPACE PROGRAM main\nEND_PROGRAM"},
+    {"NamespaceWithoutEnd", "E0105", 3, 1,
+     "PROGRAM main\nEND_PROGRAM\nNAMESPACE a\nFUNCTION f : INT\nf := 1;\nEND_FUNCTION"},
+    {"ProgramInANamespace", "E0104", 2, 1,
+     "NAMESPACE a\nPROGRAM main\nEND_PROGRAM\nEND_NAMESPACE\nPROGRAM main\nEND_PROGRAM"},
+    {"UnknownInANamespace", "E0203", 2, 9,
+     "NAMESPACE a TYPE T : INT; END_TYPE END_NAMESPACE PROGRAM main\nVAR x : a.U; END_VAR\nEND_PROGRAM"},
     {"EdgeOfInteger", "E0208", 2, 11,
      "FUNCTION_BLOCK f\nVAR_INPUT x : INT R_EDGE; END_VAR\nEND_FUNCTION_BLOCK\nPROGRAM main\nEND_PROGRAM"},
     {"EdgeOfLocal", "E0208", 2, 5, "PROGRAM main\nVAR x : BOOL F_EDGE; END_VAR\nEND_PROGRAM"},
