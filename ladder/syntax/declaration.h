@@ -28,7 +28,8 @@ struct VariableDeclaration {
   bool non_retain = false;
   Edge edge = Edge::None;  // R_EDGE, F_EDGE of an input
   std::optional<DirectAddress> address;
-  std::optional<Area> open_address;  // AT %I*: VAR_CONFIG gives the address
+  std::optional<Area> open_address;         // AT %I*: VAR_CONFIG gives the address
+  std::optional<RelativeAddress> relative;  // of a member of a structure: AT %B0
   source::Position address_where;
   TypeSpecPtr type;
   ExpressionPtr initial;   // may be null
@@ -68,6 +69,7 @@ struct TypeSpec {
   TypeSpecPtr element;                      // Array; Reference: what it leads to
   ExpressionPtr length;                     // Text: characters
   std::vector<VariableDeclaration> fields;  // Struct
+  bool overlap = false;                     // Struct: OVERLAP, its members may share memory
   std::vector<Enumerator> enumerators;      // Enumeration
 };
 
@@ -194,9 +196,9 @@ struct ConfiguredVariable {
 
 struct Configuration {
   Name name;
+  const NameScope* scope = nullptr;
   std::vector<VariableDeclaration> globals;
   std::vector<Resource> resources;
-  const NameScope* scope = nullptr;
   std::vector<ConfiguredVariable> configured;
 };
 
@@ -207,24 +209,24 @@ struct NamespacePart {
   bool is_namespace = true;
 };
 
-// All declarations of a compilation, in the order of the sources.
-struct Unit {
 // Where names of the globals before `end` are looked for, from those of the scope before on.
 struct GlobalScope {
   std::size_t end = 0;
   const NameScope* scope = nullptr;
 };
 
+// All declarations of a compilation, in the order of the sources.
+struct Unit {
   std::vector<TypeDeclaration> types;
   std::vector<PouDeclaration> pous;
   std::vector<VariableDeclaration> globals;  // VAR_GLOBAL outside of a configuration
+  std::vector<GlobalScope> global_scopes;    // in the order of `globals`
   std::vector<Configuration> configurations;
   std::vector<TestDeclaration> tests;
-  std::vector<GlobalScope> global_scopes;    // in the order of `globals`
   std::vector<PouDeclaration> mocks;  // MOCK FUNCTION name ... END_MOCK: for the tests of its file
   std::vector<NamespacePart> namespaces;
+  std::deque<NameScope> scopes;
   std::deque<std::string> spellings;  // texts of full names
 };
-  std::deque<NameScope> scopes;
 
 }  // namespace stepwright::syntax

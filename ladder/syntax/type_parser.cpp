@@ -90,11 +90,16 @@ TypeSpecPtr Parser::struct_type() {
   const Token& open = advance();
   spec->where = open.where;
   spec->kind = TypeKind::Struct;
+  // A member may have this name: no other name stands behind it then.
+  spec->overlap = kind_ == TextKind::Written && at_word("OVERLAP") && peek(1).is(TokenKind::Identifier);
+  if (spec->overlap) advance();
+  const bool outer = std::exchange(in_structure_, true);
   const VariableDeclaration model;
   while (!at(TokenKind::End) && (!at(TokenKind::Keyword) || at_reserved_name())) {
     if (accept(TokenKind::Semicolon)) continue;
     if (!variable_line(model, spec->fields)) skip_declaration();
   }
+  in_structure_ = outer;
   expect_end(Keyword::EndStruct, open);
   return spec;
 }
@@ -143,12 +148,12 @@ TypeSpecPtr Parser::reference_type() {
 // True if the types are INTERNAL to their namespace.
 bool Parser::type_section(std::vector<TypeDeclaration>& out) {
   const Token& open = advance();
+  const bool internal = accept_internal();
   while (!at(TokenKind::End) && (!at(TokenKind::Keyword) || at_reserved_name())) {
     if (accept(TokenKind::Semicolon)) continue;
     const bool reserved = at_reserved_name();
     const auto name = expect_name("the name of the type");
     if (!name && reserved) advance();
-  const bool internal = accept_internal();
     // A type without a name is read all the same, so that its end is found.
     if (!name && accept(TokenKind::Colon) && type()->kind != TypeKind::Error) continue;
     bool understood = name && expect(TokenKind::Colon, "behind the name of the type");
@@ -167,7 +172,7 @@ bool Parser::type_section(std::vector<TypeDeclaration>& out) {
     if (!understood) skip_declaration();
   }
   if (!expect_end(Keyword::EndType, open)) skip_declaration();
+  return internal;
 }
 
 }  // namespace stepwright::syntax::internal
-  return internal;

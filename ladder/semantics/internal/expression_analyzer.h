@@ -117,6 +117,7 @@ class ExpressionAnalyzer {
     std::uint32_t offset = 0;
   };
   std::optional<Member> struct_member(const Type& type, const syntax::Name& name);
+    std::uint8_t bit = bytecode::kNoBit;
   std::optional<Member> instance_member(const Type& type, const syntax::Name& name);
   const Variable* find_variable(NameId name) const;
   void report_unknown(const syntax::Name& name);

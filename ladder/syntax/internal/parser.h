@@ -138,6 +138,7 @@ class Parser {
   bool variable_line(const VariableDeclaration& model, std::vector<VariableDeclaration>& out);
   bool variable_names(VariableDeclaration& line);
   bool variable_address(VariableDeclaration& line);
+  bool relative_address(VariableDeclaration& line);
   bool typed_line(VariableDeclaration& line);
   void variable_lines(const VariableDeclaration& model, std::vector<VariableDeclaration>& out);
   bool at_declaration() const;
@@ -221,6 +222,7 @@ class Parser {
   const char* closing_ = nullptr;  // END_TEST, END_MOCK: of what is being read
   NameScope* scope_ = nullptr;     // of the declarations at the cursor; null outside of a unit
   std::string space_text_;         // full name of the namespace that is open; empty outside
+  bool in_structure_ = false;      // what is declared is a member
   std::vector<Name> pou_used_;     // USING of the POU that is being read
   bool internal_pou_ = false;      // it is INTERNAL to the namespace
 };
