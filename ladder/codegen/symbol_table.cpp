@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "runtime/bytecode/member_bit.h"
 #include "runtime/naming/ascii_names.h"
 
 namespace stepwright::codegen {
@@ -146,7 +147,8 @@ std::uint32_t SymbolTable::member_type(const Type& type) {
   out.size = type.size;
   out.kind = type.kind == TypeKind::Struct ? bytecode::TypeKind::Struct : bytecode::TypeKind::Instance;
   for (const semantics::Field& each : type.fields)
-    out.members.push_back({each.spelling, this->type(*each.type), each.offset});
+    out.members.push_back({each.spelling, this->type(*each.type), each.offset,
+                           each.bit == bytecode::kNoBit ? 0u : bytecode::bit_member(each.bit)});
   if (type.pou != nullptr) {
     for (const Variable& each : type.pou->variables)
       // VAR_CONFIG gives an open address a symbol of its own.

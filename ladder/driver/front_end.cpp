@@ -8,6 +8,7 @@
 #include "ladder/driver/container_names.h"
 #include "ladder/driver/extension_types.h"
 #include "ladder/driver/library.h"
+#include "ladder/syntax/namespaces.h"
 
 namespace stepwright::driver {
 
@@ -58,6 +59,7 @@ FrontEnd::FrontEnd(const CompileInput& input)
   add_library(context_, unit_);
   if (dialect_->extension_types) add_extension_types(context_, unit_);
   lowering_.report_foreign_types();
+  syntax::resolve_namespaces(context_, unit_);
 }
 
 std::unique_ptr<semantics::Model> FrontEnd::analyze(const semantics::TestGroup* tests) {

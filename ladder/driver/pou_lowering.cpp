@@ -14,12 +14,13 @@
 #include "ladder/lowering/ladder_to_syntax.h"
 #include "ladder/lowering/sfc_to_ladder.h"
 #include "ladder/source/codes.h"
+#include "ladder/syntax/namespace_lookup.h"
 
 namespace stepwright::driver {
 
 namespace {
 
-using TypesByName = std::unordered_map<std::uint32_t, const syntax::TypeSpec*>;  // by NameId
+using TypesByName = std::unordered_map<std::uint32_t, const syntax::TypeDeclaration*>;  // by NameId
 
 syntax::PouKind kind_of(graphic::PouKind kind) {
   switch (kind) {
@@ -46,37 +47,50 @@ graphic::PouKind kind_of(syntax::PouKind kind) {
 TypesByName types_by_name(const syntax::Unit& unit) {
   TypesByName types;
   for (const syntax::TypeDeclaration& each : unit.types)
-    if (each.type) types.try_emplace(each.name.id.value, each.type.get());
+    if (each.type) types.try_emplace(each.name.id.value, &each);
   return types;
 }
 
-// The name behind an alias: BOOL where TYPE Flag : BOOL; END_TYPE.
-std::string type_name(syntax::Name name, const TypesByName& types) {
-  for (std::size_t depth = 0; depth <= types.size(); ++depth) {
-    const auto found = types.find(name.id.value);
-    if (found == types.end() || found->second->kind != syntax::TypeKind::Named) break;
-    name = found->second->name;
-  }
-  return std::string(name.text);
-}
+// What the chart's lowering needs to know of POUs: names and types.
+class ChartPous {
+ public:
+  ChartPous(const source::NameTable& names, const syntax::Unit& unit)
+      : names_(names), lookup_(names, unit), types_(types_by_name(unit)) {}
 
-// What the chart's lowering needs to know of the POU: names and types.
-graphic::Pou with_chart(const syntax::PouDeclaration& pou, const TypesByName& types) {
-  graphic::Pou result;
-  result.name = std::string(pou.name.text);
-  result.kind = kind_of(pou.kind);
-  for (const syntax::VariableDeclaration& line : pou.variables) {
-    const bool named = line.type->kind == syntax::TypeKind::Named;
-    const std::string type = named ? type_name(line.type->name, types) : "STRUCT";
-    for (const syntax::Name& name : line.names) {
-      graphic::Variable variable;
-      variable.name = std::string(name.text);
-      variable.type = type;
-      result.variables.push_back(std::move(variable));
+  graphic::Pou with_chart(const syntax::PouDeclaration& pou) const {
+    graphic::Pou result;
+    result.name = std::string(pou.name.text);
+    result.kind = kind_of(pou.kind);
+    for (const syntax::VariableDeclaration& line : pou.variables) {
+      const bool named = line.type->kind == syntax::TypeKind::Named;
+      const std::string type = named ? type_name(line.type->name, pou.scope) : "STRUCT";
+      for (const syntax::Name& name : line.names) {
+        graphic::Variable variable;
+        variable.name = std::string(name.text);
+        variable.type = type;
+        result.variables.push_back(std::move(variable));
+      }
     }
+    return result;
   }
-  return result;
-}
+
+ private:
+  // The name behind an alias: BOOL where TYPE Flag : BOOL; END_TYPE.
+  std::string type_name(syntax::Name name, const syntax::NameScope* scope) const {
+    for (std::size_t depth = 0; depth <= types_.size(); ++depth) {
+      const auto meant = lookup_.find(names_.folded(name.id), scope);
+      const auto found = meant ? types_.find(meant->id.value) : types_.end();
+      if (found == types_.end() || found->second->type->kind != syntax::TypeKind::Named) break;
+      name = found->second->type->name;
+      scope = found->second->scope;
+    }
+    return std::string(name.text);
+  }
+
+  const source::NameTable& names_;
+  syntax::NamespaceLookup lookup_;
+  TypesByName types_;
+};
 
 }  // namespace
 
@@ -124,7 +138,7 @@ void PouLowering::set_lowered(const graphic::Pou& lowered, std::size_t known_var
 }
 
 void PouLowering::lower_charts() {
-  const TypesByName types = types_by_name(unit_);
+  const ChartPous pous(context_.names, unit_);
   for (std::size_t i = 0; i < unit_.pous.size(); ++i) {
     if (!unit_.pous[i].chart) continue;
     const source::Position where = unit_.pous[i].name.where;
@@ -134,7 +148,7 @@ void PouLowering::lower_charts() {
       continue;
     }
     const std::size_t errors = context_.sink.error_count();
-    graphic::Pou pou = with_chart(unit_.pous[i], types);
+    graphic::Pou pou = pous.with_chart(unit_.pous[i]);
     const syntax::Chart& chart = *unit_.pous[i].chart;
     pou.body = to_graphic(chart, Marks::Source, context_.sources, context_.sink);
     if (context_.sink.error_count() != errors) continue;
@@ -246,7 +260,7 @@ void PouLowering::add_notes(const graphic::Project& project, source::FileId file
 }
 
 void PouLowering::add_projects(const std::vector<const graphic::Project*>& projects) {
-  interfaces_.add(unit_);
+  interfaces_.add(unit_, context_.names);
   const std::size_t written_globals = unit_.globals.size();
   const std::size_t written_pous = unit_.pous.size();
   const std::size_t written_configurations = unit_.configurations.size();

@@ -5,6 +5,7 @@
 
 #include "ladder/graphic/identifier.h"
 #include "ladder/graphic/type_text.h"
+#include "ladder/syntax/namespace_lookup.h"
 
 namespace stepwright::driver {
 
@@ -12,25 +13,37 @@ namespace {
 
 using graphic::upper;
 
-std::string type_text(const syntax::TypeSpec& type) {
-  switch (type.kind) {
-    case syntax::TypeKind::Named:
-      return std::string(type.name.text);
-    case syntax::TypeKind::Array:
-      return "ARRAY[] OF " + type_text(*type.element);
-    case syntax::TypeKind::Struct: {
-      std::string text = "STRUCT ";
-      for (const syntax::VariableDeclaration& line : type.fields)
-        for (const syntax::Name& name : line.names)
-          text += std::string(name.text) + " : " + type_text(*line.type) + "; ";
-      return text + "END_STRUCT";
+// Types as ST text; those of namespaces by their full names.
+class TypeTexts {
+ public:
+  TypeTexts(const syntax::Unit& unit, const source::NameTable& names) : names_(names), lookup_(names, unit) {}
+
+  std::string of(const syntax::TypeSpec& type, const syntax::NameScope* scope) const {
+    switch (type.kind) {
+      case syntax::TypeKind::Named: {
+        const auto found = lookup_.find(names_.folded(type.name.id), scope);
+        return found && found->id != type.name.id ? names_.folded(found->id) : std::string(type.name.text);
+      }
+      case syntax::TypeKind::Array:
+        return "ARRAY[] OF " + of(*type.element, scope);
+      case syntax::TypeKind::Struct: {
+        std::string text = "STRUCT ";
+        for (const syntax::VariableDeclaration& line : type.fields)
+          for (const syntax::Name& name : line.names)
+            text += std::string(name.text) + " : " + of(*line.type, scope) + "; ";
+        return text + "END_STRUCT";
+      }
+      case syntax::TypeKind::Text:
+        return std::string(type.name.text);
+      default:
+        return {};
     }
-    case syntax::TypeKind::Text:
-      return std::string(type.name.text);
-    default:
-      return {};
   }
-}
+
+ private:
+  const source::NameTable& names_;
+  syntax::NamespaceLookup lookup_;
+};
 
 void add_parameter(lowering::Signature& signature, syntax::Section section, lowering::Parameter parameter) {
   if (section == syntax::Section::Input)
@@ -53,21 +66,24 @@ std::size_t index_length(std::span<const syntax::Token> tokens) {
 
 }  // namespace
 
-void ProgramInterfaces::add(const syntax::Unit& unit) {
+void ProgramInterfaces::add(const syntax::Unit& unit, const source::NameTable& names) {
+  const TypeTexts texts(unit, names);
   for (const syntax::TypeDeclaration& type : unit.types)
-    if (type.type) types_[upper(std::string(type.name.text))] = type_text(*type.type);
+    if (type.type) types_[upper(std::string(type.name.text))] = texts.of(*type.type, type.scope);
   for (const syntax::PouDeclaration& pou : unit.pous) {
     lowering::Signature& signature = pous_[upper(std::string(pou.name.text))];
     signature = {};
     signature.is_function = pou.kind == syntax::PouKind::Function;
-    if (pou.result) signature.result = type_text(*pou.result);
+    if (pou.result) signature.result = texts.of(*pou.result, pou.scope);
     for (const syntax::VariableDeclaration& line : pou.variables)
       for (const syntax::Name& name : line.names)
-        add_parameter(signature, line.section, {std::string(name.text), type_text(*line.type)});
+        add_parameter(signature, line.section, {std::string(name.text), texts.of(*line.type, pou.scope)});
   }
-  for (const syntax::VariableDeclaration& line : unit.globals)
-    for (const syntax::Name& name : line.names)
-      globals_[upper(std::string(name.text))] = type_text(*line.type);
+  std::size_t at = 0;
+  for (const syntax::GlobalScope& each : unit.global_scopes)
+    for (; at < each.end; ++at)
+      for (const syntax::Name& name : unit.globals[at].names)
+        globals_[upper(std::string(name.text))] = texts.of(*unit.globals[at].type, each.scope);
 }
 
 void ProgramInterfaces::add(const graphic::Project& project) {

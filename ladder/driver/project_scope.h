@@ -17,7 +17,7 @@ namespace stepwright::driver {
 // Interfaces of all POUs and members of all structures, by upper-case name.
 class ProgramInterfaces {
  public:
-  void add(const syntax::Unit& unit);
+  void add(const syntax::Unit& unit, const source::NameTable& names);
   void add(const graphic::Project& project);
 
   const lowering::Signature* signature(const std::string& type) const;

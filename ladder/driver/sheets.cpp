@@ -135,7 +135,7 @@ result::Result<std::vector<Sheet>> sheets_of(const CompileInput& input) {
   // Drawn blocks name their types in files that are not lexed: all of the library.
   for (const LibraryDeclaration& each : library_declarations()) names.intern(each.name);
   add_library(context, library);
-  interfaces.add(library);
+  interfaces.add(library, names);
   std::vector<Sheet> sheets;
   const auto append = [&sheets](std::vector<Sheet> more) {
     for (Sheet& each : more) sheets.push_back(std::move(each));
@@ -145,7 +145,7 @@ result::Result<std::vector<Sheet>> sheets_of(const CompileInput& input) {
     syntax::Unit unit;
     syntax::parse_unit(context, file, unit);
     if (sink.has_errors()) continue;
-    interfaces.add(unit);
+    interfaces.add(unit, names);
     append(text_sheets(context, file, unit));
   }
   for (const graphic::Project* each : input.projects) interfaces.add(*each);

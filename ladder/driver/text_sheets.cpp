@@ -135,9 +135,10 @@ class TextSheets {
     return found;
   }
 
-  // Behind the type of a function's result: BOOL, STRING[20].
+  // Behind the type of a function's result: BOOL, STRING[20], Plant.Mode.
   std::size_t result_end(const syntax::PouDeclaration& pou) const {
     std::size_t i = at(pou.result->where.offset) + 1;
+    while (tokens_[i].is(TokenKind::Dot) && tokens_[i + 1].is(TokenKind::Identifier)) i += 2;
     if (!tokens_[i].is(TokenKind::LeftBracket)) return i;
     while (!tokens_[i].is(TokenKind::RightBracket) && !tokens_[i].is(TokenKind::End)) ++i;
     return i + 1;

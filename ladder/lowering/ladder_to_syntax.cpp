@@ -39,6 +39,7 @@ class Pieces {
   }
 
   std::string word(const std::string& text) { return read(text, PieceKind::Word); }
+  std::string pou(const std::string& text) { return read(text, PieceKind::PouName); }
   std::string variable(const std::string& text) { return read(text, PieceKind::Variable); }
   std::string expression(const std::string& text) { return read(text, PieceKind::Expression); }
   std::string statements(const std::string& text) { return read(text, PieceKind::StatementList); }
@@ -209,7 +210,7 @@ class Writer {
     if (block.type.empty()) return pieces_.statements(block.st_body) + "; ";
     if (!block.instance.empty()) return pieces_.variable(block.instance) + "(" + arguments(block, "") + "); ";
     const std::string result = result_of(block);
-    return (result.empty() ? "" : pieces_.variable(result) + " := ") + pieces_.word(block.type) + "(" +
+    return (result.empty() ? "" : pieces_.variable(result) + " := ") + pieces_.pou(block.type) + "(" +
            arguments(block, result) + "); ";
   }
 

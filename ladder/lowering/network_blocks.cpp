@@ -217,7 +217,7 @@ std::string NetworkLowering::inline_call(const Element& element) {
   for (const auto& [formal, value] : block.inputs)
     list += (list.empty() ? "" : ", ") +
             (formal.empty() ? "" : named(formal, PieceKind::Word, element) + " := ") + value;
-  return named(element.name.text, PieceKind::Word, element) + "(" + list + ")";
+  return named(element.name.text, PieceKind::PouName, element) + "(" + list + ")";
 }
 
 }  // namespace stepwright::lowering

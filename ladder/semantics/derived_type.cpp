@@ -58,56 +58,6 @@ const Type* TypeResolver::open_array(const syntax::TypeSpec& spec) {
   return element != nullptr ? a_.type_table().open_array(element, spec.ranges.size()) : nullptr;
 }
 
-const Type* TypeResolver::structure(const syntax::TypeSpec& spec, Type& out) {
-  Type* type = &out;
-  type->size = 0;
-  ExpressionAnalyzer expressions(a_, scope_);
-  bool sound = true;
-  for (const syntax::VariableDeclaration& line : spec.fields) {
-    const Type* field_type = resolve(*line.type);
-    sound = field_type != nullptr && is_member_line(line, *field_type) && sound;
-    if (field_type == nullptr) continue;
-    type->nesting = std::max(type->nesting, field_type->nesting + 1);
-    if (!is_shallow(*type, line.type->where) ||
-        !affords(line.names.size() * field_type->size, line.type->where))
-      return nullptr;
-    std::vector<std::byte> bytes = initial_of(*line.type, *field_type);
-    if (line.initial) sound = initialise(a_, expressions, *line.initial, *field_type, bytes) && sound;
-    for (const syntax::Name& each : line.names) {
-      if (type->size > kMaxData - field_type->size) {
-        a_.error(code::kTooLarge, each.where, "the structure is larger than 32 MiB");
-        return nullptr;
-      }
-      if (!type->add(Field{each.id, std::string(each.text), field_type, type->size})) {
-        a_.error(code::kDuplicate, each.where, "there is another member " + quote(each.text));
-        continue;
-      }
-      type->size += field_type->size;
-      type->initial.insert(type->initial.end(), bytes.begin(), bytes.end());
-    }
-  }
-  if (type->fields.empty() && sound) {
-    a_.error(code::kTooLarge, spec.where, "the structure has no members");
-    return nullptr;
-  }
-  return sound ? type : nullptr;
-}
-
-bool TypeResolver::is_member_line(const syntax::VariableDeclaration& line, const Type& type) {
-  if (type.kind == TypeKind::Instance) {
-    a_.error(code::kBadSection, line.type->where, "a structure cannot hold function blocks",
-             "it can hold a REF_TO one");
-  } else if (line.address || line.open_address) {
-    a_.error(code::kAddressNotHere, line.address_where, "a member of a structure has no address of its own");
-  } else if (line.edge != syntax::Edge::None) {
-    a_.error(code::kBadSection, line.type->where,
-             "R_EDGE and F_EDGE stand in VAR_INPUT of a function block or a program");
-  } else {
-    return true;
-  }
-  return false;
-}
-
 // The base of an enumeration or a subrange; null after a report.
 const Type* TypeResolver::base_type(const syntax::Name& name, const char* what) {
   const Type* base = named(name);

@@ -55,15 +55,7 @@ ValuePtr ExpressionAnalyzer::enabled(ValuePtr called, const Expression& call) {
   if (has_enabled) called = unless_error(std::move(called), *slot);
   if (!called) return nullptr;
   result->operands.push_back(load(std::move(*slot), call.where));
-  const Type* type = called->type;
-  result->operands.push_back(std::move(called));
-  if (type->kind == TypeKind::Nothing) return result;
-  if (type->is_scalar()) {
-    result->constant = first_value(*type);
-  } else {
-    result->place = frame_place(*pou_, type);
-    result->operands.push_back(load(a_.allocate_place(type, call.where), call.where));
-  }
+  add_or_first(*result, std::move(called));
   return result;
 }
 

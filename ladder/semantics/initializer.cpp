@@ -49,10 +49,12 @@ bool initialise_struct(Analysis& a, ExpressionAnalyzer& expressions, const Expre
   for (const syntax::Argument& each : list.arguments) {
     const Type* member = nullptr;
     std::uint32_t offset = 0;
+    std::uint8_t bit = bytecode::kNoBit;
     if (type.kind == TypeKind::Struct) {
       if (const Field* field = type.find_field(each.formal->id)) {
         member = field->type;
         offset = field->offset;
+        bit = field->bit;
       }
     } else if (const Variable* found = type.pou->find(each.formal->id);
                found != nullptr && found->place.base == Base::This) {
@@ -66,7 +68,11 @@ bool initialise_struct(Analysis& a, ExpressionAnalyzer& expressions, const Expre
       sound = false;
       continue;
     }
-    sound = initialise(a, expressions, *each.value, *member, out.subspan(offset, member->size)) && sound;
+    std::byte alone{0};
+    const bool is_bit = bit != bytecode::kNoBit;
+    const auto at = is_bit ? std::span(&alone, 1) : out.subspan(offset, member->size);
+    sound = initialise(a, expressions, *each.value, *member, at) && sound;
+    if (is_bit) set_bit(out[offset], bit, alone);
   }
   return sound;
 }

@@ -193,12 +193,13 @@ std::optional<Place> ExpressionAnalyzer::field_place(const Expression& expressio
   if (!member) return std::nullopt;
   advance(*base, member->offset);
   base->type = member->type;
+  base->bit = member->bit;
   return base;
 }
 
 std::optional<ExpressionAnalyzer::Member> ExpressionAnalyzer::struct_member(const Type& type,
                                                                             const syntax::Name& name) {
-  if (const Field* field = type.find_field(name.id)) return Member{field->type, field->offset};
+  if (const Field* field = type.find_field(name.id)) return Member{field->type, field->offset, field->bit};
   std::vector<std::string_view> candidates;
   if (!a_.sink.is_full())
     for (const Field& each : type.fields) candidates.push_back(each.spelling);

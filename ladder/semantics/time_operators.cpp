@@ -74,7 +74,9 @@ ValuePtr ExpressionAnalyzer::scale_time(Operator op, ValuePtr left, ValuePtr rig
   }
   if (with_real) {
     ValuePtr scaled = combine(op, convert_exactly(std::move(left), factor), std::move(right), where);
-    return scaled ? convert_exactly(std::move(scaled), time) : nullptr;
+    scaled = scaled ? convert_exactly(std::move(scaled), time) : nullptr;
+    if (scaled) scaled->op = op;
+    return scaled;
   }
   ValuePtr result = make(ValueKind::Binary, time, where);
   result->op = op;

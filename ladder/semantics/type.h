@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "ladder/source/name_table.h"
+#include "runtime/bytecode/container_format.h"
 #include "runtime/bytecode/value_type.h"
 
 namespace stepwright::semantics {
@@ -52,6 +53,7 @@ struct Field {
   std::string spelling;
   const Type* type = nullptr;
   std::uint32_t offset = 0;
+  std::uint8_t bit = bytecode::kNoBit;  // a BOOL that is a bit of its byte
 };
 
 struct Enumerator {

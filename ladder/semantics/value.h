@@ -84,7 +84,8 @@ enum class ValueKind : std::uint8_t {
   Reference,  // the address of `place`
   Unary,      // Negate, Not
   Binary,     // chain of `op` over operands of type operands[0]->type
-  Convert,    // operands[0] to `type`, exactly if it widens, else as the standard's X_TO_Y
+  Convert,    // operands[0] to `type`, exactly if it widens, else as the standard's X_TO_Y; `op`: of TIME
+              // and a real, of which this is the result, else Add
   Check,      // operands[0], which must lie in the subrange `type`
   Truncate,   // operands[0], a real, to the integer `type`, towards zero
   Standard,   // `function` of operands of one type

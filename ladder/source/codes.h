@@ -55,6 +55,7 @@ inline constexpr const char* kBadAddress = "E0501";
 inline constexpr const char* kAddressSize = "E0502";
 inline constexpr const char* kAddressNotHere = "E0504";
 inline constexpr const char* kMissingAddress = "E0505";
+inline constexpr const char* kMemberPlace = "E0506";
 
 inline constexpr const char* kNoProgram = "E0601";
 inline constexpr const char* kUnknownTask = "E0602";

@@ -2,7 +2,9 @@
 
 // Declarations of the syntax tree: types, variables, POUs, charts, configurations.
 
+#include <deque>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -26,7 +28,8 @@ struct VariableDeclaration {
   bool non_retain = false;
   Edge edge = Edge::None;  // R_EDGE, F_EDGE of an input
   std::optional<DirectAddress> address;
-  std::optional<Area> open_address;  // AT %I*: VAR_CONFIG gives the address
+  std::optional<Area> open_address;         // AT %I*: VAR_CONFIG gives the address
+  std::optional<RelativeAddress> relative;  // of a member of a structure: AT %B0
   source::Position address_where;
   TypeSpecPtr type;
   ExpressionPtr initial;   // may be null
@@ -66,11 +69,21 @@ struct TypeSpec {
   TypeSpecPtr element;                      // Array; Reference: what it leads to
   ExpressionPtr length;                     // Text: characters
   std::vector<VariableDeclaration> fields;  // Struct
+  bool overlap = false;                     // Struct: OVERLAP, its members may share memory
   std::vector<Enumerator> enumerators;      // Enumeration
+};
+
+// Where names of a declaration are looked for (namespaces.h): of a POU, a namespace or a file. Unit::scopes
+// owns them.
+struct NameScope {
+  const NameScope* outer = nullptr;     // around this one
+  std::optional<source::NameId> space;  // full name, of a namespace
+  std::vector<Name> used;               // USING
 };
 
 struct TypeDeclaration {
   Name name;
+  const NameScope* scope = nullptr;
   TypeSpecPtr type;
   ExpressionPtr initial;  // default of the type; may be null
 };
@@ -124,6 +137,7 @@ enum class BodyOrigin : std::uint8_t { Text, Ladder, Chart };
 
 struct PouDeclaration {
   Name name;
+  const NameScope* scope = nullptr;
   PouKind kind = PouKind::Program;
   TypeSpecPtr result;  // functions; null otherwise
   std::vector<VariableDeclaration> variables;
@@ -182,9 +196,23 @@ struct ConfiguredVariable {
 
 struct Configuration {
   Name name;
+  const NameScope* scope = nullptr;
   std::vector<VariableDeclaration> globals;
   std::vector<Resource> resources;
   std::vector<ConfiguredVariable> configured;
+};
+
+// A namespace, or a part of one that is INTERNAL, by its full name.
+struct NamespacePart {
+  Name name;
+  std::optional<source::NameId> internal_to;  // the namespace that alone can use it
+  bool is_namespace = true;
+};
+
+// Where names of the globals before `end` are looked for, from those of the scope before on.
+struct GlobalScope {
+  std::size_t end = 0;
+  const NameScope* scope = nullptr;
 };
 
 // All declarations of a compilation, in the order of the sources.
@@ -192,9 +220,13 @@ struct Unit {
   std::vector<TypeDeclaration> types;
   std::vector<PouDeclaration> pous;
   std::vector<VariableDeclaration> globals;  // VAR_GLOBAL outside of a configuration
+  std::vector<GlobalScope> global_scopes;    // in the order of `globals`
   std::vector<Configuration> configurations;
   std::vector<TestDeclaration> tests;
   std::vector<PouDeclaration> mocks;  // MOCK FUNCTION name ... END_MOCK: for the tests of its file
+  std::vector<NamespacePart> namespaces;
+  std::deque<NameScope> scopes;
+  std::deque<std::string> spellings;  // texts of full names
 };
 
 }  // namespace stepwright::syntax

@@ -159,8 +159,21 @@ bool Parser::variable_address(VariableDeclaration& line) {
     line.open_address = static_cast<Area>(area);
     return true;
   }
+  if (in_structure_ && area == std::string::npos) return relative_address(line);
   line.address = direct_address();
   return true;
+}
+
+// Behind AT in a structure (6.4.4.7).
+bool Parser::relative_address(VariableDeclaration& line) {
+  constexpr std::uint32_t kLimit = 32u << 20;  // of a type
+  const Token& token = advance();
+  line.relative = parse_relative(token.text, kLimit);
+  if (line.relative) return true;
+  context_.sink.error(source::code::kBadAddress, token.where,
+                      "'" + std::string(token.text) + "' is no place in a structure",
+                      "places look like %X3.0, %B4, %W2, %D4 or %L8; the first number counts bytes");
+  return false;
 }
 
 }  // namespace stepwright::syntax::internal

@@ -1,5 +1,8 @@
 #include "ladder/syntax/direct_address.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace stepwright::syntax {
 
 std::optional<HierarchicalAddress> parse_hierarchical(std::string_view text) {
@@ -25,6 +28,34 @@ std::optional<HierarchicalAddress> parse_hierarchical(std::string_view text) {
   }
   const std::size_t least = result.address.bits == 1 ? 3 : 2;
   return result.levels.size() < least ? std::nullopt : std::optional(result);
+}
+
+std::optional<RelativeAddress> parse_relative(std::string_view text, std::uint32_t limit) {
+  if (text.size() < 3 || text[0] != '%') return std::nullopt;
+  RelativeAddress result;
+  const auto size = std::ranges::find(naming::internal::kSizeLetters, naming::to_upper(text[1]),
+                                      &naming::internal::SizeLetter::letter);
+  if (size == std::end(naming::internal::kSizeLetters)) return std::nullopt;
+  result.bits = size->bits;
+  text.remove_prefix(2);
+  const auto byte = naming::internal::take_index(text, limit);
+  if (!byte) return std::nullopt;
+  result.byte = *byte;
+  if (result.bits == 1) {
+    if (text.empty() || text[0] != '.') return std::nullopt;
+    text.remove_prefix(1);
+    const auto bit = naming::internal::take_index(text, 8);
+    if (!bit) return std::nullopt;
+    result.bit = static_cast<std::uint8_t>(*bit);
+  }
+  return text.empty() ? std::optional(result) : std::nullopt;
+}
+
+std::string to_string(const RelativeAddress& address) {
+  const auto size =
+      std::ranges::find(naming::internal::kSizeLetters, address.bits, &naming::internal::SizeLetter::bits);
+  std::string text = std::string("%") + size->letter + std::to_string(address.byte);
+  return address.bits == 1 ? text + "." + std::to_string(address.bit) : text;
 }
 
 std::string to_string(const DirectAddress& address) {

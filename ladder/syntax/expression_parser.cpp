@@ -169,7 +169,7 @@ ExpressionPtr Parser::primary() {
       return inside;
     }
     case TokenKind::Identifier:
-      return name_or_call();
+      return at_full_prefix() ? prefixed_literal() : name_or_call();
     case TokenKind::TypePrefix:
       return prefixed_literal();
     case TokenKind::Direct: {

@@ -27,8 +27,6 @@ bool continues_name(char c) {
   return starts_name(c) || is_digit(c);
 }
 
-constexpr std::size_t kMaxName = 255;
-
 // For a message: what is longer than a line is cut.
 std::string shown(std::string_view text) {
   constexpr std::size_t kMost = 60;

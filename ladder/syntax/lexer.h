@@ -18,6 +18,9 @@ namespace stepwright::syntax {
 // nothing yet.
 enum class TextKind : std::uint8_t { Written, Generated, Piece };
 
+// Characters of a name.
+inline constexpr std::size_t kMaxName = 255;
+
 // A part of a text, in bytes.
 struct Extent {
   std::uint32_t begin = 0;

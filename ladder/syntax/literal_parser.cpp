@@ -82,10 +82,26 @@ ExpressionPtr Parser::text_literal() {
   return node;
 }
 
+// "Plant.Color#Red": a type with its namespace.
+bool Parser::at_full_prefix() const {
+  for (std::size_t i = 0; peek(i).is(TokenKind::Identifier) && peek(i + 1).is(TokenKind::Dot); i += 2)
+    if (peek(i + 2).is(TokenKind::TypePrefix)) return true;
+  return false;
+}
+
+Name Parser::literal_prefix() {
+  const Token& first = peek();
+  if (!first.is(TokenKind::TypePrefix)) {
+    const auto name = full_name("a type");
+    return name ? *name : Name{first.name, first.text, first.where};
+  }
+  advance();
+  return {first.name, first.text, first.where};
+}
+
 // "INT#-5", "BOOL#TRUE", "WORD#16#FF", "STRING#'a'", "Color#Red"
 ExpressionPtr Parser::prefixed_literal() {
-  const Token& prefix = advance();
-  const Name type{prefix.name, prefix.text, prefix.where};
+  const Name type = literal_prefix();
   ExpressionPtr node;
   if (at(TokenKind::Identifier)) {
     node = make(ExpressionKind::EnumValue);
@@ -106,7 +122,7 @@ ExpressionPtr Parser::prefixed_literal() {
     node = literal();
   }
   node->prefix = type;
-  node->where = prefix.where;
+  node->where = type.where;
   return node;
 }
 

@@ -7,6 +7,7 @@ namespace stepwright::syntax {
 namespace internal {
 
 void Parser::unit(Unit& out) {
+  scope_ = &out.scopes.emplace_back();
   bool lost = false;  // in what belongs to a mistake that was reported
   while (!at(TokenKind::End)) {
     lost = lost && !at_declaration_of_unit();
@@ -14,25 +15,32 @@ void Parser::unit(Unit& out) {
       skip_object();
       continue;
     }
-    if (!at_declaration_of_unit() && !at(Keyword::VarGlobal)) {
+    if (at_using()) {
+      using_directives(scope_->used);
+    } else if (at_namespace()) {
+      namespace_block(out);
+    } else if (!at_declaration_of_unit() && !at(Keyword::VarGlobal)) {
       if (accept(TokenKind::Semicolon)) continue;
-      if (!lost) unexpected("PROGRAM, FUNCTION_BLOCK, FUNCTION, TYPE, VAR_GLOBAL or CONFIGURATION");
+      if (!lost)
+        unexpected("PROGRAM, FUNCTION_BLOCK, FUNCTION, TYPE, VAR_GLOBAL, NAMESPACE or CONFIGURATION");
       lost = true;
       // Everything up to the next declaration belongs to the same mistake.
       do advance();
       while (!at(TokenKind::End) && !at(Keyword::VarGlobal) && !at_declaration_of_unit() && !at_object());
     } else if (at_test()) {
       test(out.tests);
+      out.tests.back().body.scope = scope_;
     } else if (at_mock()) {
-      mock(out.mocks);
+      mock(out);
     } else if (at(Keyword::Type)) {
-      type_section(out.types);
+      types_of_unit(out);
     } else if (at(Keyword::Configuration)) {
       out.configurations.push_back(configuration());
+      out.configurations.back().scope = scope_;
     } else if (at(Keyword::VarGlobal)) {
-      variable_section(out.globals);
+      globals_of_unit(out);
     } else {
-      out.pous.push_back(pou());
+      pou_of_unit(out);
     }
   }
 }
@@ -42,7 +50,7 @@ bool Parser::at_declaration_of_unit() const {
   const bool instance = peek(1).is(Keyword::Retain) || peek(1).is(Keyword::NonRetain) ||
                         peek(2).is(Keyword::With) || peek(2).is(TokenKind::Colon);
   return (at(Keyword::Program) && !instance) || at(Keyword::FunctionBlock) || at(Keyword::Function) ||
-         at(Keyword::Type) || at(Keyword::Configuration) || at_test() || at_mock();
+         at(Keyword::Type) || at(Keyword::Configuration) || at_test() || at_mock() || at_namespace();
 }
 
 Statements Parser::whole_statements() {
@@ -60,17 +68,18 @@ Statements Parser::whole_statements() {
 PieceResult Parser::piece(PieceKind kind) {
   PieceResult result;
   const std::size_t errors = context_.sink.error_count();
+  const bool names = kind == PieceKind::Word || kind == PieceKind::PouName;
   if (kind == PieceKind::StatementList) {
     open_end_ = true;
     jumps_ = false;
     result.statements = whole_statements();
   } else if (at(TokenKind::End)) {
     context_.sink.error(source::code::kUnexpectedToken, peek().where,
-                        kind == PieceKind::Word       ? "a name is missing"
+                        names                         ? "a name is missing"
                         : kind == PieceKind::Variable ? "a variable is missing"
                                                       : "a variable or expression is missing");
-  } else if (kind == PieceKind::Word) {
-    if (!at(TokenKind::Keyword)) expect_name("a name");
+  } else if (names) {
+    if (!at(TokenKind::Keyword)) kind == PieceKind::Word ? expect_name("a name") : full_name("a name");
     accept(TokenKind::Keyword);
     result.is_operand = true;
   } else if (kind == PieceKind::Variable && !at(TokenKind::Identifier) && !at(TokenKind::Direct)) {

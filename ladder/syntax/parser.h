@@ -33,7 +33,8 @@ Statements parse_statements(SyntaxContext& context, source::FileId file, TextKin
 
 // What a text that stands in a chart or a diagram can be (piece.h).
 enum class PieceKind : std::uint8_t {
-  Word,           // a name, or a reserved word that names a function: "AND", "MOD"
+  Word,           // a name, or a reserved word
+  PouName,        // a name, in a namespace or not, or a reserved word that names a function: "AND", "MOD"
   Variable,       // what can be written: "a", "m.x[2]", "p^", "w.%X3", "%QX0.0"
   Expression,     // whatever has a value
   StatementList,  // with or without ';' behind the last one

@@ -17,9 +17,11 @@ PouDeclaration Parser::pou() {
   return result;
 }
 
-// PROGRAM name, FUNCTION_BLOCK name, FUNCTION name [: type]
-void Parser::pou_head(PouDeclaration& result) {
+// PROGRAM name, FUNCTION_BLOCK name, FUNCTION name [: type]. What stands for another POU (MOCK) may name it
+// with its namespace.
+void Parser::pou_head(PouDeclaration& result, bool stands_for_another) {
   const Token& open = advance();
+  internal_pou_ = accept_internal();
   if (open.is(Keyword::FunctionBlock)) {
     result.kind = PouKind::FunctionBlock;
   } else if (open.is(Keyword::Function)) {
@@ -27,7 +29,8 @@ void Parser::pou_head(PouDeclaration& result) {
   }
   while (accept_modifier()) {
   }
-  if (const auto name = expect_name("the name of the POU")) {
+  const char* const what = "the name of the POU";
+  if (const auto name = stands_for_another ? full_name(what) : expect_name(what)) {
     result.name = *name;
     skip_inheritance();
   } else {
@@ -35,6 +38,7 @@ void Parser::pou_head(PouDeclaration& result) {
   }
   if (result.kind == PouKind::Function) result.result = function_result();
   accept(TokenKind::Semicolon);
+  using_directives(pou_used_);
 }
 
 // Variables and statements or a chart, up to the word that ends them.
@@ -85,7 +89,7 @@ TypeSpecPtr Parser::function_result() {
                           (peek(1).is(TokenKind::LeftParen) || peek(1).is(TokenKind::AttemptAssign)));
   const bool misspelt = here && kind_ == TextKind::Written && !at(TokenKind::Colon) &&
                         !at(TokenKind::Semicolon) && !at(TokenKind::End) && !at_variable_section() &&
-                        !at_pou_start() && !at_chart() && !statement;
+                        !at_pou_start() && !at_chart() && !at_using() && !statement;
   if (misspelt) {
     unexpected("':' and the type of the result");
     skip_header_line();

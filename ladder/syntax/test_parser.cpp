@@ -65,14 +65,15 @@ void Parser::test(std::vector<TestDeclaration>& out) {
   out.push_back(std::move(test));
 }
 
-void Parser::mock(std::vector<PouDeclaration>& out) {
+void Parser::mock(Unit& out) {
   const Token& open = advance();
   PouDeclaration mock;
-  pou_head(mock);
+  pou_head(mock, true);
+  enter_scope(out, mock);
   closing_ = "END_MOCK";
   pou_body(mock);
   close_test(open);
-  out.push_back(std::move(mock));
+  out.mocks.push_back(std::move(mock));
 }
 
 void Parser::close_test(const Token& open) {

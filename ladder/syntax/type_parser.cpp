@@ -19,7 +19,7 @@ TypeSpecPtr Parser::type() {
 TypeSpecPtr Parser::named_type() {
   auto spec = std::make_unique<TypeSpec>();
   spec->where = peek().where;
-  const auto name = expect_name("a type");
+  const auto name = full_name("a type");
   if (!name) return spec;
   spec->kind = TypeKind::Named;
   spec->name = *name;
@@ -90,11 +90,16 @@ TypeSpecPtr Parser::struct_type() {
   const Token& open = advance();
   spec->where = open.where;
   spec->kind = TypeKind::Struct;
+  // A member may have this name: no other name stands behind it then.
+  spec->overlap = kind_ == TextKind::Written && at_word("OVERLAP") && peek(1).is(TokenKind::Identifier);
+  if (spec->overlap) advance();
+  const bool outer = std::exchange(in_structure_, true);
   const VariableDeclaration model;
   while (!at(TokenKind::End) && (!at(TokenKind::Keyword) || at_reserved_name())) {
     if (accept(TokenKind::Semicolon)) continue;
     if (!variable_line(model, spec->fields)) skip_declaration();
   }
+  in_structure_ = outer;
   expect_end(Keyword::EndStruct, open);
   return spec;
 }
@@ -140,8 +145,10 @@ TypeSpecPtr Parser::reference_type() {
   return spec;
 }
 
-void Parser::type_section(std::vector<TypeDeclaration>& out) {
+// True if the types are INTERNAL to their namespace.
+bool Parser::type_section(std::vector<TypeDeclaration>& out) {
   const Token& open = advance();
+  const bool internal = accept_internal();
   while (!at(TokenKind::End) && (!at(TokenKind::Keyword) || at_reserved_name())) {
     if (accept(TokenKind::Semicolon)) continue;
     const bool reserved = at_reserved_name();
@@ -165,6 +172,7 @@ void Parser::type_section(std::vector<TypeDeclaration>& out) {
     if (!understood) skip_declaration();
   }
   if (!expect_end(Keyword::EndType, open)) skip_declaration();
+  return internal;
 }
 
 }  // namespace stepwright::syntax::internal

@@ -1,5 +1,6 @@
 #include "runtime/bytecode/table_check.h"
 
+#include "runtime/bytecode/member_bit.h"
 #include "runtime/bytecode/utf8.h"
 
 namespace stepwright::bytecode {
@@ -97,8 +98,9 @@ class TableChecker {
   }
 
   Status member(const MemberRecord& r) const {
-    const std::uint32_t possible = r.type == kNoIndex ? 0 : kMemberFlagMask;
-    return first_of(valid((r.flags & ~possible) == 0), string(r.name));
+    const std::uint32_t possible = r.type == kNoIndex ? 0 : kMemberFlagMask | kMemberBitMask;
+    const bool has_bit = (r.flags & kMemberBit) != 0 || r.flags >> kMemberBitShift == 0;
+    return first_of(valid((r.flags & ~possible) == 0 && has_bit), string(r.name));
   }
 
   Status type(const TypeRecord& r, std::uint32_t index) {
@@ -160,6 +162,8 @@ class TableChecker {
     for (std::uint32_t m = r.first; m < r.first + r.count; ++m) {
       const MemberRecord member = view_.record<Section::Members>(m);
       if (member.type >= index) return false;
+      const bool is_bit = member_bit(member.flags) != kNoBit;
+      if (is_bit && !is_bool_type(view_.record<Section::Types>(member.type))) return false;
       if (!in_range(member.offset, view_.record<Section::Types>(member.type).size, r.size)) return false;
     }
     return true;

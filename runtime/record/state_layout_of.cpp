@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "runtime/bytecode/member_bit.h"
 #include "runtime/bytecode/reader/loaded_program.h"
 #include "runtime/naming/ascii_names.h"
 #include "runtime/record/retain_area.h"
@@ -70,7 +71,7 @@ class Expander {
       if ((member.flags & bytecode::kMemberConstant) != 0) own |= kStateConstant;
       if ((member.flags & bytecode::kMemberHidden) != 0) own |= kStateHidden;
       if (!add(path + "." + reader::text_of(view_, member.name), member.type, address + member.offset,
-               bytecode::kNoBit, own)) {
+               bytecode::member_bit(member.flags), own)) {
         return false;
       }
     }

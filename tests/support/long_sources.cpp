@@ -289,6 +289,29 @@ std::string long_name(int characters) {
   return program("  " + name + " : INT;\n", name + " := 1;\n");
 }
 
+std::string long_namespaces(int characters) {
+  std::string name = "a";
+  while (name.size() + 4 < static_cast<std::size_t>(characters)) name += ".a";
+  const std::string last(static_cast<std::size_t>(characters) - name.size() - 1, 't');
+  return "NAMESPACE " + name + "\nTYPE " + last + " : INT; END_TYPE END_NAMESPACE\n" +
+         program("  x : " + name + "." + last + ";\n", "x := 1;\n");
+}
+
+std::string nested_namespaces(int depth) {
+  return each(depth, [](int) { return "NAMESPACE a\n"; }) +
+         each(depth, [](int) { return "END_NAMESPACE\n"; }) + program("", "");
+}
+
+std::string many_namespaces(int count) {
+  const auto name = [](const char* prefix, int i) { return prefix + std::to_string(i); };
+  return each(count,
+              [&](int i) {
+                return "NAMESPACE " + name("n", i) + " FUNCTION " + name("f", i) + " : INT\n" + name("f", i) +
+                       " := 1; END_FUNCTION END_NAMESPACE USING " + name("n", i) + ";\n";
+              }) +
+         program("  x : INT;\n", each(count, [&](int i) { return "x := x + " + name("f", i) + "();\n"; }));
+}
+
 std::string many_dimensions(int count) {
   const auto list = [&](const std::string& piece) {
     return "[" + each(count, [&](int i) { return (i > 0 ? "," : "") + piece; }) + "]";

@@ -54,6 +54,9 @@ std::string chained_calls(int depth);
 std::string doubled_blocks(int depth);  // each holds two of the next: 2^depth instances
 
 std::string long_name(int characters);
+std::string long_namespaces(int characters);  // a type whose name has so many with its namespaces
+std::string nested_namespaces(int depth);
+std::string many_namespaces(int count);  // and as many USING, functions and calls
 std::string many_dimensions(int count);
 std::string huge_types(int count);  // 32 MB each, in no variable
 

@@ -53,6 +53,9 @@ class TypeResolver {
   const Type* open_array(const syntax::TypeSpec& spec);
   const Type* structure(const syntax::TypeSpec& spec, Type& out);
   bool is_member_line(const syntax::VariableDeclaration& line, const Type& type);
+  bool is_placed(const syntax::VariableDeclaration& line, const Type& type);
+  bool share_soundly(const Type& structure, const std::vector<const syntax::VariableDeclaration*>& lines,
+                     bool overlap);
   const Type* base_type(const syntax::Name& name, const char* what);
   const Type* enumeration(const syntax::TypeSpec& spec, std::string name);
   bool add_enumerator(Type& type, const syntax::Name& name, __int128 value);
@@ -73,6 +76,9 @@ class TypeResolver {
 // report.
 bool initialise(Analysis& analysis, ExpressionAnalyzer& expressions, const syntax::Expression& initial,
                 const Type& type, std::span<std::byte> out);
+
+// The bit of the byte becomes 1 unless `value` is 0.
+void set_bit(std::byte& byte, std::uint8_t bit, std::byte value);
 
 // Globals of the unit and of its configurations: the constant ones or the others. Appends to the model.
 void declare_globals(Analysis& analysis, TypeResolver& types, const syntax::Unit& unit, bool constants);

@@ -20,6 +20,8 @@ struct NamedConversion {
   const Type* to = nullptr;
 };
 
+enum class ErrorTest : std::uint8_t;  // error_test.h
+
 class ExpressionAnalyzer {
  public:
   // `pou` is null outside of POUs (bounds, initial values of globals): only constants are known there.
@@ -115,6 +117,7 @@ class ExpressionAnalyzer {
   struct Member {
     const Type* type = nullptr;
     std::uint32_t offset = 0;
+    std::uint8_t bit = bytecode::kNoBit;
   };
   std::optional<Member> struct_member(const Type& type, const syntax::Name& name);
   std::optional<Member> instance_member(const Type& type, const syntax::Name& name);
@@ -230,8 +233,20 @@ class ExpressionAnalyzer {
   // error_guard.cpp
   // The call, whose value is the first of its type where it would be an error; `enabled` says which.
   ValuePtr unless_error(ValuePtr called, const Place& enabled);
-  ValuePtr has_value(const Value& called);
+  ValuePtr kept_aside(ValuePtr value, std::vector<CopyBefore>& before);
+  void add_or_first(Value& enabled, ValuePtr called);
   static Constant first_value(const Type& scalar);
+  // value_condition.cpp
+  ValuePtr has_value(const Value& called, ErrorTest test);
+  ValuePtr compare(const Value& operand, syntax::Operator op, Constant bound);
+  ValuePtr both(ValuePtr left, ValuePtr right);
+  ValuePtr neither(ValuePtr wrong);
+  ValuePtr is_in_range(const Value& called);
+  ValuePtr is_duration(const Value& called);
+  ValuePtr is_in_domain(const Value& called);
+  ValuePtr is_power(const Value& base, const Value& exponent);
+  ValuePtr is_code(const Value& code, const Type& number);
+  ValuePtr has_digits(const Value& number, const Type& code);
   Statement enabled_block(Statement called, const syntax::Expression& call);
   // call_arguments.cpp
   // Which parameter each argument means; false after a report.

@@ -78,6 +78,8 @@ class Parser {
   ExpressionPtr literal();
   ExpressionPtr text_literal();
   ExpressionPtr prefixed_literal();
+  bool at_full_prefix() const;
+  Name literal_prefix();
 
   // argument_parser.cpp
   bool arguments(std::vector<Argument>& list);
@@ -92,6 +94,22 @@ class Parser {
   void object_word();
   bool accept_modifier();
   void skip_inheritance();
+
+  // namespace_parser.cpp
+  bool at_namespace() const;
+  bool at_using() const;
+  std::optional<Name> full_name(const char* what, std::vector<std::string_view>* parts = nullptr);
+  bool is_too_long(std::size_t characters, source::Position where);
+  void using_directives(std::vector<Name>& out);
+  bool accept_internal();
+  void qualify(Unit& out, Name& name, bool internal);
+  void open_namespace(Unit& out, const Name& name, const std::vector<std::string_view>& parts, bool internal);
+  void namespace_block(Unit& out);
+  void namespace_part(Unit& out);
+  void types_of_unit(Unit& out);
+  void pou_of_unit(Unit& out);
+  void enter_scope(Unit& out, PouDeclaration& pou);
+  void globals_of_unit(Unit& out);
 
   // statement_parser.cpp
   Statements statements();
@@ -120,6 +138,7 @@ class Parser {
   bool variable_line(const VariableDeclaration& model, std::vector<VariableDeclaration>& out);
   bool variable_names(VariableDeclaration& line);
   bool variable_address(VariableDeclaration& line);
+  bool relative_address(VariableDeclaration& line);
   bool typed_line(VariableDeclaration& line);
   void variable_lines(const VariableDeclaration& model, std::vector<VariableDeclaration>& out);
   bool at_declaration() const;
@@ -137,11 +156,11 @@ class Parser {
   void text_length(TypeSpec& spec);
   bool at_pointer() const;
   TypeSpecPtr reference_type();
-  void type_section(std::vector<TypeDeclaration>& out);
+  bool type_section(std::vector<TypeDeclaration>& out);
 
   // pou_parser.cpp
   PouDeclaration pou();
-  void pou_head(PouDeclaration& result);
+  void pou_head(PouDeclaration& result, bool stands_for_another = false);
   void pou_body(PouDeclaration& result, std::optional<Keyword> end = {});
   void stray_word(PouDeclaration& pou);
   TypeSpecPtr function_result();
@@ -155,7 +174,7 @@ class Parser {
   // Where a test or a mock begins, or ends the one that is being read.
   bool at_test_declaration() const;
   void test(std::vector<TestDeclaration>& out);
-  void mock(std::vector<PouDeclaration>& out);
+  void mock(Unit& out);
   void close_test(const Token& open);
 
   // configuration_parser.cpp
@@ -201,6 +220,11 @@ class Parser {
   bool jumps_;                     // "JMP name;" and "name:" are statements
   bool open_end_ = false;          // the last statement of the list may stand without ';'
   const char* closing_ = nullptr;  // END_TEST, END_MOCK: of what is being read
+  NameScope* scope_ = nullptr;     // of the declarations at the cursor; null outside of a unit
+  std::string space_text_;         // full name of the namespace that is open; empty outside
+  bool in_structure_ = false;      // what is declared is a member
+  std::vector<Name> pou_used_;     // USING of the POU that is being read
+  bool internal_pou_ = false;      // it is INTERNAL to the namespace
 };
 
 // Counts one level of nesting while it lives.

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "runtime/bytecode/member_bit.h"
 #include "runtime/bytecode/program.h"
 #include "runtime/bytecode/reader/loaded_program.h"
 #include "runtime/naming/ascii_names.h"
@@ -62,7 +63,8 @@ class Flattener {
         for (std::uint32_t i = 0; i < type.count && !ended_; ++i) {
           const auto member = view_.record<Section::Members>(type.first + i);
           if ((member.flags & bytecode::kMemberHidden) != 0) continue;
-          const Variable inside{place.type, place.address + member.offset, bytecode::kNoBit};
+          const Variable inside{place.type, place.address + member.offset,
+                                bytecode::member_bit(member.flags)};
           const bool constant = (member.flags & bytecode::kMemberConstant) != 0;
           const auto own = static_cast<std::uint16_t>(flags | (constant ? bytecode::kSymbolConstant : 0));
           add(name + "." + text_of(view_, member.name), member.type, inside, own, depth + 1);

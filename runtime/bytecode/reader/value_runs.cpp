@@ -1,5 +1,7 @@
 #include "runtime/bytecode/reader/value_runs.h"
 
+#include "runtime/bytecode/member_bit.h"
+
 namespace stepwright::reader {
 namespace {
 
@@ -20,7 +22,7 @@ class Walk {
 
   bool symbol(const bytecode::SymbolRecord& symbol) {
     if (symbol.bit == bytecode::kNoBit) return type(symbol.type, symbol.address, 0);
-    return visit({TypeKind::Elementary, bytecode::ElementaryType::Bool, symbol.address, 1, 1, symbol.bit});
+    return bit(symbol.address, symbol.bit);
   }
 
  private:
@@ -54,9 +56,15 @@ class Walk {
   bool members(const bytecode::TypeRecord& record, std::uint32_t address, std::uint32_t depth) {
     for (std::uint32_t i = 0; i < record.count; ++i) {
       const auto member = view_.record<Section::Members>(record.first + i);
-      if (!type(member.type, address + member.offset, depth + 1)) return false;
+      const std::uint32_t at = address + member.offset;
+      const std::uint8_t number = bytecode::member_bit(member.flags);
+      if (!(number == bytecode::kNoBit ? type(member.type, at, depth + 1) : bit(at, number))) return false;
     }
     return true;
+  }
+
+  bool bit(std::uint32_t address, std::uint8_t number) {
+    return visit({TypeKind::Elementary, bytecode::ElementaryType::Bool, address, 1, 1, number});
   }
 
   bool run(const bytecode::TypeRecord& record, std::uint32_t address, std::uint32_t count) {

@@ -121,6 +121,11 @@ const Extreme kExtremes[] = {
     {"Name", [] { return long_name(1'000'000); }, "E0109"},
     {"NameOf255", [] { return long_name(255); }, nullptr},
     {"NameOf256", [] { return long_name(256); }, "E0109"},
+    {"NamespacesOf255", [] { return long_namespaces(255); }, nullptr},
+    {"NamespacesOf256", [] { return long_namespaces(256); }, "E0109"},
+    {"NamespacesOfMany", [] { return long_namespaces(1'000'000); }, "E0109"},
+    {"NamespacesInNamespaces", [] { return nested_namespaces(100'000); }, "E0109"},
+    {"Namespaces", [] { return many_namespaces(20'000); }, nullptr},
     {"Dimensions", [] { return many_dimensions(100'000); }, "E0106"},
     {"Types", [] { return huge_types(100); }, "E0209"},
 };

@@ -84,12 +84,14 @@ std::string ladder(const std::string& variables, const std::string& body) {
 }
 
 std::string run(const std::string& xml, const std::string& inputs, const std::string& scans,
-                const std::string& outputs) {
+                const std::string& outputs, const std::string& text) {
   const auto project = read_plcopen("plc.xml", xml);
   if (!project) return result::to_string(project.error());
-  const auto compiled = driver::compile(input_of(*project));
+  driver::CompileInput given = input_of(*project);
+  if (!text.empty()) given.texts.push_back({"beside.st", text});
+  const auto compiled = driver::compile(given);
   if (!compiled) return result::to_string(compiled.error());
-  support::CompiledProgram program(input_of(*project));
+  support::CompiledProgram program(given);
   std::istringstream lines(scans);
   std::string all;
   for (std::string line; std::getline(lines, line, '|');) {

@@ -33,9 +33,9 @@ std::string ints(const std::string& names, const std::string& type = "INT");
 // A project with one program whose body is this ladder behind a rail.
 std::string ladder(const std::string& variables, const std::string& body);
 
-// Compiles a project and runs it. One line per scan: the inputs that are TRUE, "a b|a|"; gives the values of
-// the outputs, one group per scan, or what is wrong.
+// Compiles a project, with an ST text beside it, and runs it. One line per scan: the inputs that are TRUE,
+// "a b|a|"; gives the values of the outputs, one group per scan, or what is wrong.
 std::string run(const std::string& xml, const std::string& inputs, const std::string& scans,
-                const std::string& outputs);
+                const std::string& outputs, const std::string& text = {});
 
 }  // namespace stepwright::exchange

@@ -36,6 +36,17 @@ TEST(DrawnOperands, WhenABlockReadsExpressions_ThenEachIsOneArgument) {
   EXPECT_EQ(run(ladder(bools("a b") + ints("n"), body), "a b", "a|a|a b|", "n"), "2 6 21");
 }
 
+TEST(DrawnOperands, WhenABlockIsOfANamespace_ThenItsFullNameSaysSo) {
+  const std::string body = contact(2, 50, 10, "1", "a") + input(3, 50, 40, "n") +
+                           block(5, 120, 10, "Plant.Parts.Twice", "EN=2 v=3", "ENO OUT") +
+                           input(6, 220, 60, "3") + block(7, 320, 10, "ADD", "IN1=5:OUT IN2=6", "OUT") +
+                           output(8, 420, 40, "7:OUT", "n");
+  const std::string text =
+      "NAMESPACE Plant TYPE Count : INT; END_TYPE NAMESPACE Parts FUNCTION Twice : Count\n"
+      "VAR_INPUT v : Count; END_VAR\nTwice := v * 2; END_FUNCTION END_NAMESPACE END_NAMESPACE";
+  EXPECT_EQ(run(ladder(bools("a") + ints("n"), body), "a", "a|a", "n", text), "3 9");
+}
+
 // Step Low, the transition, step High, which nothing leaves; "q" is driven while High is active.
 std::string chart(const std::string& condition, const std::string& action = "<reference name=\"q\"/>") {
   const std::string body =

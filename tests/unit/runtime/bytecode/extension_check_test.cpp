@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "runtime/bytecode/member_bit.h"
 #include "runtime/bytecode/writer/container_writer.h"
 #include "tests/support/test_program.h"
 #include "tests/unit/runtime/bytecode/container_change.h"
@@ -123,6 +124,19 @@ TEST(ExtensionCheck, InstanceCall_WhenTheFrameOverlaps_ThenIsRefused) {
   const auto good =
       writer::write_container(support::one_program(8, caller, {std::move(block).take()})).value();
   EXPECT_EQ(verify_changed<S::Functions>(good, 1, [](auto& r) { r.frame_offset = 7; }).status, V::BadFrame);
+}
+
+TEST(ExtensionCheck, Members_WhenOneIsABit_ThenItIsABool) {
+  constexpr std::uint32_t kEnumerator = 0, kNext = 2;
+  const auto member = [](std::uint32_t index, std::uint32_t type, std::uint32_t flags) {
+    return changed<S::Members>(index, [&](auto& r) { r.type = type, r.flags = flags; });
+  };
+  EXPECT_EQ(member(kNext, kBool, bit_member(0)), V::Ok);
+  EXPECT_EQ(member(kNext, kBool, bit_member(7)), V::Ok);
+  EXPECT_EQ(member(kNext, kPointer, bit_member(0)), V::BadType);
+  EXPECT_EQ(member(kNext, kBool, bit_member(7) << 1), V::BadRecord);
+  EXPECT_EQ(member(kNext, kBool, 1u << kMemberBitShift), V::BadRecord) << "a number without the flag";
+  EXPECT_EQ(member(kEnumerator, kNoIndex, bit_member(0)), V::BadRecord);
 }
 
 TEST(ExtensionCheck, Types_WhenAKindsRuleIsBroken_ThenAreRefused) {

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "runtime/bytecode/member_bit.h"
 #include "runtime/bytecode/reader/loaded_program.h"
 #include "runtime/bytecode/reader/program_info.h"
 #include "runtime/bytecode/reader/read_value.h"
@@ -72,6 +73,34 @@ TEST(ProgramInfo, Variables_WhenAskedByPath_ThenAreFoundInsideInstancesAndArrays
   EXPECT_EQ(info.find("MAIN.timer.PT")->address, L::kMain + 2);
   EXPECT_EQ(info.find("MAIN.history[9]"), nullptr);
   EXPECT_EQ(info.find("MAIN.timer"), nullptr);
+}
+
+TEST(ProgramInfo, Variables_WhenMembersAreBits_ThenSayWhich) {
+  for (const std::uint8_t bit : {std::uint8_t{0}, std::uint8_t{7}})
+    EXPECT_EQ(bytecode::member_bit(bytecode::bit_member(bit)), bit);
+  EXPECT_EQ(bytecode::member_bit(bytecode::kMemberHidden), bytecode::kNoBit);
+  writer::ContainerModel model;
+  model.sizes.data_bytes = 2;
+  const auto boolean = model.add_type(writer::elementary(bytecode::ElementaryType::Bool));
+  writer::Type frame;
+  frame.name = "FRAME";
+  frame.kind = bytecode::TypeKind::Struct;
+  frame.size = 2;
+  frame.members.push_back({"whole", boolean, 0});
+  frame.members.push_back({"third", boolean, 1, bytecode::bit_member(3)});
+  const auto type = model.add_type(std::move(frame));
+  writer::Symbol symbol;
+  symbol.name = "f";
+  symbol.type = type;
+  model.symbols.push_back(std::move(symbol));
+  writer::FunctionBuilder main("MAIN", bytecode::FunctionKind::Program, 2);
+  main.emit(bytecode::Opcode::Return);
+  model.functions.push_back(std::move(main).take());
+  model.tasks.push_back({.name = "t", .interval_us = 1'000, .priority = 0, .calls = {{"MAIN", 0, 0}}});
+  const ProgramInfo info = ProgramInfo::read(writer::write_container(model).value()).value();
+  EXPECT_EQ(info.find("f.whole")->bit, bytecode::kNoBit);
+  EXPECT_EQ(info.find("f.third")->bit, 3);
+  EXPECT_EQ(info.find("f.third")->address, info.find("f.whole")->address + 1);
 }
 
 TEST(ProgramInfo, Variables_WhenTheCompilerHidesThem_ThenNobodySeesThem) {

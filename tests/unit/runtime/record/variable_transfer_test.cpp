@@ -96,6 +96,26 @@ TEST(VariableTransfer, WhenStructuresGain_ThenMembersKeepTheirNames) {
   EXPECT_EQ(change.after.get("MAIN.a[1].w"), 3);
 }
 
+TEST(VariableTransfer, WhenMembersHavePlaces_ThenBitsAndSharedMemoryGoWithTheirNames) {
+  TwoPrograms change(
+      "TYPE P : STRUCT a AT %X0.0 : BOOL; b AT %X0.7 : BOOL; n AT %B1 : INT; END_STRUCT;\n"
+      "O : STRUCT OVERLAP w AT %W0 : WORD; l AT %B0 : BYTE; t AT %X1.6 : BOOL; END_STRUCT; END_TYPE\n" +
+          program("VAR p : P; o : O; END_VAR"),
+      "TYPE P : STRUCT n AT %B6 : INT; b AT %X3.1 : BOOL; a AT %X3.2 : BOOL := TRUE; END_STRUCT;\n"
+      "O : STRUCT OVERLAP l AT %B0 : BYTE; t AT %X1.6 : BOOL; w AT %W0 : WORD; END_STRUCT; END_TYPE\n" +
+          program("VAR pad : BYTE; o : O; p : P; END_VAR"));
+  change.before.set("MAIN.p.b", 1);
+  change.before.set("MAIN.p.n", -5);
+  change.before.set("MAIN.o.w", 0x4321);
+  change.carry();
+  EXPECT_EQ(change.after.get("MAIN.p.a"), 0);
+  EXPECT_EQ(change.after.get("MAIN.p.b"), 1);
+  EXPECT_EQ(change.after.get("MAIN.p.n"), -5);
+  EXPECT_EQ(change.after.get("MAIN.o.w"), 0x4321);
+  EXPECT_EQ(change.after.get("MAIN.o.l"), 0x21);
+  EXPECT_EQ(change.after.get("MAIN.o.t"), 1);
+}
+
 TEST(VariableTransfer, WhenAnEnumerationGainsANameOrASubrangeGrows_ThenTheValueStays) {
   TwoPrograms change("TYPE M : (IDLE, RUN); L : INT(0..10); K : INT(0..10); END_TYPE\n" +
                          program("VAR m : M; l : L; k : K; END_VAR"),
