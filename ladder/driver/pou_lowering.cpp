@@ -229,7 +229,7 @@ void PouLowering::add_chart(const graphic::Pou& pou, source::FileId file) {
   if (context_.sink.error_count() != errors) return;
   ProjectScope plain(pou, interfaces_, file, context_);
   plain.hide_marks();
-  graphic::SfcChart origin = lowering::diagram_to_chart(body, plain).chart;
+  graphic::SfcChart origin = lowering::shown_chart(body, plain);
   graphic::Pou chart = pou;
   chart.body = std::move(drawn.chart);
   std::vector<graphic::Wire>& wires = drawn.networks.every_scan.wires;

@@ -106,7 +106,7 @@ class ProjectSheets {
     ProjectScope scope(pou, interfaces_, file_, context_);
     scope.hide_marks();
     if (drawn.body.diagram.language == graphic::DiagramLanguage::Chart) {
-      sheet.body = lowering::diagram_to_chart(drawn, scope).chart;
+      sheet.body = lowering::shown_chart(drawn, scope);
     } else {
       sheet.body = lowering::shown_ladder(lowering::diagram_to_ladder(drawn.body.diagram, scope));
       if (drawn.body.diagram.language == graphic::DiagramLanguage::FunctionBlocks)

@@ -21,7 +21,8 @@ class Layouter {
   LadderLayout run() {
     for (const Rung& rung : program_.rungs) {
       for (const Coil& coil : rung.coils)
-        coil_width_ = std::max(coil_width_, symbol_size(coil.variable).width);
+        if (!is_connector(coil.variable))
+          coil_width_ = std::max(coil_width_, symbol_size(coil.variable).width);
     }
     int width = m_.min_width;
     for (const Rung& rung : program_.rungs) {
@@ -162,20 +163,21 @@ class Layouter {
       return list.back().symbol;
     };
     for (const Block& block : rung.blocks) add(SymbolKind::Block, block_size(block)).block = &block;
+    const auto add_text = [&](SymbolKind kind, const std::string& text) {
+      add(kind, {text_width(text) + m_.wire, m_.symbol_half, m_.symbol_half}).text = text;
+    };
     for (const Coil& coil : rung.coils) {
+      if (is_connector(coil.variable)) {
+        add_text(SymbolKind::Connector, coil.variable);
+        continue;
+      }
       // All coils of a program stand below each other.
       Size size = symbol_size(coil.variable);
       size.width = coil_width_;
       add(SymbolKind::Coil, size).coil = &coil;
     }
-    if (!rung.jump_to.empty()) {
-      const std::string text = ">> " + rung.jump_to;
-      add(SymbolKind::Jump, {text_width(text) + m_.wire, m_.symbol_half, m_.symbol_half}).text = text;
-    }
-    if (rung.is_return) {
-      const std::string text = "<RETURN>";
-      add(SymbolKind::Return, {text_width(text) + m_.wire, m_.symbol_half, m_.symbol_half}).text = text;
-    }
+    if (!rung.jump_to.empty()) add_text(SymbolKind::Jump, ">> " + rung.jump_to);
+    if (rung.is_return) add_text(SymbolKind::Return, "<RETURN>");
     return list;
   }
 

@@ -27,7 +27,7 @@ struct LadderMetrics {
   int note = 0;         // height of the line of notes below contacts and coils
 };
 
-enum class SymbolKind : std::uint8_t { Contact, Box, Coil, Block, Jump, Return, GoesOn, WentOn };
+enum class SymbolKind : std::uint8_t { Contact, Box, Coil, Block, Connector, Jump, Return, GoesOn, WentOn };
 
 // `x` is the left edge, `y` the height of the wire.
 struct PlacedSymbol {
@@ -38,7 +38,7 @@ struct PlacedSymbol {
   const Condition* condition = nullptr;  // Contact, Box
   const Coil* coil = nullptr;
   const Block* block = nullptr;
-  std::string text;  // of a Box, Jump, GoesOn (its line goes on ...), WentOn (... here)
+  std::string text;  // of a Box, Connector, Jump, GoesOn (its line goes on ...), WentOn (... here)
 };
 
 struct PlacedWire {

@@ -83,6 +83,7 @@ void LadderPainter::draw(const PlacedSymbol& symbol) {
     case SymbolKind::Block:
       block(symbol);
       break;
+    case SymbolKind::Connector:
     case SymbolKind::Jump:
     case SymbolKind::Return:
       svg_.text(symbol.x + 4, symbol.y + 4, symbol.text, "sw-jump");

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -17,6 +18,12 @@ struct Coil {
   CoilKind kind = CoilKind::Normal;
   std::string variable;
 };
+
+// ">1>": where a line ends that goes on wherever the same stands again (IEC 61131-3, 8.1.3). It is no
+// variable; programs that are shown have them (lowering/shown_ladder.h).
+inline bool is_connector(std::string_view name) {
+  return name.size() > 2 && name.front() == '>' && name.back() == '>';
+}
 
 // A function, function block or statement list in a rung, run only while its EN input has power
 // (a function block with a BOOL input in `power_input` gets the power there and runs in every scan).

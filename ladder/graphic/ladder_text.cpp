@@ -64,6 +64,7 @@ void draw(TextCanvas& canvas, const PlacedSymbol& symbol) {
     case SymbolKind::Block:
       draw_block(canvas, symbol);
       break;
+    case SymbolKind::Connector:
     case SymbolKind::Jump:
     case SymbolKind::Return:
       canvas.text(symbol.x, symbol.y, symbol.text);

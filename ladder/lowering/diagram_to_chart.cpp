@@ -9,6 +9,7 @@
 #include "ladder/lowering/drawn_body_text.h"
 #include "ladder/lowering/drawn_conditions.h"
 #include "ladder/lowering/network_lowering.h"
+#include "ladder/lowering/shown_conditions.h"
 #include "ladder/source/codes.h"
 
 namespace stepwright::lowering {
@@ -22,11 +23,11 @@ using graphic::StepId;
 
 class ChartReader {
  public:
-  ChartReader(const graphic::DrawnBody& body, DiagramScope& scope)
+  ChartReader(const graphic::DrawnBody& body, DiagramScope& scope, Purpose purpose)
       : body_(body),
         diagram_(body.body.diagram),
         scope_(scope),
-        texts_(scope),
+        texts_(scope, purpose),
         tracer_(diagram_, scope),
         graph_(diagram_, scope),
         networks_(graph_, scope),
@@ -283,7 +284,15 @@ class ChartReader {
 }  // namespace
 
 DrawnChart diagram_to_chart(const graphic::DrawnBody& body, DiagramScope& scope) {
-  return ChartReader(body, scope).read();
+  return ChartReader(body, scope, Purpose::Compile).read();
+}
+
+graphic::SfcChart shown_chart(const graphic::DrawnBody& body, DiagramScope& scope) {
+  DrawnChart drawn = ChartReader(body, scope, Purpose::Show).read();
+  ShownConditions shown(drawn.networks.every_scan);
+  for (graphic::Transition& each : drawn.chart.transitions)
+    each.condition = shown.drawn(std::move(each.condition));
+  return std::move(drawn.chart);
 }
 
 }  // namespace stepwright::lowering

@@ -25,4 +25,8 @@ struct DrawnChart {
 // chart) and E0804 (macro steps, instruction lists) to the scope.
 DrawnChart diagram_to_chart(const graphic::DrawnBody& body, DiagramScope& scope);
 
+// The same chart as a reader sees it: conditions and actions as they were drawn, without the wires that their
+// evaluation needs (shown_conditions.h, shown_text.h). It is not to be compiled. The scope gives no marks.
+graphic::SfcChart shown_chart(const graphic::DrawnBody& body, DiagramScope& scope);
+
 }  // namespace stepwright::lowering

@@ -7,6 +7,8 @@
 #include "ladder/lowering/diagram_to_ladder.h"
 #include "ladder/lowering/ladder_to_syntax.h"
 #include "ladder/lowering/network_lowering.h"
+#include "ladder/lowering/shown_ladder.h"
+#include "ladder/lowering/shown_text.h"
 #include "ladder/source/codes.h"
 
 namespace stepwright::lowering {
@@ -69,6 +71,7 @@ bool DrawnBodyText::refuse_jumps(const graphic::LadderProgram& ladder, const gra
 std::string DrawnBodyText::ladder_statements(const graphic::DiagramBody& body) {
   const graphic::LadderProgram ladder = diagram_to_ladder(body.diagram, scope_);
   if (refuse_jumps(ladder, body, "an action")) return {};
+  if (purpose_ == Purpose::Show) return shown_text(shown_ladder(ladder));
   LadderText text = ladder_text(ladder, scope_.new_wire());
   for (const std::string& fault : text.faults) scope_.error(code::kBadDiagram, body.where, fault);
   if (!text.faults.empty()) return {};
@@ -141,7 +144,7 @@ DrawnCondition DrawnBodyText::condition(const graphic::DiagramBody& body, const 
 }
 
 std::string DrawnBodyText::guarded(graphic::LadderProgram network, std::uint32_t where) {
-  if (only_reads(network)) {
+  if (purpose_ == Purpose::Show || only_reads(network)) {
     std::move(network.rungs.begin(), network.rungs.end(), std::back_inserter(networks_.rungs));
     std::move(network.wires.begin(), network.wires.end(), std::back_inserter(networks_.wires));
     return {};

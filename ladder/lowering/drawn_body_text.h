@@ -1,7 +1,9 @@
 #pragma once
 
-// Bodies of actions and transitions, in any language, as ST. Internal to this folder.
+// Bodies of actions and transitions, in any language, as ST: to be compiled, or as a reader sees them.
+// Internal to this folder.
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -18,15 +20,18 @@ struct DrawnCondition {
   std::string statements;  // a network that runs before `value` is read, only while the transition is enabled
 };
 
+enum class Purpose : std::uint8_t { Compile, Show };
+
 class DrawnBodyText {
  public:
-  explicit DrawnBodyText(DiagramScope& scope) : scope_(scope) {}
+  DrawnBodyText(DiagramScope& scope, Purpose purpose) : scope_(scope), purpose_(purpose) {}
 
   // Statements of an action.
   std::string statements(const graphic::DiagramBody& body);
   // The condition of a transition: an expression, or what a network writes to the variable `name`.
   DrawnCondition condition(const graphic::DiagramBody& body, const std::string& name);
-  // A network that is a condition as statements; empty if it may run in every scan, where it goes then.
+  // A network that is a condition as statements; empty if it may run in every scan, where it goes then. To be
+  // shown, all of them go there: where they run is no business of a reader.
   std::string guarded(graphic::LadderProgram network, std::uint32_t where);
 
   // What runs in every scan for conditions that were drawn: contacts and their edges.
@@ -44,6 +49,7 @@ class DrawnBodyText {
   graphic::SourceText expression_of(const graphic::SourceText& text, const std::string& name);
 
   DiagramScope& scope_;
+  Purpose purpose_;
   syntax::PieceReader reader_;
   graphic::LadderProgram networks_;
   std::vector<graphic::Wire> variables_;

@@ -1,10 +1,10 @@
 #include "ladder/lowering/shown_ladder.h"
 
-#include <cctype>
 #include <map>
 #include <set>
-#include <string_view>
 #include <utility>
+
+#include "ladder/lowering/text_names.h"
 
 namespace stepwright::lowering {
 
@@ -18,27 +18,6 @@ using graphic::ConditionKind;
 using graphic::Edge;
 using graphic::LadderProgram;
 using graphic::Rung;
-
-bool is_letter(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
-
-// Calls `found(name)` for each identifier of a text; what it returns replaces it.
-template <typename Found>
-std::string each_name(std::string_view text, const Found& found) {
-  std::string result;
-  for (std::size_t at = 0; at < text.size();) {
-    std::size_t end = at;
-    while (end < text.size() && is_letter(text[end])) ++end;
-    if (end == at) {
-      result += text[at++];
-      continue;
-    }
-    result += found(std::string(text.substr(at, end - at)));
-    at = end;
-  }
-  return result;
-}
 
 // Calls `contact(condition)` for each contact and `text(string)` for each other text of a rung.
 template <typename Contact, typename Text>
@@ -142,7 +121,7 @@ class Shown {
   std::string connector(const std::string& name) {
     if (!wires_.contains(name)) return name;
     const auto number = connectors_.try_emplace(name, connectors_.size() + 1).first->second;
-    return ">" + std::to_string(number) + ">";
+    return connector_name(number);
   }
 
   // What is left of the wires.

@@ -62,8 +62,9 @@ ordered_json condition_json(const Condition& condition) {
   return {{"kind", "true"}};
 }
 
-const char* word_of(graphic::CoilKind kind) {
-  switch (kind) {
+const char* word_of(const graphic::Coil& coil) {
+  if (graphic::is_connector(coil.variable)) return "connector";
+  switch (coil.kind) {
     case graphic::CoilKind::Normal:
       break;
     case graphic::CoilKind::Negated:
@@ -107,7 +108,7 @@ ordered_json rung_json(const graphic::Rung& rung, std::uint32_t number) {
   for (const graphic::Block& each : rung.blocks) json["boxes"].push_back(block_json(each));
   json["coils"] = ordered_json::array();
   for (const graphic::Coil& each : rung.coils)
-    json["coils"].push_back({{"kind", word_of(each.kind)}, {"name", each.variable}});
+    json["coils"].push_back({{"kind", word_of(each)}, {"name", each.variable}});
   put(json, "jump", rung.jump_to);
   if (rung.is_return) json["return"] = true;
   return json;

@@ -6,9 +6,9 @@ import { join } from 'node:path';
 import { startDemo } from './demo_process.mjs';
 import { leadOverPage } from './page_run.mjs';
 import { asksApi, claims, dialog, dialogIsGone, fill, isAccessible, setupToken } from './people.mjs';
-import { check, fitsEveryWidth, options, waitFor } from './support.mjs';
+import { check, fitsEveryWidth, options, until, waitFor } from './support.mjs';
 
-const SPEED = 5; // so that a run lasts while somebody puts another goal together
+const SPEED = 5; // a run that is not held lasts for some seconds
 
 const given = options();
 
@@ -108,20 +108,43 @@ async function changesItsMindMeanwhile(page) {
   await dialog(page).getByLabel('number of condition 3').fill('7');
   await button(page, 'Start with this goal').click();
   await dialogIsGone(page, 'another run is started from where the plant is');
-  await phaseIs(page, 'executing', 'and runs');
+  await holdsAtOnce(page);
+  await handsOverWhileHeld(page);
   await page.getByRole('button', { name: 'New goal' }).click();
-  await waitFor(page, 'a goal can be put together meanwhile', () => document.querySelectorAll('[data-condition]').length === 3);
+  await waitFor(page, 'another goal can be put together', () => document.querySelectorAll('[data-condition]').length === 3);
   await dialog(page).getByLabel('number of condition 2').fill('6');
   await button(page, 'What if?').click();
-  await waitFor(page, 'and looked at beside the plan that runs', () =>
-    ['planned'].includes(document.querySelector('[data-testid=what-if]')?.dataset.state));
-  check((await dialog(page).locator('[data-figure=actions] td').count()) === 3, 'with what is left of it');
+  await waitFor(page, 'and looked at', () => document.querySelector('[data-testid=what-if]')?.dataset.state === 'planned');
+  check((await dialog(page).locator('[data-figure=actions] td').count()) === 1, 'beside no other one: a run that is held follows no plan');
   await shot(page, 'meanwhile');
+  check((await asksApi(page, '/api/plan/resume', {})) === '200', 'somebody else resumes the run');
   await button(page, 'Run this goal').click();
-  await dialogIsGone(page, 'and run instead of it');
+  await dialogIsGone(page, 'which is to be run instead of what runs then');
   await phaseIs(page, 'done', 'which it does to the end');
   const goals = await page.locator('[data-panel=state] li').allInnerTexts();
   check(goals.some((text) => text.includes('(level a1) 6') || text.includes('= (level a1) 6')), `the goal is the last one: ${goals.join(' | ')}`);
+}
+
+// As soon as there is a plan that runs: seconds before it can end.
+async function holdsAtOnce(page) {
+  await until('it runs, and is held at once', async () =>
+    (await page.getByTestId('phase').innerText()) === 'executing' && (await asksApi(page, '/api/plan/hold', {})) === '200');
+  await phaseIs(page, 'held', 'the plant rests');
+}
+
+// What is handed over while the run is held runs once somebody resumes it, and the form says so.
+async function handsOverWhileHeld(page) {
+  await page.getByRole('button', { name: 'New goal' }).click();
+  await waitFor(page, 'the form is there', () => document.querySelectorAll('[data-condition]').length === 3);
+  check((await dialog(page).innerText()).includes('nothing runs before somebody resumes the run'), 'it says that nothing runs yet');
+  check((await button(page, 'Run this goal').count()) === 0, 'and does not offer to run it');
+  await dialog(page).getByLabel('number of condition 2').fill('8');
+  await isAccessible(page, 'the form of a held run');
+  await shot(page, 'held');
+  await button(page, 'Take over for when it is resumed').click();
+  await dialogIsGone(page, 'the supervisor has taken the goal over');
+  await waitFor(page, 'and says that it is the goal of the run', () => /the goal was changed to [^]*\(level a1\) 8/.test(document.querySelector('[data-testid=message]')?.textContent ?? ''));
+  check((await page.getByTestId('phase').innerText()) === 'held', 'which is held as before');
 }
 
 async function startsAgain(page) {

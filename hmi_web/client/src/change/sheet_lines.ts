@@ -50,7 +50,7 @@ function box({ type, instance, power, text, inputs, outputs }: Box): string {
   return `${name}(${[...(power ? [`${power} ← `.trim()] : []), ...pins(inputs, ':='), ...pins(outputs, '=>')].join(', ')})`;
 }
 
-const COIL = { normal: '', negated: 'NOT ', set: 'S ', reset: 'R ', rising: '↑', falling: '↓' } as const;
+const COIL = { normal: '', negated: 'NOT ', set: 'S ', reset: 'R ', rising: '↑', falling: '↓', connector: '' } as const;
 
 function rung(one: Rung): Line[] {
   const head = [`(* ${one.number} *)`, ...(one.label ? [`${one.label}:`] : []), ...(one.comment ? [`(* ${one.comment} *)`] : [])];

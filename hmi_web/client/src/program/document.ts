@@ -21,7 +21,7 @@ export interface Box {
   outputs: [pin: string, variable: string][];
 }
 
-export type CoilKind = 'normal' | 'negated' | 'set' | 'reset' | 'rising' | 'falling';
+export type CoilKind = 'normal' | 'negated' | 'set' | 'reset' | 'rising' | 'falling' | 'connector';
 
 export interface Coil {
   kind: CoilKind;
@@ -169,7 +169,7 @@ function conditionOf(value: unknown): Condition {
   }
 }
 
-const COILS = ['normal', 'negated', 'set', 'reset', 'rising', 'falling'] as const;
+const COILS = ['normal', 'negated', 'set', 'reset', 'rising', 'falling', 'connector'] as const;
 
 function rungOf(value: Fields): Rung {
   return {

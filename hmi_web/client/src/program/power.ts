@@ -26,11 +26,12 @@ export interface RungFlow {
 const SIMPLE = /^[A-Za-z_][\w.]*$/;
 // Where a line goes on that ended elsewhere.
 const CONNECTOR = /^>\d+>$/;
+export const isConnector = (name: string): boolean => CONNECTOR.test(name);
 const TRUE: Known = { kind: 'bool', value: 1 };
 const FALSE: Known = { kind: 'bool', value: 0 };
 
 function valueOf(text: string, lookup: Lookup): Result {
-  return CONNECTOR.test(text) ? lookup(text) : evaluate(text, lookup);
+  return isConnector(text) ? lookup(text) : evaluate(text, lookup);
 }
 
 // A variable that is FALSE cannot have risen; one that is TRUE may have.
@@ -68,7 +69,7 @@ export function driven(coil: Coil, power: Result): Result {
   if (coil.kind === 'negated') return not(power);
   if (coil.kind === 'set') return power?.value === 1 ? TRUE : null;
   if (coil.kind === 'reset') return power?.value === 1 ? FALSE : null;
-  return coil.kind === 'normal' ? power : null;
+  return coil.kind === 'normal' || coil.kind === 'connector' ? power : null;
 }
 
 const isResult = (box: Box, pin: string) => ['', 'OUT', box.type.toUpperCase()].includes(pin.toUpperCase());

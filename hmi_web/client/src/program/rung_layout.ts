@@ -19,6 +19,7 @@ export type Symbol =
   | { kind: 'contact' | 'test'; x: number; y: number; width: number; condition: Condition }
   | { kind: 'coil'; x: number; y: number; width: number; coil: Coil; index: number }
   | { kind: 'box'; x: number; y: number; width: number; height: number; box: Box; index: number; rows: BoxRow[]; textLines: string[] }
+  | { kind: 'connector'; x: number; y: number; width: number; name: string }
   | { kind: 'jump'; x: number; y: number; width: number; label: string };
 
 export interface BoxRow {
@@ -181,6 +182,15 @@ function coilOutput(coil: Coil, index: number): Output {
   };
 }
 
+// Its line ends here, and not at the rail.
+function connectorOutput(name: string): Output {
+  const width = textWidth(name) + 24;
+  return { width, up: 14, down: 14, put: (drawing, x, y) => {
+    drawing.wire([[x, y], [x + 10, y]], undefined, 'out');
+    drawing.symbols.push({ kind: 'connector', x: x + 10, y, width: width - 10, name });
+  } };
+}
+
 function jumpOutput(label: string): Output {
   const width = textWidth(label) + 34;
   return { width, up: 14, down: 14, put: (drawing, x, y) => {
@@ -194,7 +204,7 @@ export function layOutRung(rung: Rung, outputsOf: (box: Box) => string[], minimu
   const condition = sizeOf(rung.condition);
   const outputs = [
     ...rung.boxes.map((box, i) => boxOutput(box, i, outputsOf(box))),
-    ...rung.coils.map(coilOutput),
+    ...rung.coils.map((coil, i) => (coil.kind === 'connector' ? connectorOutput(coil.name) : coilOutput(coil, i))),
     ...(rung.jump === '' ? [] : [jumpOutput(`→ ${rung.jump}`)]),
     ...(rung.returns ? [jumpOutput('RETURN')] : []),
   ];
@@ -215,8 +225,8 @@ export function layOutRung(rung: Rung, outputsOf: (box: Box) => string[], minimu
     const begin = right - GAP - output.width;
     drawing.wire([[knee, at], [begin, at]], undefined, 'out');
     output.put(drawing, begin, at);
-    const coil = i >= rung.boxes.length && i < rung.boxes.length + rung.coils.length;
-    if (coil) drawing.wire([[right - GAP, at], [right, at]], undefined, 'out');
+    const coil = rung.coils[i - rung.boxes.length];
+    if (coil && coil.kind !== 'connector') drawing.wire([[right - GAP, at], [right, at]], undefined, 'out');
     last = at;
     at += output.down;
     bottom = Math.max(bottom, at);

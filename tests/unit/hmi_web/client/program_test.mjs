@@ -148,7 +148,7 @@ const rungOf = (condition, more = {}) => ({ kind: 'rung', number: 1, condition, 
 const flowsOf = (rungs, values) => {
   const read = program.readSources({ state: 'complete', document: { sheets: [{ blocks: rungs }] } }).sheets[0].blocks;
   const lookup = (path) => (path in values ? (values[path] === null ? null : { kind: 'bool', value: values[path] }) : null);
-  return { read, flows: program.flowOf(read, lookup, (name) => !name.startsWith('__')) };
+  return { read, flows: program.flowOf(read, lookup, (name) => !/^(__|>)/.test(name)) };
 };
 
 test('Power_WhenContactsAreOpenClosedOrUnknown_ThenItGoesAsFarAsItIsKnown', () => {
@@ -169,6 +169,9 @@ test('Power_WhenEdgesWiresAndJumpsCome_ThenTheyAreFollowed', () => {
   assert.deepEqual([edge('rising', 0), edge('rising', 1), edge('falling', 1), edge('falling', 0)], [0, null, 0, null]);
   const wire = flowsOf([rungOf(contact('x'), { coils: [{ kind: 'normal', name: '__W1' }] }), rungOf(contact('__W1', { negated: true }))], { x: 1 });
   assert.equal(wire.flows[1].power.value, 0);
+  const line = flowsOf([rungOf(contact('x'), { coils: [{ kind: 'connector', name: '>1>' }] }), rungOf(contact('>1>', { negated: true }))], { x: 1 });
+  assert.equal(line.read[0].coils[0].kind, 'connector');
+  assert.equal(line.flows[1].power.value, 0);
   const jump = flowsOf([rungOf(contact('x'), { jump: 'END' }), rungOf({ kind: 'true' }), rungOf({ kind: 'true' }, { label: 'End' })], { x: 1 });
   assert.deepEqual(jump.flows.map(({ ran }) => ran), [true, false, true]);
   const stay = flowsOf([rungOf(contact('x'), { jump: 'END' }), rungOf({ kind: 'true' })], { x: 0 });
@@ -179,11 +182,21 @@ test('Power_WhenEdgesWiresAndJumpsCome_ThenTheyAreFollowed', () => {
   assert.equal(leave.flows[1].ran, false);
 });
 
+test('Drawing_WhenALineEndsInAConnector_ThenItHasItsSymbolAndNoWireToTheRail', () => {
+  const { read } = flowsOf([rungOf(contact('x'), { coils: [{ kind: 'connector', name: '>1>' }] })], {});
+  const layout = program.layOutRung(read[0], () => [], 500);
+  const symbol = layout.symbols.find(({ kind }) => kind === 'connector');
+  assert.equal(symbol.name, '>1>');
+  assert.ok(!layout.symbols.some(({ kind }) => kind === 'coil'));
+  const ends = layout.wires.flatMap(({ points }) => points.split(' ').map((point) => Number(point.split(',')[0])));
+  assert.ok(Math.max(...ends) <= symbol.x && symbol.x + symbol.width < layout.right);
+});
+
 test('Drawing_WhenRungsAreOfAnySize_ThenNothingSticksOut', () => {
   const wide = { kind: 'all', of: Array.from({ length: 40 }, (_, i) => contact(`a_rather_long_name_${i}`)) };
   const deep = { kind: 'any', of: [wide, { kind: 'all', of: [] }, { kind: 'test', text: 'x > 1' }, { kind: 'any', of: [contact('y'), contact('z', { negated: true })] }] };
   const box = { type: 'TON', instance: 'patience', power: 'IN', inputs: [['PT', 'T#5s']], outputs: [['Q', 'late'], ['ET', '']] };
-  for (const rung of [rungOf(wide), rungOf(deep, { boxes: [box, { ...box, text: 'x := 1;' }], coils: [{ name: 'c' }, { kind: 'set', name: 'd' }], jump: 'END', return: true }), rungOf({ kind: 'true' })]) {
+  for (const rung of [rungOf(wide), rungOf(deep, { boxes: [box, { ...box, text: 'x := 1;' }], coils: [{ name: 'c' }, { kind: 'set', name: 'd' }, { kind: 'connector', name: '>12>' }], jump: 'END', return: true }), rungOf({ kind: 'true' })]) {
     const { read } = flowsOf([rung], {});
     const layout = program.layOutRung(read[0], () => ['Q', 'ET'], 500);
     assert.ok(layout.width >= 500);

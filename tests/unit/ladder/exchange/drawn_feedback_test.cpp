@@ -92,6 +92,15 @@ TEST(DrawnLadder, WhenItIsShown_ThenItIsAsItWasDrawn) {
   EXPECT_EQ(rungs->rungs.back().coils.at(0).variable, "q");
 }
 
+// Its actions and conditions are drawn in every form.
+TEST(DrawnChart, WhenItIsShown_ThenNothingIsCalledByItsWires) {
+  const auto project = read_plcopen("plc.xml", editor_chart());
+  ASSERT_TRUE(project);
+  const auto sheets = driver::sheets_of(input_of(*project));
+  ASSERT_TRUE(sheets) << result::to_string(sheets.error());
+  EXPECT_THAT(print::program_document(*sheets), Not(HasSubstr("__")));
+}
+
 struct Gate {
   std::string type;
   std::vector<int> from;  // gates, or -1 - number of an input

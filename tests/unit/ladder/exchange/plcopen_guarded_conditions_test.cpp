@@ -5,9 +5,11 @@
 
 #include <string>
 
+#include "ladder/driver/sheets.h"
 #include "ladder/exchange/plcopen_reader.h"
 #include "ladder/exchange/plcopen_writer.h"
 #include "ladder/lowering/sfc_to_ladder.h"
+#include "runtime/bytecode/reader/program_info.h"
 #include "tests/support/compiled_program.h"
 #include "tests/unit/ladder/exchange/plcopen_samples.h"
 
@@ -110,10 +112,21 @@ std::string project(const Drawn& drawn) {
                         "<body><SFC>\n" + chart + drawn.beside + "</SFC></body></pou>\n");
 }
 
+driver::CompileInput input_with_counter(const graphic::Project& project) {
+  driver::CompileInput input;
+  input.texts.push_back(
+      {"counter.st",
+       "FUNCTION_BLOCK Counter VAR_INPUT limit : DINT; END_VAR VAR_OUTPUT q : BOOL; n : DINT; "
+       "END_VAR n := n + 1; q := n > limit; END_FUNCTION_BLOCK\n"});
+  input.projects = {&project};
+  return input;
+}
+
 class ProjectRun {
  public:
   explicit ProjectRun(const Drawn& drawn) : ProjectRun(read(project(drawn))) {}
-  explicit ProjectRun(graphic::Project project) : project_(std::move(project)), program_(input(project_)) {}
+  explicit ProjectRun(graphic::Project project)
+      : project_(std::move(project)), program_(input_with_counter(project_)) {}
 
   void set(const std::string& name, std::int64_t value) { program_.set("run." + name, value); }
   std::int64_t get(const std::string& name) const { return program_.get("run." + name); }
@@ -136,16 +149,6 @@ class ProjectRun {
     if (!project) throw std::runtime_error(result::to_string(project.error()));
     return std::move(*project);
   }
-  static driver::CompileInput input(const graphic::Project& project) {
-    driver::CompileInput input;
-    input.texts.push_back(
-        {"counter.st",
-         "FUNCTION_BLOCK Counter VAR_INPUT limit : DINT; END_VAR VAR_OUTPUT q : BOOL; n : DINT; "
-         "END_VAR n := n + 1; q := n > limit; END_FUNCTION_BLOCK\n"});
-    input.projects = {&project};
-    return input;
-  }
-
   graphic::Project project_;
   support::CompiledProgram program_;
 };
@@ -251,6 +254,35 @@ TEST(GuardedCondition, WhenItsNetworkJumps_ThenItIsRefused) {
   EXPECT_NE(result::to_string(output.error()).find("E0804: POU 'main': jumps and labels in a transition"),
             std::string::npos)
       << result::to_string(output.error());
+}
+
+// The listing and the container name what was drawn, not the wires of its evaluation.
+TEST(GuardedCondition, WhenTheChartIsShown_ThenItsConditionsAreAsTheyWereDrawn) {
+  const std::string named = "<reference name=\"cond\"/>";
+  const std::string shared = "(AND(GT(DIV(10, d), 2), LT(DIV(10, d), 100)))";
+  const std::pair<Drawn, std::string> forms[] = {
+      {{connection("43"), quotient()}, "(GT(DIV(10, d), 2))"},
+      {{connection("47"), quotient(true)}, shared},
+      {{named, "", fbd(quotient(true) + result("48", "47", "OUT", "cond"))}, shared},
+      {{"<inline name=\"cond\">" + fbd(quotient(true) + result("48", "47", "OUT", "cond")) + "</inline>"},
+       shared},
+  };
+  for (const auto& [drawn, condition] : forms) {
+    SCOPED_TRACE(project(drawn));
+    const auto read = read_plcopen("plc.xml", project(drawn));
+    ASSERT_TRUE(read) << result::to_string(read.error());
+    const driver::CompileInput input = input_with_counter(*read);
+    const auto sheets = driver::sheets_of(input);
+    ASSERT_TRUE(sheets) << result::to_string(sheets.error());
+    const auto* chart = std::get_if<graphic::SfcChart>(&sheets->at(1).body);
+    ASSERT_NE(chart, nullptr);
+    EXPECT_EQ(to_st(chart->transitions[1].condition), condition);
+    const auto output = driver::compile(input);
+    ASSERT_TRUE(output) << result::to_string(output.error());
+    const auto info = reader::ProgramInfo::read(output->container);
+    ASSERT_TRUE(info);
+    EXPECT_EQ(info->charts().front().transitions[1].condition, condition);
+  }
 }
 
 // SFC-C-5

@@ -39,6 +39,21 @@ TEST(LadderDrawing, WhenProgramIsDrawnAsText_ThenSymbolsStandOnTheirWires) {
   EXPECT_NE(text.find("─done"), std::string::npos) << text;
 }
 
+// IEC 61131-3, 8.1.3: no coil, and nothing leads on to the rail.
+TEST(LadderDrawing, WhenALineEndsInAConnector_ThenItHasTheSymbolOfOne) {
+  LadderProgram program;
+  program.rungs.emplace_back().condition = contact("a");
+  program.rungs.back().coils = {{CoilKind::Normal, ">1>"}, {CoilKind::Normal, "q"}};
+  const std::string text = draw_ladder_text(program);
+  EXPECT_NE(text.find("─>1> "), std::string::npos) << text;
+  EXPECT_EQ(text.find("( )"), text.rfind("( )")) << text;
+  const std::string svg = draw_ladder_svg(program);
+  pugi::xml_document document;
+  ASSERT_TRUE(document.load_string(svg.c_str())) << svg;
+  EXPECT_EQ(document.select_nodes("//g[@class='sw-coil']").size(), 1U);
+  EXPECT_EQ(document.select_nodes("//text[.='>1>']").size(), 1U);
+}
+
 TEST(LadderDrawing, WhenAContactIsNegatedAndSensesAnEdge_ThenBothAreSeen) {
   LadderProgram program;
   Condition edge = contact("a", true);
