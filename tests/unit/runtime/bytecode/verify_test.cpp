@@ -81,7 +81,7 @@ TEST(Verify, Records_WhenOneIsInconsistent_ThenItIsNamed) {
   expect(with_record<S::Types>(5, [](auto& r) { r.first = 5; }), V::BadType, S::Types);
   expect(with_record<S::Types>(5, [](auto& r) { r.count = 9; }), V::BadType, S::Types);
   expect(with_record<S::Members>(0, [](auto& r) { r.name.offset = 1u << 30; }), V::BadString, S::Members);
-  expect(with_record<S::Members>(0, [](auto& r) { r.flags = 4; }), V::BadRecord, S::Members);
+  expect(with_record<S::Members>(0, [](auto& r) { r.flags = 8; }), V::BadRecord, S::Members);
   expect(with_record<S::Members>(0, [](auto& r) { r.offset = 18; }), V::BadType, S::Types);
   expect(with_record<S::Symbols>(0, [](auto& r) { r.type = 99; }), V::BadType, S::Symbols);
   expect(with_record<S::Symbols>(0, [](auto& r) { r.bit = 8; }), V::BadRecord, S::Symbols);
