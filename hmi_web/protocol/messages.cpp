@@ -6,7 +6,7 @@ namespace stepwright::protocol {
 
 using nlohmann::json;
 
-std::string program_message(const Program& program) {
+std::string program_message(const Program& program, const PointTags& points) {
   json steps = json::array();
   for (const auto& step : program.steps) {
     steps.push_back({{"name", step.name}, {"comment", step.comment}, {"initial", step.initial}});
@@ -31,7 +31,8 @@ std::string program_message(const Program& program) {
                {"charts", std::move(charts)},
                {"steps", std::move(steps)},
                {"transitions", std::move(transitions)},
-               {"tags", std::move(tags)}});
+               {"tags", std::move(tags)},
+               {"points", points}});
 }
 
 std::string trend_message(std::span<const TrendRow> rows, const TrendPiece& piece) {

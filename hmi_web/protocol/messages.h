@@ -7,7 +7,7 @@
 // become null: no input makes them fail.
 //
 //   socket.send(hello_message({"bench", "0.1.0"}, synoptic));
-//   socket.send(program_message(program));
+//   socket.send(program_message(program, {{3}, {}}));
 
 #include <cstdint>
 #include <span>
@@ -31,7 +31,8 @@ struct Greeting {
 
 // `epoch` names this run of the server: numbers of another one mean nothing.
 std::string hello_message(const Greeting& greeting, const Synoptic& synoptic, const std::string& epoch);
-std::string program_message(const Program& program);
+// `points`: of a picture without points, or without a program, none.
+std::string program_message(const Program& program, const PointTags& points = {});
 
 // Rows of a run of the trend; a viewer that gets `restart` throws away the rows that it has.
 struct TrendPiece {

@@ -30,6 +30,10 @@ struct ProgramTag {
   std::string address;  // "%IX0.0", or empty if the tag is not located
 };
 
+// Of each point of the synoptic the tags at its place, as indexes into Program::tags: what is forced of them
+// is forced in the picture, too.
+using PointTags = std::vector<std::vector<std::uint32_t>>;
+
 // Charts follow each other in the lists of steps and transitions.
 struct ProgramChart {
   std::string name;         // of the program that it is the body of

@@ -45,9 +45,12 @@ CellView CellViewer::view(const Observation& observation) {
   if (observation.layout != layout_) {
     layout_ = observation.layout;
     reader_ = PointReader(points_, layout_.get());
+    point_tags_ =
+        layout_ ? std::make_shared<const protocol::PointTags>(tags_of_points(points_, *layout_)) : nullptr;
   }
   CellView view;
   view.layout = layout_;
+  view.points = point_tags_;
   view.plan = observation.plan;
   protocol::CellState& state = view.state;
   state.runtime_alive = observation.runtime_alive;

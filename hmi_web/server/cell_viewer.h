@@ -16,7 +16,8 @@
 namespace stepwright::server {
 
 struct CellView {
-  std::shared_ptr<const ProgramLayout> layout;  // null = no program is known
+  std::shared_ptr<const ProgramLayout> layout;        // null = no program is known
+  std::shared_ptr<const protocol::PointTags> points;  // of that layout; null with it
   protocol::CellState state;
   std::optional<std::string> plan;
 };
@@ -32,6 +33,7 @@ class CellViewer {
   std::vector<PointSources> points_;
   std::shared_ptr<const ProgramLayout> layout_;  // that `reader_` was made for
   PointReader reader_;
+  std::shared_ptr<const protocol::PointTags> point_tags_;
 };
 
 }  // namespace stepwright::server

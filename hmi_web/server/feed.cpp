@@ -57,7 +57,8 @@ bool Feed::update(const CellView& view, Time now) {
 bool Feed::take_program(const CellView& view) {
   if (view.layout == layout_) return false;
   layout_ = view.layout;
-  const auto message = protocol::program_message(layout_ ? layout_->program : protocol::Program{});
+  const auto message = protocol::program_message(layout_ ? layout_->program : protocol::Program{},
+                                                 view.points ? *view.points : protocol::PointTags{});
   program_ = shared(protocol::with_revision(message, ++program_revision_));
   return true;
 }

@@ -10,11 +10,14 @@ using bytecode::ElementaryType;
 
 namespace {
 
+// Of a string: its header.
+std::uint32_t bytes_of(const reader::Variable& variable) {
+  return bytecode::is_string(variable.type) ? bytecode::kStringHeaderBytes
+                                            : bytecode::size_of(bytecode::mem_type(variable.type));
+}
+
 bool lies_in(const reader::Variable& variable, std::span<const std::byte> image) {
-  const std::uint32_t size = bytecode::is_string(variable.type)
-                                 ? bytecode::kStringHeaderBytes
-                                 : bytecode::size_of(bytecode::mem_type(variable.type));
-  return variable.address < image.size() && image.size() - variable.address >= size;
+  return variable.address < image.size() && image.size() - variable.address >= bytes_of(variable);
 }
 
 // At the end of a character.
@@ -27,6 +30,13 @@ void cut(std::string& text) {
 }
 
 }  // namespace
+
+bool overlap(const reader::Variable& one, const reader::Variable& other) {
+  if (one.address >= other.address + bytes_of(other) || other.address >= one.address + bytes_of(one)) {
+    return false;
+  }
+  return one.bit == bytecode::kNoBit || other.bit == bytecode::kNoBit || one.bit == other.bit;
+}
 
 std::optional<double> read(const reader::Variable& variable, std::span<const std::byte> image) {
   if (bytecode::is_string(variable.type) || !lies_in(variable, image)) return std::nullopt;

@@ -26,6 +26,9 @@ bool has_text(const reader::Variable& variable);
 inline constexpr std::size_t kMostTextBytes = 254;
 std::optional<std::string> read_text(const reader::Variable& variable, std::span<const std::byte> image);
 
+// They have a bit in common.
+bool overlap(const reader::Variable& one, const reader::Variable& other);
+
 // A direct address in the input or output area: "%IX0.2", "%IW1" (bytes 2 and 3), "%QB4". A word is read as
 // signed, as an INT at that address is. `output_offset` is where the output area begins; inputs begin at 0.
 // nullopt for anything else, markers included.

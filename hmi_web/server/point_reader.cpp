@@ -45,6 +45,24 @@ PointReader::PointReader(const std::vector<PointSources>& points, const ProgramL
   }
 }
 
+protocol::PointTags tags_of_points(const std::vector<PointSources>& points, const ProgramLayout& layout) {
+  protocol::PointTags result(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    std::vector<reader::Variable> places;
+    for (const PointSource& source : points[i]) {
+      if (source.kind == PointSourceKind::PlantTruth) continue;
+      if (const auto variable = resolve(source, &layout)) places.push_back(*variable);
+    }
+    for (std::uint32_t tag = 0; tag < layout.tags.size(); ++tag) {
+      const bool there = std::any_of(places.begin(), places.end(), [&](const reader::Variable& place) {
+        return overlap(place, layout.tags[tag]);
+      });
+      if (there) result[i].push_back(tag);
+    }
+  }
+  return result;
+}
+
 std::vector<std::optional<double>> PointReader::read(const ImageSnapshot& snapshot, const Tare& tare) const {
   std::vector<std::optional<double>> values(points_.size());
   for (std::size_t i = 0; i < points_.size(); ++i) {

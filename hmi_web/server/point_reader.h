@@ -53,4 +53,8 @@ class PointReader {
   std::vector<std::vector<Resolved>> points_;
 };
 
+// Of each point the tags that share a place with one of its sources: also that of the raw counts of a level
+// that is shown as the program filters it. What a plant reports of itself has none.
+protocol::PointTags tags_of_points(const std::vector<PointSources>& points, const ProgramLayout& layout);
+
 }  // namespace stepwright::server

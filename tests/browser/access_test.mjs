@@ -6,8 +6,9 @@ import { existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 
 import { startDemo } from './demo_process.mjs';
+import { unreadable } from './narrow.mjs';
 import { leadOverPage } from './page_run.mjs';
-import { asksApi, dialog, dialogIsGone, fill, isAccessible, logsIn, PASSWORD, setupToken, userLine } from './people.mjs';
+import { asks, asksApi, dialog, dialogIsGone, fill, isAccessible, logsIn, PASSWORD, setupToken, userLine } from './people.mjs';
 import { check, launchBrowser, openPage, options, waitFor } from './support.mjs';
 
 const SPEED = 0.4; // so that the run lasts until somebody holds it
@@ -99,6 +100,51 @@ async function forces(page) {
   return tag;
 }
 
+// A letter beside the symbol in the generated picture, and a word in its name: in every language, readable in every theme.
+// Once the run is over, which a pump that is forced would not outlive.
+async function marksThePicture(page, tag) {
+  await logsIn(page, 'emil');
+  check((await asks(page, 'POST', '/api/tags/force', { name: tag, value: 'FALSE', reason: 'to look at it' })).status === 200, `${tag} is forced again`);
+  const LANGUAGES = { de: 'geforct', fr: 'valeur forcée', es: 'valor forzado', en: 'forced' };
+  const look = () =>
+    page.evaluate(() => {
+      const [sign, ...more] = document.querySelectorAll('[data-panel=synoptic] [data-forced]');
+      if (!sign) return null;
+      const box = sign.querySelector('rect').getBoundingClientRect();
+      const picture = sign.closest('[data-panel]').getBoundingClientRect();
+      const inside = box.width > 8 && box.left >= picture.left && box.right <= picture.right && box.top >= picture.top && box.bottom <= picture.bottom;
+      const name = sign.closest('[aria-label]').getAttribute('aria-label');
+      // Rounds of the colours of the letter and of what it stands on: relative luminance of WCAG.
+      const bright = (node, what) => {
+        const [r, g, b] = getComputedStyle(node)[what].match(/[\d.]+/g).map(Number).map((c) => (c / 255 <= 0.03928 ? c / 255 / 12.92 : ((c / 255 + 0.055) / 1.055) ** 2.4));
+        return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+      };
+      const [high, low] = [bright(sign.querySelector('text'), 'fill'), bright(sign.querySelector('rect'), 'fill')].sort((a, b) => b - a);
+      return { letter: sign.textContent.trim(), name, inside, contrast: (high + 0.05) / (low + 0.05), more: more.length };
+    });
+  for (const [language, word] of Object.entries(LANGUAGES)) {
+    await page.evaluate((code) => localStorage.setItem('stepwright.language', code), language);
+    await page.reload();
+    await waitFor(page, `in ${language} the picture marks it by name`, (end) =>
+      document.querySelector('[data-panel=synoptic] [data-forced]')?.closest('[aria-label]').getAttribute('aria-label').endsWith(`, ${end}`), word);
+  }
+  for (const theme of ['light', 'dark'])
+    for (const colours of ['standard', 'distinct'])
+      for (const width of [1440, 360]) {
+        await page.setViewportSize({ width, height: 900 });
+        await page.evaluate(([one, other]) => Object.assign(document.documentElement.dataset, { theme: one, colours: other }), [theme, colours]);
+        await page.waitForTimeout(250);
+        const seen = await look();
+        check(seen.letter === 'F' && seen.more === 0 && seen.inside && seen.contrast >= 4.5,
+          `${theme}, ${colours}, ${width} px: a letter that can be read, at one place of the picture (${JSON.stringify(seen)})`);
+        await page.locator('[data-panel=synoptic]').screenshot({ path: join(given.out, `access-forced-${theme}-${colours}-${width}.png`) });
+      }
+  await page.setViewportSize({ width: 1440, height: 900 });
+  await page.reload();
+  check((await asks(page, 'POST', '/api/tags/unforce', { name: tag, reason: 'looked at' })).status === 200, 'and released');
+  await waitFor(page, 'which ends the mark', () => document.querySelector('[data-panel=synoptic] svg') !== null && document.querySelector('[data-panel=synoptic] [data-forced]') === null);
+}
+
 // Two masters would fight over the plant: the supervisor's plan comes first.
 async function changesNoProgramUnderAPlan(page) {
   check((await asksApi(page, '/api/change/apply', { program: '0'.repeat(64), base: '0'.repeat(64), charts: 'keep', reason: 'while a plan runs' })) === '409 H0093',
@@ -158,7 +204,39 @@ async function aborts(page) {
     document.querySelector('[data-testid=phase]').innerText === 'safe');
 }
 
+// Names as long as they may be: the columns of the trail keep their room, and nothing is cut off.
+const LONG_USER = 'maximiliane_von_und_zu_hohenberg';
+const LONG_TAG = `Main.${'a_rather_long_name_of_one_part_'.repeat(8)}end`;
+
+async function actsUnderALongName(page) {
+  await logsIn(page, 'root');
+  check((await asks(page, 'POST', '/api/users', { name: LONG_USER, role: 'engineer', password: PASSWORD })).status === 200, 'a long name is one');
+  await logsIn(page, LONG_USER);
+  const refused = await asksApi(page, '/api/tags/force', { name: LONG_TAG, value: 'TRUE', reason: 'x'.repeat(200) });
+  check(refused.startsWith('400') || refused.startsWith('404'), `a variable that is none is not forced (${refused})`);
+}
+
+async function keepsItsColumns(page, width) {
+  await page.setViewportSize({ width, height: 780 });
+  await page.waitForTimeout(250);
+  const seen = await page.evaluate(() => {
+    const box = document.querySelector('dialog');
+    const cells = [...document.querySelectorAll('dialog td')];
+    return {
+      heads: [...document.querySelectorAll('dialog thead th')].map((node) => Math.round(node.getBoundingClientRect().width)),
+      cut: cells.filter((node) => node.scrollWidth > node.clientWidth + 1).map((node) => node.innerText.slice(0, 40)),
+      wide: [document.documentElement.scrollWidth, box.scrollWidth - box.clientWidth],
+    };
+  });
+  check(seen.heads.length === 8 && Math.min(...seen.heads) >= 50, `at ${width} px every column of the trail has room (${seen.heads.join(' ')})`);
+  check(seen.cut.length === 0, `and no text reaches into the next ${seen.cut.join(' | ')}`);
+  check(seen.wide[0] <= width && seen.wide[1] <= 0, `nor does the table out of its dialog (${seen.wide.join(' ')})`);
+  const bad = await page.evaluate(unreadable);
+  check(bad.length === 0, `at ${width} px all of it can be read ${bad.join('; ')}`);
+}
+
 async function readsTheTrail(page, tag) {
+  await actsUnderALongName(page);
   await logsIn(page, 'root');
   await page.getByRole('button', { name: 'Audit' }).click();
   await waitFor(page, 'the chain holds', () => document.querySelector('[data-testid=audit-state]')?.innerText.includes('the chain holds'));
@@ -173,8 +251,11 @@ async function readsTheTrail(page, tag) {
   check(has('root', 'user.add', 'olga', 'operator'), 'who made whom an operator');
   await isAccessible(page, 'the audit trail');
   await shot(page, 'audit');
-  await page.setViewportSize({ width: 360, height: 780 });
-  await shot(page, 'audit-360');
+  check(has(LONG_USER, LONG_TAG, 'refused'), 'who tried to force what is not there');
+  for (const width of [360, 1440]) {
+    await keepsItsColumns(page, width);
+    await shot(page, `audit-${width}`);
+  }
   await page.setViewportSize({ width: 1440, height: 900 });
   await page.keyboard.press('Escape');
 }
@@ -192,13 +273,14 @@ async function losesItsSession(page, other) {
   await page.getByRole('button', { name: 'Users' }).click();
   await page.getByRole('button', { name: 'end the session of olga' }).first().click();
   await waitFor(other, 'a revoked session is over at once', () => document.querySelector('[data-testid=log-in]') !== null);
-  await waitFor(other, 'and its page only looks from then on', () =>
+  await waitFor(other, 'which its page says', () => document.querySelector('[data-testid=banner]')?.innerText.startsWith('Your session has ended.'));
+  await waitFor(other, 'and only looks from then on', () =>
     document.querySelector('[data-testid=link]').innerText === 'live' && document.querySelector('[aria-label="act on the plan"]') === null);
 }
 
 await leadOverPage(given, {
   name: 'access',
-  expected: [400, 401, 403, 409],
+  expected: [400, 401, 403, 404, 409],
   start: () => startDemo(given.server, SPEED),
   steps: async (page, demo) => {
     given.state = demo.stateDir;
@@ -210,6 +292,7 @@ await leadOverPage(given, {
     await changesNoProgramUnderAPlan(page);
     await holds(page);
     await aborts(page);
+    await marksThePicture(page, tag);
     await readsTheTrail(page, tag);
     trailIsWhole();
     const second = await launchBrowser(given);

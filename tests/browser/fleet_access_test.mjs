@@ -5,7 +5,7 @@ import { join } from 'node:path';
 
 import { startDemo } from './demo_process.mjs';
 import { leadOverPage } from './page_run.mjs';
-import { asksApi, claims, dialog, dialogIsGone, fill, isAccessible, setupToken } from './people.mjs';
+import { asks, asksApi, claims, dialog, dialogIsGone, fill, isAccessible, setupToken } from './people.mjs';
 import { check, options, waitFor } from './support.mjs';
 
 // Slower than real time: where vehicles come to rest is not to depend on how fast the browser is.
@@ -93,6 +93,24 @@ async function resumes(page) {
   await shot(page, 'resumed');
 }
 
+// The bumper of a vehicle, held at what it is: picture and table say whose.
+async function marksWhatIsForced(page) {
+  await page.getByLabel('Search tags by name or address').fill('bumper');
+  const set = page.locator('[data-panel=tags] tbody tr').filter({ hasText: '%IX' }).first().getByRole('button', { name: /^Set / });
+  const tag = (await set.getAttribute('aria-label')).replace('Set ', '');
+  check((await asks(page, 'POST', '/api/tags/force', { name: tag, value: 'FALSE', reason: 'to look at it' })).status === 200, `${tag} is forced`);
+  await waitFor(page, 'the picture marks its vehicle and says so', () => {
+    const marked = [...document.querySelectorAll('[data-testid=floor] [data-vehicle]')].filter((one) => one.querySelector('[data-forced]') !== null);
+    return marked.length === 1 && marked[0].ariaLabel.includes('something of it is forced');
+  });
+  check((await page.locator('[data-testid=vehicles] [data-forced]').count()) === 1, 'so does its row in the table');
+  await page.locator('[data-testid=vehicles] tr:has([data-forced]) button').click();
+  await waitFor(page, 'and its bumper where its values are', () => document.querySelectorAll('[data-testid=mission] dd [data-forced]').length === 1);
+  await isAccessible(page, 'the page of a fleet with something forced');
+  await shot(page, 'forced');
+  await asks(page, 'POST', '/api/tags/unforce', { name: tag, reason: 'looked at' });
+}
+
 async function readsTheTrail(page) {
   await page.getByRole('button', { name: 'Audit' }).click();
   await waitFor(page, 'the chain holds', () => document.querySelector('[data-testid=audit-state]')?.innerText.includes('the chain holds'));
@@ -116,6 +134,7 @@ await leadOverPage(given, {
     await orders(page);
     await takesBack(page);
     await resumes(page);
+    await marksWhatIsForced(page);
     await readsTheTrail(page);
   },
 });

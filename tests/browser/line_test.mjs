@@ -5,7 +5,7 @@ import { join } from 'node:path';
 
 import { startDemo } from './demo_process.mjs';
 import { leadOverPage } from './page_run.mjs';
-import { BY_OPERATOR, startsTheRun } from './people.mjs';
+import { asks, BY_OPERATOR, isAccessible, startsTheRun } from './people.mjs';
 import { check, options, until, waitFor } from './support.mjs';
 
 const SPEED = 5;
@@ -53,6 +53,27 @@ async function sawTheLineWork(page) {
   check(seen.eyes.length >= 5, `eyes were covered: ${seen.eyes.join(' ')}`);
 }
 
+// At the end, when nothing moves any more: what is forced has a letter at its place, and says by name what it is.
+async function marksWhatIsForced(page) {
+  for (const address of ['%QX0.0', '%IX0.0', '%QX1.0'])
+    check((await asks(page, 'POST', '/api/tags/force', { name: address, value: 'FALSE', reason: 'to look at it' })).status === 200, `${address} is forced`);
+  await waitFor(page, 'the picture marks the belt, the eye and the pusher', () =>
+    ['belt in, forced', 'photo-eye eye_in, forced', 'pusher 1, forced'].every((name) => document.querySelector(`[data-panel=synoptic] [data-forced][aria-label="${name}"]`) !== null));
+  check((await page.locator('[data-panel=synoptic] [data-forced]').count()) === 3, 'and nothing else');
+  check((await page.locator('[data-panel=tags] [data-forced]').count()) >= 1, 'the table marks what is forced by its address, too');
+  for (const width of [1440, 360]) {
+    await page.setViewportSize({ width, height: 900 });
+    await page.waitForTimeout(250);
+    const apart = await page.evaluate(() => {
+      const boxes = [...document.querySelectorAll('[data-panel=synoptic] [data-forced] rect')].map((one) => one.getBoundingClientRect());
+      return boxes.every((a, i) => boxes.every((b, k) => i === k || a.right <= b.left || b.right <= a.left || a.bottom <= b.top || b.bottom <= a.top));
+    });
+    check(apart, `at ${width} px no mark hides another`);
+    await page.locator('[data-panel=synoptic]').screenshot({ path: join(given.out, `line-forced-${width}.png`), animations: 'disabled' });
+  }
+  await isAccessible(page, 'the page with forced parts of the line');
+}
+
 await leadOverPage(given, {
   name: 'line',
   watch: keepHistory,
@@ -69,6 +90,7 @@ await leadOverPage(given, {
       document.querySelector('[data-testid=message]').textContent.includes('the goal is reached'));
     await waitFor(page, 'no box is on the line', () => document.querySelectorAll('[data-box]').length === 0);
     await sawTheLineWork(page);
+    await marksWhatIsForced(page);
     const code = await demo.end();
     check(code === 0, `the demo ends with 0 when it is told to end (${code})`);
     await until('no process of the demo is left', () => demo.processes().length === 0);

@@ -2,8 +2,11 @@
 // browser test, open to whoever looks. With a folder for its history there are users, too: operator,
 // engineer, password "correct horse". Prints its address, and stands still until its input says how far to
 // go: "run" to the end of the script, "run 30" to its second 30. "runtime off" and "runtime on" end and
-// restart the runtime that it plays.
+// restart the runtime that it plays, "huge" fills a2 far beyond its edge, and "later 40" lets 40 minutes pass
+// for whoever is logged in.
 
+#include <atomic>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
@@ -83,10 +86,11 @@ struct OpenAccess {
   }
 
   api::CellRecords* records;
+  std::atomic<std::chrono::minutes> ahead{std::chrono::minutes(0)};  // of the clock of its sessions
   support::TemporaryFolder folder;
   NoControl cell;
-  std::unique_ptr<access::AccessControl> control =
-      *access::AccessControl::open(folder / "access", {}, std::chrono::steady_clock::now);
+  std::unique_ptr<access::AccessControl> control = *access::AccessControl::open(
+      folder / "access", {}, [this] { return std::chrono::steady_clock::now() + ahead.load(); });
   std::unique_ptr<access::AuditLog> audit = *access::AuditLog::open(folder / "access/audit.jsonl");
   std::unique_ptr<api::ForceDesk> forces = *api::ForceDesk::open(
       folder / "access/forces.json", cell, *audit, std::chrono::system_clock::now, [](const std::string&) {});
@@ -128,6 +132,8 @@ int main(int argc, char** argv) {
     for (std::string line; std::getline(std::cin, line);) {
       if (line == "runtime off") cell.set_runtime_alive(false);
       if (line == "runtime on") cell.set_runtime_alive(true);
+      if (line == "huge") cell.fill_beyond_its_edge();
+      if (line.starts_with("later ")) access.ahead = std::chrono::minutes(std::stoi(line.substr(6)));
       if (line == "run") cell.run_until(kForever);
       if (line.starts_with("run ")) cell.run_until(std::stod(line.substr(4)));
     }

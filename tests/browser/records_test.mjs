@@ -214,6 +214,23 @@ async function journalAndTrailTellWhoAndWhy(page) {
   await waitFor(page, 'the list is back', () => document.querySelectorAll('[data-alarm]').length > 5);
 }
 
+// An hour passes without a request: whoever was logged in only looks from then on, and is told so.
+async function losesItsSession(page, server) {
+  await page.evaluate(() => {
+    globalThis.told = [];
+    const listen = () => globalThis.told.push(document.querySelector('[data-testid=banner]')?.innerText ?? '');
+    new MutationObserver(listen).observe(document.body, { subtree: true, childList: true, characterData: true });
+  });
+  server.tell('later 60');
+  await waitFor(page, 'a session without a request ends, and the page says so', () =>
+    document.querySelector('[data-testid=banner]')?.innerText.startsWith('Your session has ended.') && document.querySelector('[data-testid=log-in]') !== null);
+  await waitFor(page, 'and goes on looking', () => document.querySelector('[data-testid=link]').innerText === 'live');
+  const told = await page.evaluate(() => [...new Set(globalThis.told)].filter((text) => text !== ''));
+  check(!told.some((text) => text.includes('No connection')), `nobody is told that the server is lost (${told.join(' | ')})`);
+  await isAccessible(page, 'the page without its session');
+  await shot(page, 'session-ended');
+}
+
 // Something that stands, for what follows.
 async function comesAgain(page, server) {
   server.tell('runtime off');
@@ -238,7 +255,7 @@ async function isReadOnAPhone(page) {
 async function goesOnAfterAKill(page, server) {
   const first = await page.evaluate(async () => (await (await fetch('/api/alarms/journal?most=500')).json()).entries);
   await server.kill();
-  const again = await startServer(given.server, server.port, 4, 100, folder);
+  const again = await startServer(given.server, server.port, 4, 60, folder);
   await waitFor(page, 'the page comes back with the alarm as it was', () =>
     document.querySelector('[data-testid=link]').innerText === 'live' &&
     document.querySelector('[data-alarm="runtime.lost"]')?.dataset.state === 'returned, unacknowledged');
@@ -254,12 +271,47 @@ async function goesOnAfterAKill(page, server) {
   return again;
 }
 
+// What is written beside the vertical axis of a chart, with its place: a canvas has no text to ask for.
+function listensToCharts() {
+  const { fillText, clearRect } = CanvasRenderingContext2D.prototype;
+  CanvasRenderingContext2D.prototype.clearRect = function (...box) {
+    this.canvas.written = [];
+    return clearRect.apply(this, box);
+  };
+  CanvasRenderingContext2D.prototype.fillText = function (text, x, y, ...more) {
+    if (this.textAlign === 'right') this.canvas.written?.push({ text, left: x - this.measureText(text).width, y });
+    return fillText.call(this, text, x, y, ...more);
+  };
+}
+
+// A level that no tank can have: the marks of both charts are numbers that can be told apart, and are not cut off.
+async function readsHugeValues(page, server) {
+  await page.setViewportSize({ width: 1440, height: 900 });
+  server.tell('huge');
+  server.tell('run');
+  for (const chart of ['trend', 'history']) {
+    const marksOf = () => page.evaluate((name) => document.querySelector(`[data-testid=${name}] canvas`)?.written ?? [], chart);
+    await until(`the ${chart} has marks for 1E37`, async () => {
+      const marks = await marksOf();
+      return marks.length >= 3 && marks.filter(({ text }) => /^[\d.]+E3[678]$/.test(text)).length >= marks.length - 1;
+    });
+    const marks = await marksOf();
+    const told = marks.map(({ text }) => text).join(' ');
+    check(new Set(marks.map(({ text }) => text)).size === marks.length, `each is another (${told})`);
+    check(marks.every(({ left }) => left >= 0), 'and none is cut off');
+    const heights = marks.map(({ y }) => y).sort((a, b) => a - b);
+    check(heights.every((y, i) => i === 0 || y - heights[i - 1] >= 11), 'nor written over another');
+  }
+  await shot(page, 'huge');
+}
+
 let server = await startServer(given.server, 0, 4, 24, folder);
 server.tell('run');
 const browser = await launchBrowser(given);
 let opened;
 try {
   await browser.context.addInitScript({ path: axeFile(given.modules) });
+  await browser.context.addInitScript(listensToCharts);
   opened = await openPage(browser.context, server.url);
   const { page, problems } = opened;
   await opensOnlyWhenAsked(page);
@@ -269,9 +321,11 @@ try {
   await showsAnAlarm(page, server);
   await actsOnAlarms(page);
   await journalAndTrailTellWhoAndWhy(page);
+  await losesItsSession(page, server);
   await comesAgain(page, server);
   await isReadOnAPhone(page);
   server = await goesOnAfterAKill(page, server);
+  await readsHugeValues(page, server);
   // What the server refuses on purpose the browser reports by itself.
   const unexpected = problems.filter((problem) => !/status of (401|403|409)/.test(problem));
   check(unexpected.length === 0, `no errors, no foreign requests, no policy violations ${unexpected.join('; ')}`);

@@ -129,6 +129,7 @@ server::ImageSnapshot ScriptedCell::snapshot(double time_s) const {
     put(image, 2 + 2 * i, static_cast<std::int16_t>(measured * 30 + 700));
     put(image, kLevels + 4 * i, static_cast<float>(measured * 30 + 700));
   }
+  if (overfull_) put(image, kLevels + 8, 3e38F);
   for (std::size_t i = 0; i < bench.steps.size(); ++i)
     image[kSteps + i] = static_cast<std::byte>(bench.steps[i]);
   const double supplier = 95 - (bench.level_v1 + bench.level_a1 + bench.level_a2 - 60) / 3;

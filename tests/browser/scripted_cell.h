@@ -28,6 +28,8 @@ class ScriptedCell : public server::CellSource {
     std::this_thread::sleep_for(std::chrono::milliseconds(30));  // as often as a link sends one
   }
   void set_runtime_alive(bool alive) { alive_ = alive; }
+  // The filtered level of a2 is far more than any tank holds, as of a sensor that has gone mad.
+  void fill_beyond_its_edge() { overfull_ = true; }
   // From where it stands, until then, s of the script.
   void run_until(double end_s);
 
@@ -46,6 +48,7 @@ class ScriptedCell : public server::CellSource {
   double end_s_;
   std::chrono::steady_clock::time_point begun_;
   std::atomic<bool> alive_ = true;
+  std::atomic<bool> overfull_ = false;
 };
 
 }  // namespace stepwright::browser

@@ -35,6 +35,9 @@ export class Session {
   role = $state<Role>('none');
   setupNeeded = $state(false);
   dialog = $state<Dialog | null>(null);
+  // Somebody was logged in here and is not any more, without having logged out.
+  ended = $state(false);
+  private leaving = false;
   private csrf = '';
   private onChange: () => void = () => {};
 
@@ -88,7 +91,9 @@ export class Session {
   }
 
   async logOut(): Promise<string> {
+    this.leaving = true;
     const problem = await this.enter('DELETE', '/api/session');
+    this.leaving = false;
     if (problem === '') await this.refresh();
     return problem;
   }
@@ -102,6 +107,7 @@ export class Session {
 
   private take(answer: SessionAnswer): void {
     const other = !this.known || this.user !== answer.user || this.csrf !== answer.csrf || this.role !== answer.role;
+    this.ended = answer.user === '' && !this.leaving && (this.ended || this.user !== '');
     this.known = true;
     this.user = answer.user;
     this.role = answer.role;

@@ -142,6 +142,17 @@ export class Fleet {
     return point ? this.cell.point(point) : null;
   }
 
+  // Something that is shown of the vehicle.
+  isForced({ forklift }: FleetVehicle): boolean {
+    if (!forklift) return false;
+    const { x, y, heading, speed, lock, loaded, bumper, enable, lift } = forklift;
+    return [x, y, heading, speed, lock, loaded, bumper, enable, lift].some((point) => this.isPointForced(point));
+  }
+
+  isPointForced(point: string | undefined): boolean {
+    return point !== undefined && this.cell.forcedPoints.has(point);
+  }
+
   // A section that its first vehicle has left behind keeps nobody waiting any more.
   isAhead(section: Section): boolean {
     const [first, second] = section.order;

@@ -103,6 +103,7 @@ export default {
   goesBehind: 'fährt nach {other}',
   step: 'Schritt {step} um {time}',
   select: 'Wählen Sie ein Fahrzeug: in der Halle oder hier nach Namen.',
+  forced: 'etwas davon ist geforct',
   loaded: 'beladen',
   missions: 'Fahraufträge',
   until: 'bis {time}',

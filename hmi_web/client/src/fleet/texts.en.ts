@@ -100,6 +100,7 @@ export default {
   goesBehind: 'goes behind {other}',
   step: 'step {step} at {time}',
   select: 'Select a vehicle: on the floor, or here by its name.',
+  forced: 'something of it is forced',
   loaded: 'loaded',
   missions: 'Missions',
   until: 'until {time}',

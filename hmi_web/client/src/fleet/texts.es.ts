@@ -103,6 +103,7 @@ export default {
   goesBehind: 'pasa después de {other}',
   step: 'etapa {step} a las {time}',
   select: 'Elija un vehículo: en la planta, o aquí por su nombre.',
+  forced: 'uno de sus valores está forzado',
   loaded: 'cargado',
   missions: 'Misiones',
   until: 'hasta {time}',

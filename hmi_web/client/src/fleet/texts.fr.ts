@@ -103,6 +103,7 @@ export default {
   goesBehind: 'passe après {other}',
   step: 'étape {step} à {time}',
   select: 'Choisissez un véhicule : sur le sol, ou ici par son nom.',
+  forced: 'une de ses valeurs est forcée',
   loaded: 'chargé',
   missions: 'Missions',
   until: 'jusqu’à {time}',

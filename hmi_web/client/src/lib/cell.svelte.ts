@@ -65,7 +65,14 @@ export class Cell {
   routes = $state.raw<unknown>(null);
   // What is forced in the runtime, whoever has forced it.
   forces = $state.raw<StandingForce[]>([]);
-  readonly forced: ForcedNames = $derived.by(() => new ForcedNames(this.forces));
+  readonly forced: ForcedNames = $derived.by(() => new ForcedNames(this.forces, this.program?.tags));
+  // Points of the plant, by their ids, that show what is forced.
+  readonly forcedPoints: ReadonlySet<string> = $derived.by(() => {
+    const { program, forced } = this;
+    if (this.forces.length === 0 || !program) return new Set<string>();
+    const ids = (this.hello?.synoptic.points ?? []).map(({ id }) => id);
+    return new Set(ids.filter((_, index) => program.points[index]?.some((tag) => forced.has(program.tags[tag]?.name ?? ''))));
+  });
   scanOpen = $state(false); // the scan in detail is asked for
   programOpen = $state(false); // so are the sources of the program
   changeOpen = $state(false); // so is what changes it
@@ -80,6 +87,7 @@ export class Cell {
   trendVersion = $state(0);
 
   private connection: Connection | null = null;
+  private askWhoLooks: () => Promise<void> = async () => {};
   private epoch = ''; // of the run of the server that the rest here is from; empty: nothing is
   private revisions = { ...NO_REVISIONS };
   private readonly wanted = new Wanted();
@@ -90,14 +98,14 @@ export class Cell {
   // By name in lower case: IEC 61131-3 does not tell them apart.
   private tagIndex = $state.raw(new Map<string, number>());
 
-  // `protocols`: for the WebSocket, asked before each attempt; `onLost` is called when one has failed.
-  connect(protocols: () => string[], onLost: () => void): Connection {
+  // `protocols`: for the WebSocket, asked before each attempt; `onLost` is called when one has failed, and when another run of the
+  // server answers, which knows nobody of the one before.
+  connect(protocols: () => string[], onLost: () => Promise<void>): Connection {
+    this.askWhoLooks = onLost;
     this.connection = new Connection(liveUrl(window.location), {
       onMessage: (message) => this.take(message),
-      onState: (state) => {
-        this.link = state;
-        if (state === 'lost') onLost();
-      },
+      onState: (state) => (this.link = state),
+      onLost,
       protocols,
       greeting: () => this.greeting(),
       onOther: () => (this.epoch = ''),
@@ -211,6 +219,7 @@ export class Cell {
     if (message.protocol !== PROTOCOL_VERSION) return window.location.reload();
     // The same run of the server: it goes on where the page has stopped.
     if (message.epoch === this.epoch) return;
+    if (this.epoch !== '') void this.askWhoLooks();
     this.epoch = message.epoch;
     this.revisions = { ...NO_REVISIONS };
     this.wanted.forget();

@@ -8,6 +8,8 @@ export type LinkState = 'connecting' | 'live' | 'lost' | 'closed';
 export interface ConnectionEvents {
   onMessage(message: ServerMessage): void;
   onState(state: LinkState): void;
+  // A connection has ended or could not be opened; done once it is known who looks now.
+  onLost(): Promise<void>;
   // The first that is said on a connection.
   greeting(): string;
   // Somebody else looks from now on.
@@ -20,6 +22,8 @@ export interface ConnectionEvents {
 const SILENCE_MS = 3_000;
 const FIRST_RETRY_MS = 250;
 const LAST_RETRY_MS = 4_000;
+// With this code the server closes what belongs to a session that is over.
+const SESSION_OVER = 4401;
 
 export class Connection {
   private socket: WebSocket | null = null;
@@ -51,8 +55,10 @@ export class Connection {
       this.events.onState('live');
       this.events.onMessage(JSON.parse(event.data) as ServerMessage);
     };
-    socket.onclose = () => {
-      if (this.socket === socket) this.lose();
+    socket.onclose = ({ code }) => {
+      if (this.socket !== socket) return;
+      if (code === SESSION_OVER) this.askWhoLooks();
+      else this.lose();
     };
   }
 
@@ -68,15 +74,7 @@ export class Connection {
   // Somebody else looks from now on, or nobody: what was open was for the one before.
   restart(open: boolean): void {
     window.clearTimeout(this.retryTimer);
-    window.clearTimeout(this.silenceTimer);
-    const socket = this.socket;
-    this.socket = null;
-    if (socket) {
-      socket.onopen = null;
-      socket.onclose = null;
-      socket.onmessage = null;
-      socket.close();
-    }
+    this.drop();
     this.wanted = open;
     this.retryMs = FIRST_RETRY_MS;
     this.events.onOther();
@@ -90,17 +88,28 @@ export class Connection {
     this.silenceTimer = window.setTimeout(() => this.lose(), SILENCE_MS);
   }
 
-  private lose(): void {
+  private drop(): void {
     window.clearTimeout(this.silenceTimer);
     const socket = this.socket;
     this.socket = null;
-    if (socket) {
-      socket.onopen = null;
-      socket.onclose = null;
-      socket.onmessage = null;
-      socket.close();
-    }
+    if (!socket) return;
+    socket.onopen = null;
+    socket.onclose = null;
+    socket.onmessage = null;
+    socket.close();
+  }
+
+  // The server is there, and says that somebody else looks from now on: nothing is lost.
+  private askWhoLooks(): void {
+    this.drop();
+    this.events.onState('connecting');
+    void this.events.onLost().then(() => this.retryNow());
+  }
+
+  private lose(): void {
+    this.drop();
     this.events.onState('lost');
+    void this.events.onLost();
     // Spread out, so that many pages do not all come back in the same instant.
     const delay = this.retryMs * (0.75 + Math.random() / 2);
     this.retryMs = Math.min(this.retryMs * 2, LAST_RETRY_MS);

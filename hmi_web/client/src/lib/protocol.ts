@@ -205,6 +205,7 @@ export interface ProgramMessage {
   steps: Step[];
   transitions: Transition[];
   tags: Tag[];
+  points: number[][]; // of each point of the synoptic, the tags at its place
 }
 
 export interface ScanFigures {

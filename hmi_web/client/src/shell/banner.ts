@@ -10,19 +10,21 @@ export interface Standing {
   runtime_state: string;
   scan: number;
   supervisor_alive: boolean;
+  ended: boolean; // so has the session of whoever was logged in here, by itself
   phase: string | null; // of the supervisor's plan; null: there is none
 }
 
-export type Doubt = '' | 'loggedOut' | 'staleServer' | 'noServer' | 'staleRuntime' | 'runtimeToCome' | 'fault' | 'staleSupervisor';
+export type Doubt = '' | 'loggedOut' | 'sessionEnded' | 'onlyLooks' | 'staleServer' | 'noServer' | 'staleRuntime' | 'runtimeToCome' | 'fault' | 'staleSupervisor';
 
 // A supervisor whose run has ended may end, too.
 const OVER = ['done', 'safe'];
 
 export function doubtOf(standing: Standing): Doubt {
   if (standing.link === 'connecting') return '';
-  if (standing.link === 'closed') return standing.seen ? 'loggedOut' : '';
+  if (standing.link === 'closed') return !standing.seen ? '' : standing.ended ? 'sessionEnded' : 'loggedOut';
   if (standing.link === 'lost') return standing.seen ? 'staleServer' : 'noServer';
   if (!standing.runtime_alive) return standing.scan > 0 ? 'staleRuntime' : 'runtimeToCome';
   if (standing.runtime_state === 'fault') return 'fault';
-  return standing.phase !== null && !standing.supervisor_alive && !OVER.includes(standing.phase) ? 'staleSupervisor' : '';
+  if (standing.phase !== null && !standing.supervisor_alive && !OVER.includes(standing.phase)) return 'staleSupervisor';
+  return standing.ended ? 'onlyLooks' : '';
 }

@@ -31,6 +31,8 @@ export default {
   phase_safe: 'sicherer Zustand',
   staleServer: 'Keine Verbindung zum HMI-Server. Angezeigt wird der Stand von {time}. Die Verbindung wird neu aufgebaut …',
   loggedOut: 'Hier ist niemand angemeldet. Angezeigt wird der Stand von {time}.',
+  sessionEnded: 'Ihre Sitzung ist beendet, hier ist niemand mehr angemeldet. Angezeigt wird der Stand von {time}.',
+  onlyLooks: 'Ihre Sitzung ist beendet. Sie können zusehen; zum Bedienen melden Sie sich neu an.',
   noServer: 'Der HMI-Server antwortet nicht. Neuer Versuch läuft …',
   staleRuntime: 'Das Laufzeitsystem antwortet nicht. Angezeigt wird seine letzte Meldung (Zyklus {scan}).',
   staleSupervisor: 'Der Supervisor antwortet nicht. Bis er wieder da ist, wird nicht neu geplant; der Plan ist der seiner letzten Meldung.',

@@ -28,6 +28,8 @@ export default {
   phase_safe: 'safe',
   staleServer: 'No connection to the HMI server. What you see is of {time}. Reconnecting …',
   loggedOut: 'Nobody is logged in here. What you see is of {time}.',
+  sessionEnded: 'Your session has ended, and nobody is logged in here any more. What you see is of {time}.',
+  onlyLooks: 'Your session has ended. You can look; log in again to act.',
   noServer: 'The HMI server does not answer. Trying again …',
   staleRuntime: 'The runtime does not answer. What you see is its last report (scan {scan}).',
   staleSupervisor: 'The supervisor does not answer. Nothing is replanned until it is back; its plan is of its last report.',

@@ -31,6 +31,8 @@ export default {
   phase_safe: 'estado seguro',
   staleServer: 'Sin conexión con el servidor HMI. Lo que se muestra es de las {time}. Reconectando…',
   loggedOut: 'Nadie ha iniciado sesión aquí. Lo que se muestra es de las {time}.',
+  sessionEnded: 'Su sesión ha terminado y aquí ya no hay nadie. Lo que se muestra es de las {time}.',
+  onlyLooks: 'Su sesión ha terminado. Puede mirar; para actuar, inicie sesión de nuevo.',
   noServer: 'El servidor HMI no responde. Reintentando…',
   staleRuntime: 'El autómata no responde. Se muestra su último informe (ciclo {scan}).',
   staleSupervisor: 'El supervisor no responde. Nada se vuelve a planificar hasta que regrese; el plan es el de su último informe.',

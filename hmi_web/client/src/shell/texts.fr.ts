@@ -31,6 +31,8 @@ export default {
   phase_safe: 'position sûre',
   staleServer: 'Pas de connexion au serveur IHM. Les valeurs affichées datent de {time}. Reconnexion en cours…',
   loggedOut: 'Personne n’est connecté ici. Les valeurs affichées datent de {time}.',
+  sessionEnded: 'Votre session est terminée et plus personne n’est connecté ici. L’affichage date de {time}.',
+  onlyLooks: 'Votre session est terminée. Vous pouvez regarder ; reconnectez-vous pour agir.',
   noServer: 'Le serveur IHM ne répond pas. Nouvelle tentative…',
   staleRuntime: 'L’automate ne répond pas. Affichage de son dernier rapport (cycle {scan}).',
   staleSupervisor: 'Le superviseur ne répond pas. Rien n’est replanifié avant son retour ; le plan est celui de son dernier rapport.',

@@ -15,5 +15,9 @@ export default {
   trueLevel: 'wahrer Füllstand {level} %',
   drivesLeft: 'Fahrzeug {name}, fährt nach links',
   drivesRight: 'Fahrzeug {name}, fährt nach rechts',
+  belt: 'Band {name}',
+  eye: 'Lichtschranke {name}',
+  pusher: 'Schieber {name}',
+  isForced: '{what}, geforct',
   stands: 'Fahrzeug {name}, steht',
 } satisfies Translation<typeof english>;

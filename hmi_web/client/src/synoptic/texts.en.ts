@@ -12,5 +12,9 @@ export default {
   trueLevel: 'true level {level} %',
   drivesLeft: 'vehicle {name}, driving left',
   drivesRight: 'vehicle {name}, driving right',
+  belt: 'belt {name}',
+  eye: 'photo-eye {name}',
+  pusher: 'pusher {name}',
+  isForced: '{what}, forced',
   stands: 'vehicle {name}, standing',
 } as const;

@@ -15,5 +15,9 @@ export default {
   trueLevel: 'nivel real {level} %',
   drivesLeft: 'vehículo {name}, hacia la izquierda',
   drivesRight: 'vehículo {name}, hacia la derecha',
+  belt: 'cinta {name}',
+  eye: 'fotocélula {name}',
+  pusher: 'empujador {name}',
+  isForced: '{what}, valor forzado',
   stands: 'vehículo {name}, parado',
 } satisfies Translation<typeof english>;

@@ -15,5 +15,9 @@ export default {
   trueLevel: 'niveau réel {level} %',
   drivesLeft: 'véhicule {name}, vers la gauche',
   drivesRight: 'véhicule {name}, vers la droite',
+  belt: 'convoyeur {name}',
+  eye: 'cellule {name}',
+  pusher: 'poussoir {name}',
+  isForced: '{what}, valeur forcée',
   stands: 'véhicule {name}, à l’arrêt',
 } satisfies Translation<typeof english>;

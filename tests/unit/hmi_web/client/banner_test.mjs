@@ -9,7 +9,7 @@ import { load } from './load_modules.mjs';
 
 const { doubtOf } = await load(process.env.CLIENT, ['shell/banner']);
 
-const well = { link: 'live', seen: true, runtime_alive: true, runtime_state: 'running', scan: 9, supervisor_alive: true, phase: 'executing' };
+const well = { link: 'live', seen: true, runtime_alive: true, runtime_state: 'running', scan: 9, supervisor_alive: true, ended: false, phase: 'executing' };
 const of = (more) => doubtOf({ ...well, ...more });
 
 test('Banner_WhenAllIsWell_ThenItSaysNothing', () => {
@@ -22,6 +22,14 @@ test('Banner_WhenSomebodyLogsOut_ThenTheServerIsNotLost', () => {
   assert.equal(of({ link: 'closed' }), 'loggedOut');
   assert.equal(of({ link: 'closed', seen: false }), '', 'the form says it');
   assert.equal(of({ link: 'connecting' }), '', 'who logs in again has not lost it, either');
+});
+
+test('Banner_WhenASessionEndsByItself_ThenItSaysSoAndNotThatTheServerIsLost', () => {
+  assert.equal(of({ ended: true }), 'onlyLooks', 'where everybody may look');
+  assert.equal(of({ ended: true, link: 'closed' }), 'sessionEnded', 'where nobody may who has not logged in');
+  assert.equal(of({ ended: true, link: 'connecting' }), '');
+  assert.equal(of({ ended: true, link: 'lost' }), 'staleServer', 'what is lost is told first');
+  assert.equal(of({ ended: true, supervisor_alive: false }), 'staleSupervisor');
 });
 
 test('Banner_WhenAProcessIsLost_ThenItIsThatOne', () => {

@@ -10,6 +10,10 @@ import { load } from './load_modules.mjs';
 let reloads = 0;
 class Socket {
   static OPEN = 1;
+  static last = null;
+  constructor() {
+    Socket.last = this;
+  }
   readyState = 1;
   close() {}
   send() {}
@@ -24,7 +28,7 @@ const { Cell } = await load(process.env.CLIENT, ['lib/cell.svelte']);
 const synoptic = { points: [{ id: 'a', label: 'a', unit: '', trend: true }], floor: { forklifts: [], estop_ok: '' } };
 const hello = (epoch, protocol = 3) => ({ type: 'hello', protocol, epoch, cell: 'bench', version: '1', recipes: false, drawing: false, synoptic });
 const tags = ['Main.Level', 'x', 'y', 'z'].map((name) => ({ name, type: 'INT', address: '' }));
-const program = (digest = 'ab', revision = 1) => ({ type: 'program', revision, digest, charts: [], steps: [], transitions: [], tags });
+const program = (digest = 'ab', revision = 1) => ({ type: 'program', revision, digest, charts: [], steps: [], transitions: [], tags, points: [] });
 const state = (more) => ({ type: 'state', seq: 5, runtime_alive: true, program: 'ab', scan: 7, points: [1], tags: {}, ...more });
 
 function cellAt(...messages) {
@@ -103,12 +107,55 @@ test('Cell_WhenTheProgramChanges_ThenIndicesOfTheOldOneAreAskedForNoMore', () =>
 test('Cell_WhenSomebodyLogsOut_ThenItIsClosedAndItsServerIsNotLost', () => {
   const cell = cellAt(hello('e1'), program());
   let losses = 0;
-  const connection = cell.connect(() => [], () => (losses += 1));
+  const connection = cell.connect(() => [], async () => void (losses += 1));
   connection.restart(false);
   assert.equal(cell.link, 'closed');
   assert.equal(losses, 0);
   assert.ok(cell.isStale, 'what is shown is old');
   connection.restart(true);
   assert.equal(cell.link, 'connecting', 'who logs in again');
+  connection.restart(false);
+});
+
+test('Cell_WhenItsSessionIsOver_ThenItAsksWhoLooksAndItsServerIsNotLost', async () => {
+  const cell = cellAt(hello('e1'), program());
+  let asked = 0;
+  let connection = null;
+  connection = cell.connect(() => [], async () => {
+    asked += 1;
+    connection.restart(false); // nobody who has not logged in
+  });
+  const links = [];
+  Socket.last.onclose({ code: 4401 });
+  links.push(cell.link);
+  await Promise.resolve();
+  links.push(cell.link);
+  assert.ok(!links.includes('lost'), links.join());
+  assert.equal(cell.link, 'closed');
+  assert.equal(asked, 1);
+});
+
+test('Cell_WhenItsSessionIsOverAndTheServerDoesNotAnswer_ThenItIsLost', async () => {
+  const cell = cellAt(hello('e1'), program());
+  const connection = cell.connect(() => [], async () => {});
+  const first = Socket.last;
+  first.onclose({ code: 4401 });
+  assert.equal(cell.link, 'connecting');
+  await new Promise((resolve) => setTimeout(resolve));
+  assert.notEqual(Socket.last, first, 'it is tried again at once');
+  Socket.last.onclose({ code: 1006 });
+  assert.equal(cell.link, 'lost');
+  connection.restart(false);
+});
+
+test('Cell_WhenAnotherRunOfTheServerAnswers_ThenItAsksWhoLooks', () => {
+  const cell = new Cell();
+  let asked = 0;
+  const connection = cell.connect(() => [], async () => void (asked += 1));
+  cell.take(hello('e1'));
+  cell.take(hello('e1'));
+  assert.equal(asked, 0);
+  cell.take(hello('e2'));
+  assert.equal(asked, 1);
   connection.restart(false);
 });

@@ -8,7 +8,7 @@ import { test } from 'node:test';
 import { load } from './load_modules.mjs';
 
 globalThis.window = { setTimeout, clearTimeout, location: { reload: () => {} } };
-const { Cell, ForcedNames, isTrue, neighbours, RowLimit, tagValue } = await load(process.env.CLIENT, [
+const { Cell, ForcedNames, isTrue, placeOf, neighbours, RowLimit, tagValue } = await load(process.env.CLIENT, [
   'lib/cell.svelte', 'lib/forces', 'lib/format', 'lib/keep_focus', 'lib/row_limit.svelte', 'lib/value',
 ]);
 
@@ -21,11 +21,43 @@ test('Forced_WhenNamesAreCompared_ThenCaseDoesNotMatterAndPartsCount', () => {
   assert.ok(!new ForcedNames([]).has('Main.Level'));
 });
 
+test('Forced_WhenAPlaceIsForced_ThenAllThatLiesThereIs', () => {
+  const tags = [['B1', '%QX0.0'], ['B2', '%QX0.1'], ['both', '%QB0'], ['next', '%QW1'], ['in', '%IX0.0'], ['free', '']].map(([name, address]) => ({ name, type: 'BOOL', address }));
+  const marked = (...names) => {
+    const forced = new ForcedNames(names.map(force), tags);
+    return tags.map(({ name }) => name).filter((name) => forced.has(name));
+  };
+  assert.deepEqual(marked('%QX0.0'), ['B1', 'both']);
+  assert.deepEqual(marked('%qb0'), ['B1', 'B2', 'both']);
+  assert.deepEqual(marked('%QD0'), ['B1', 'B2', 'both', 'next']);
+  assert.deepEqual(marked('b2'), ['B2', 'both'], 'a variable that lies over another');
+  assert.deepEqual(marked('free'), ['free']);
+  assert.deepEqual(marked(), []);
+  assert.deepEqual(placeOf('%IW2'), { area: 'I', from: 32, to: 48 });
+  assert.deepEqual(placeOf('%I1.7'), placeOf('%IX1.7'));
+  for (const none of ['', 'B1', '%MX0.0', '%QX0.0.1', '%Q']) assert.equal(placeOf(none), null, none);
+});
+
 test('Forced_WhenTheServerTellsOfForces_ThenTheCellKnowsTheVariables', () => {
   const cell = new Cell();
   assert.ok(!cell.forced.has('Main.Level'));
   cell.take({ type: 'forces', revision: 1, forces: [force('Main.Level')] });
   assert.ok(cell.forced.has('main.level'));
+});
+
+test('Forced_WhenAPointOfThePlantShowsAForcedVariable_ThenThePictureIsToldSo', () => {
+  const cell = new Cell();
+  const synoptic = { points: ['B1', 'a1.level', 'v1.position'].map((id) => ({ id, label: id, unit: '', trend: false })), floor: { forklifts: [], estop_ok: '' } };
+  const tags = ['B1', 'S2', 'PLAN.S2_filtered'].map((name) => ({ name, type: 'INT', address: '' }));
+  cell.take({ type: 'hello', protocol: 3, epoch: 'e', cell: 'bench', version: '1', recipes: false, drawing: false, synoptic });
+  cell.take({ type: 'program', revision: 1, digest: 'ab', charts: [], steps: [], transitions: [], tags, points: [[0], [2, 1], []] });
+  assert.equal(cell.forcedPoints.size, 0);
+  cell.take({ type: 'forces', revision: 1, forces: [force('s2')] });
+  assert.deepEqual([...cell.forcedPoints], ['a1.level'], 'its raw counts are forced');
+  cell.take({ type: 'forces', revision: 2, forces: [force('PLAN'), force('b1')] });
+  assert.deepEqual([...cell.forcedPoints], ['B1', 'a1.level']);
+  cell.take({ type: 'program', revision: 2, digest: '', charts: [], steps: [], transitions: [], tags: [], points: [] });
+  assert.equal(cell.forcedPoints.size, 0, 'without a program nothing is');
 });
 
 test('Text_WhenAVariableHasOne_ThenItIsShownAndIsNoNumber', () => {
@@ -37,7 +69,7 @@ test('Text_WhenAVariableHasOne_ThenItIsShownAndIsNoNumber', () => {
   assert.ok(!isTrue('1') && isTrue(1) && !isTrue(0) && !isTrue(null));
   const cell = new Cell();
   const tags = [{ name: 'Main.word', type: 'STRING', address: '' }, { name: 'Main.n', type: 'INT', address: '' }];
-  cell.take({ type: 'program', revision: 1, digest: 'ab', charts: [], steps: [], transitions: [], tags });
+  cell.take({ type: 'program', revision: 1, digest: 'ab', charts: [], steps: [], transitions: [], tags, points: [] });
   cell.take({ type: 'state', seq: 1, program: 'ab', points: [], tags: { 0: 'ready', 1: 7 } });
   assert.deepEqual([cell.tagValue('main.word'), cell.tag('main.word'), cell.tag('main.n')], ['ready', null, 7]);
 });

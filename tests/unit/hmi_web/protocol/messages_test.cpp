@@ -80,7 +80,7 @@ TEST(ProgramMessage, WhenAChartBranches_ThenTransitionsNameAllTheirSteps) {
   program.tags = {{"fc1", "BOOL", "%IX0.0"}};
   program.charts = {{"PLAN", 3, 1}};
 
-  const json message = json::parse(program_message(program));
+  const json message = json::parse(program_message(program, {{0}, {}}));
 
   EXPECT_EQ(message["type"], "program");
   EXPECT_EQ(message["steps"][0]["initial"], true);
@@ -88,6 +88,7 @@ TEST(ProgramMessage, WhenAChartBranches_ThenTransitionsNameAllTheirSteps) {
   EXPECT_EQ(message["transitions"][0]["to"], json({1, 2}));
   EXPECT_EQ(message["tags"][0]["address"], "%IX0.0");
   EXPECT_EQ(message["charts"], json::parse(R"([{"name": "PLAN", "steps": 3, "transitions": 1}])"));
+  EXPECT_EQ(message["points"], json::parse("[[0], []]"));
 }
 
 TEST(TrendMessage, WhenRowsAreGiven_ThenTimeComesFirst) {

@@ -110,6 +110,20 @@ TEST(CellViewer, WhenAPointHasSources_ThenTheFirstWithAValueIsScaled) {
   EXPECT_FALSE(state.points[3].has_value());
 }
 
+// fc1 is a bit of the word at %IW0; the level is filtered, and its raw counts are an input.
+TEST(CellViewer, WhenTagsShareAPlaceWithAPoint_ThenTheyAreTold) {
+  CellViewer viewer(
+      {{{PointSourceKind::Address, "%IX0.1"}},
+       {{PointSourceKind::Address, "%IX0.2"}},
+       {{PointSourceKind::Tag, "S1_filtered"}, {PointSourceKind::Address, "%IW0"}},
+       {{PointSourceKind::Tag, "no_such_tag"}, {PointSourceKind::PlantTruth, "level_a1_percent"}}});
+
+  const auto view = viewer.view(running(bytes({0, 0, 0, 0, 0, 0, 0})));
+
+  ASSERT_NE(view.points, nullptr);
+  EXPECT_EQ(*view.points, (protocol::PointTags{{0}, {}, {0, 1}, {}}));
+}
+
 TEST(CellViewer, WhenASensorHasATare_ThenItIsSubtractedFromItsCounts) {
   CellViewer viewer({{{PointSourceKind::Tag, "S1_filtered", 0.5, 10, "S1"}},
                      {{PointSourceKind::Tag, "S1_filtered", 0.5, 10, "S2"}},
@@ -131,6 +145,7 @@ TEST(CellViewer, WhenNothingIsThere_ThenEveryPointIsUnknown) {
 
   EXPECT_FALSE(view.state.runtime_alive);
   EXPECT_EQ(view.layout, nullptr);
+  EXPECT_EQ(view.points, nullptr);
   ASSERT_EQ(view.state.points.size(), 1u);
   EXPECT_FALSE(view.state.points[0].has_value());
 }
