@@ -7,7 +7,8 @@
 // somebody lets it go on, and so does an operator who asks for it (then all come to rest first); then
 // everybody is planned for anew from where he stands.
 //
-// Where an operator starts runs the first plan is shown and waits, and nothing is downloaded before.
+// Where an operator starts runs the first plan is shown and waits, and nothing is downloaded before. An order
+// for which there is no plan is refused then; where a blocked place leaves none, that is waited for as well.
 //
 // A new plan begins from rest: everybody drives on as far as he is permitted already and needs to brake
 // (halt_plan.h), which always can be done without asking anybody; then one plan for all that remains takes
@@ -68,7 +69,7 @@ class FleetExecutive {
   // Until everything is delivered and all vehicles rest (Phase::Done), or the outputs are safe (Phase::Safe).
   executive::RunRecord run();
 
-  // X0008: nothing waits for a start, or no runtime answers.
+  // X0008: nothing waits for a start, there is no plan, or no runtime answers.
   [[nodiscard]] result::Result<void> request_start();
   // Stops the fleet safely at the next decision and ends the run.
   void request_abort() { abort_ = true; }
@@ -78,7 +79,7 @@ class FleetExecutive {
 
  private:
   enum class Verdict : std::uint8_t { GoOn, Replan, Finished, GiveUp, RuntimeLost, Hold };
-  enum class Stage : std::uint8_t { Running, Ready };  // waiting for an operator
+  enum class Stage : std::uint8_t { Running, Ready, Planless };  // the last two wait for an operator
   enum class Wish : std::uint8_t { Start, OtherPlan, Abort };
   enum class Rest : std::uint8_t { Reached, EmergencyStop, Ended };
   struct Cause {
@@ -99,8 +100,12 @@ class FleetExecutive {
   // fleet_executive_start.cpp: the first plan.
   bool start_afresh();
   bool give_up_planless(const FleetOutcome& outcome);
+  void refuse_orders(LedgerState planned, const std::string& reason);
   Wish stay_ready(const FleetOutcome& outcome, const FleetRequest& request);
+  Wish stay_planless(const std::string& reason);
+  Wish await_wish();
   bool wanted() const;
+  bool planless() const;
   bool await_start(std::chrono::milliseconds timeout);
   void enter(Stage stage);
 
@@ -207,6 +212,7 @@ class FleetExecutive {
   executive::RunClock clock_;   // of the record
   double first_epoch_s_ = 0.0;  // of the first plan's time zero
   double epoch_s_ = 0.0;        // of this plan's
+  bool ordered_ = false;        // since the first plan was shown
   bool confirmed_ = false;
   int silent_rounds_ = 0;
   bool changed_ = false;  // since the document was published
