@@ -50,7 +50,8 @@ void DriftWatch::add(std::size_t sensor, double amount) {
 
 void DriftWatch::rest(const Levels& levels) {
   for (std::size_t action = 0; action < actions_.size(); ++action) {
-    if (actions_[action] != translate::ActionState::Active && actions_[action] != translate::ActionState::Failed)
+    if (actions_[action] != translate::ActionState::Active &&
+        actions_[action] != translate::ActionState::Failed)
       continue;
     for (const auto& [sensor, change] : changes_[action]) move(sensor, action);
   }
@@ -101,7 +102,8 @@ std::vector<bool> DriftWatch::at_rest(const translate::Progress& progress) const
   std::vector<bool> resting(tracks_.size(), true);
   for (std::size_t action = 0; action < actions_.size(); ++action) {
     const translate::ActionState state = progress.actions[action];
-    const bool runs_on = actions_[action] == translate::ActionState::Active && state == translate::ActionState::Active;
+    const bool runs_on =
+        actions_[action] == translate::ActionState::Active && state == translate::ActionState::Active;
     if (!runs_on && state != translate::ActionState::Failed) continue;
     for (const auto& [sensor, change] : changes_[action]) resting[sensor] = false;
   }
@@ -112,9 +114,9 @@ void DriftWatch::see(const Levels& levels, const translate::Progress& progress) 
   assert(progress.actions.size() == changes_.size());
   actions_.resize(changes_.size(), translate::ActionState::Pending);
   for (std::size_t action = 0; action < actions_.size(); ++action) {
-    const bool ran =
-        actions_[action] == translate::ActionState::Active ||
-        (actions_[action] == translate::ActionState::Pending && progress.actions[action] == translate::ActionState::Done);
+    const bool ran = actions_[action] == translate::ActionState::Active ||
+                     (actions_[action] == translate::ActionState::Pending &&
+                      progress.actions[action] == translate::ActionState::Done);
     if (!ran) continue;
     for (const auto& [sensor, change] : changes_[action]) move(sensor, action);
   }

@@ -107,7 +107,7 @@ result::Result<std::optional<Journal>> read_journal(const std::filesystem::path&
   if (!text) return result::forward(text);
   if (!*text) return std::optional<Journal>();
   return run::internal::read_text(**text, file.string(), "journal",
-                             [&](const json& document) { return journal_from(document, file); });
+                                  [&](const json& document) { return journal_from(document, file); });
 }
 
 }  // namespace stepwright::executive

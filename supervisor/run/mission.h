@@ -61,7 +61,8 @@ class Mission {
  protected:
   enum class Stage : std::uint8_t {
     Running,
-    Ready,  // a plan waits for an operator
+    Ready,     // a plan waits for an operator
+    Planless,  // there is none that could be started
     Over,
   };
 

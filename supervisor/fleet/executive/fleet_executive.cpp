@@ -219,7 +219,7 @@ result::Result<void> FleetExecutive::request(const FleetChange& change) {
       return good;
   }
   const std::lock_guard lock(requests_mutex_);
-  if (stage_ == Stage::Ready &&
+  if (stage_ != Stage::Running &&
       (std::holds_alternative<HoldChange>(change) || std::holds_alternative<ResumeChange>(change)))
     return result::fail("X0008", {}, "nothing moves yet", "the run waits for its start");
   requests_.push_back(change);
@@ -239,7 +239,8 @@ void FleetExecutive::publish(bool now) {
 }
 
 void FleetExecutive::renew_document() {
-  if (!follow_ || !plan_) return;
+  if (planless()) record_.fleet.clear();  // the plan before holds no more
+  if (!follow_ || !plan_ || planless()) return;
   record_.fleet = fleet_document({.plan = &plan_document_,
                                   .follow = &*follow_,
                                   .ledger = &ledger_,

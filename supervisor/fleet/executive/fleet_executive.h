@@ -7,7 +7,8 @@
 // somebody lets it go on, and so does an operator who asks for it (then all come to rest first); then
 // everybody is planned for anew from where he stands.
 //
-// Where an operator starts runs the first plan is shown and waits, and nothing is downloaded before.
+// Where an operator starts runs the first plan is shown and waits, and nothing is downloaded before. An order
+// for which there is no plan is refused then; where a blocked place leaves none, that is waited for as well.
 //
 // A new plan begins from rest: everybody drives on as far as he is permitted already and needs to brake
 // (halt_plan.h), which always can be done without asking anybody; then one plan for all that remains takes
@@ -60,7 +61,7 @@ class FleetExecutive final : public run::Mission {
   FleetExecutive(FleetDesk& desk, run::Controller& controller, FleetExecutiveOptions options,
                  Observer observer);
 
-  // X0008: nothing waits for a start, or no runtime answers.
+  // X0008: nothing waits for a start, there is no plan, or no runtime answers.
   [[nodiscard]] result::Result<void> request_start();
   // At the next decision. Fails at once where the request cannot be meant (X0003), or not before the start
   // (X0008).
@@ -72,8 +73,12 @@ class FleetExecutive final : public run::Mission {
   // fleet_executive_start.cpp: the first plan.
   bool start_afresh();
   bool give_up_planless(const FleetOutcome& outcome);
+  void refuse_orders(LedgerState planned, const std::string& reason);
   Wish stay_ready(const FleetOutcome& outcome, const FleetRequest& request);
+  Wish stay_planless(const std::string& reason);
+  Wish await_wish();
   bool wanted() const;
+  bool planless() const;
 
   // fleet_executive.cpp: from start to end.
   bool begin() override;
@@ -167,6 +172,7 @@ class FleetExecutive final : public run::Mission {
   double first_epoch_s_ = 0.0;  // of the first plan's time zero
   double epoch_s_ = 0.0;        // of this plan's
   bool changed_ = false;        // since the document was published
+  bool ordered_ = false;        // since the first plan was shown
   std::chrono::steady_clock::time_point published_{};
 
   std::size_t next_request_ = 0;       // into options_.requests

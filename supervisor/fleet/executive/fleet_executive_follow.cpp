@@ -153,11 +153,13 @@ bool FleetExecutive::apply(const OrderChange& order, run::Cause& cause) {
     return false;
   }
   cause.evidence.push_back((known ? "changed " : "ordered ") + text);
+  ordered_ = true;
   return true;
 }
 
-// Whether somebody is still to drive there.
+// Whether somebody is still to drive there; while there is no plan anybody may be.
 bool FleetExecutive::crosses(const geometry::ConvexPolygon& area) const {
+  if (planless()) return true;
   const FleetPlan& plan = follow_->plan();
   for (std::size_t v = 0; v < plan.missions.size(); ++v) {
     if (ledger_.vehicles()[v].lost) continue;
@@ -190,7 +192,7 @@ bool FleetExecutive::apply(const UnblockChange& unblock, run::Cause& cause) {
       std::erase_if(blocked_, [&](const Blocked& place) { return place.name == unblock.name; });
   cause.evidence.push_back(unblock.name + (known > 0 ? " is free again" : " was not blocked"));
   if (known == 0) return false;
-  bool waited_for = ledger_.reopen();
+  bool waited_for = ledger_.reopen() || planless();
   for (std::uint32_t v = 0; v < ledger_.vehicles().size(); ++v) waited_for = waited_for || shut_in(v);
   return waited_for;
 }

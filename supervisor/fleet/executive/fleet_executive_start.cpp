@@ -19,20 +19,49 @@ constexpr milliseconds kLookAtRequests{50};
 
 }  // namespace
 
+// What people have asked for and what cannot be planned is no end while an operator is waited for: orders are
+// refused, and a place that is blocked stays so.
 bool FleetExecutive::start_afresh() {
+  std::optional<LedgerState> planned;  // what the plan that was shown last was made for
   while (true) {
     FleetRequest request{.rest = {.starts = desk_.first_starts()}, .cancel = &abort_};
     for (const Blocked& place : blocked_) request.blocked.push_back(place.area);
     request.revision = ++revision_;
     auto outcome = desk_.plan(ledger_, request);
-    if (!outcome) return give_up(result::to_string(outcome.error()), IncidentKind::ProgramFault);
-    if (!outcome->prepared.program) return give_up_planless(*outcome);
-    const Wish wish = wanted() ? Wish::Start : stay_ready(*outcome, request);
+    if (abort_) return give_up_aborted();
+    Wish wish = Wish::OtherPlan;
+    if (outcome && outcome->prepared.program) {
+      planned = ledger_.state();
+      ordered_ = false;
+      decide(Response::Replan);
+      wish = wanted() ? Wish::Start : stay_ready(*outcome, request);
+    } else {
+      const std::string reason = outcome ? outcome->reason : result::to_string(outcome.error());
+      const bool asked = !blocked_.empty() || ledger_.ordered();
+      if (planned && ordered_) {
+        refuse_orders(*std::move(planned), reason);
+        planned.reset();
+      } else if (options_.operator_starts && asked) {
+        wish = stay_planless(reason);
+      } else {
+        return outcome ? give_up_planless(*outcome) : give_up(reason, IncidentKind::ProgramFault);
+      }
+    }
     if (wish == Wish::Abort) return false;
     if (wish == Wish::OtherPlan) continue;
     enter(Stage::Running);
     return await_runtime() && launch(*std::move(outcome), request);
   }
+}
+
+// All since the plan that was shown last. Whoever has wanted a start since then wanted it with them.
+void FleetExecutive::refuse_orders(LedgerState planned, const std::string& reason) {
+  (void)ledger_.restore(std::move(planned));  // it is the ledger's own
+  ordered_ = false;
+  add_evidence("what was ordered is refused, there is no plan with it: " + reason);
+  decide(Response::GoOn);
+  const std::lock_guard lock(requests_mutex_);
+  start_ = false;
 }
 
 bool FleetExecutive::give_up_planless(const FleetOutcome& outcome) {
@@ -53,6 +82,20 @@ FleetExecutive::Wish FleetExecutive::stay_ready(const FleetOutcome& outcome, con
   set_phase(Phase::Ready,
             fmt::format("a plan of {} stops is ready: nothing moves until an operator starts it",
                         record_.episodes.back().actions.size()));
+  return await_wish();
+}
+
+// There is nothing to start, until somebody orders something else or frees a place.
+FleetExecutive::Wish FleetExecutive::stay_planless(const std::string& reason) {
+  enter(Stage::Planless);
+  const std::string message = "there is no plan, and nothing can be started: " + reason;
+  open_incident({IncidentKind::Position, {message}, {}});
+  decide(Response::GoOn);
+  set_phase(Phase::Ready, message);
+  return await_wish();
+}
+
+FleetExecutive::Wish FleetExecutive::await_wish() {
   while (true) {
     if (abort_) {
       give_up_aborted();
@@ -65,10 +108,7 @@ FleetExecutive::Wish FleetExecutive::stay_ready(const FleetOutcome& outcome, con
       continue;
     }
     record_.episodes.clear();
-    if (cause) {
-      open_incident(*cause);
-      decide(Response::Replan);
-    }
+    if (cause) open_incident(*cause);
     set_phase(Phase::Planning, cause ? cause->evidence.front() : "started by the operator");
     return cause ? Wish::OtherPlan : Wish::Start;
   }
@@ -80,6 +120,8 @@ result::Result<void> FleetExecutive::request_start() {
     return refuse("no runtime answers: the fleet would begin to move whenever one comes",
                   "start the runtime first");
   const std::lock_guard lock(requests_mutex_);
+  if (stage_ == Stage::Planless)
+    return refuse("there is no plan to start", "take an order back or free a place: the message says why");
   if (stage_ != Stage::Ready || start_) return refuse("the run is under way", "hold or abort it");
   if (abort_) return refuse("the run is being aborted", "start the supervisor again for another one");
   start_ = true;
@@ -90,6 +132,11 @@ result::Result<void> FleetExecutive::request_start() {
 bool FleetExecutive::wanted() const {
   const std::lock_guard lock(requests_mutex_);
   return !options_.operator_starts || start_;
+}
+
+bool FleetExecutive::planless() const {
+  const std::lock_guard lock(requests_mutex_);
+  return stage_ == Stage::Planless;
 }
 
 }  // namespace stepwright::fleet

@@ -206,6 +206,12 @@ bool FleetLedger::restore(LedgerState state) {
   return true;
 }
 
+bool FleetLedger::ordered() const {
+  bool other = problem_.goals.size() > file_goals_;
+  for (std::size_t k = 0; k < file_goals_; ++k) other = other || goals_[k].amount != problem_.goals[k].amount;
+  return other;
+}
+
 bool FleetLedger::complete() const {
   return std::ranges::all_of(goals_, [](const GoalEntry& goal) { return goal.delivered >= goal.amount; });
 }

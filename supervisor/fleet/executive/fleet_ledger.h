@@ -116,6 +116,8 @@ class FleetLedger {
   // Of the same file; false, and nothing happens, if the state cannot be of it.
   bool restore(LedgerState state);
 
+  // Something else is wanted than the problem's file says.
+  bool ordered() const;
   // Everything is delivered; no vehicle has anything left to carry.
   bool complete() const;
   // Why some of the goal is missing: it was given up, or lost vehicles have it aboard. Empty if neither.

@@ -62,6 +62,18 @@ TEST(FleetLedger, WhenNothingHasHappened_ThenTheRestIsTheProblem) {
   EXPECT_FALSE(ledger.complete());
 }
 
+TEST(FleetLedger, WhenSomethingElseIsWantedThanTheFileSays_ThenItIsOrdered) {
+  FleetLedger ledger(two_trucks());
+  const LedgerState before = ledger.state();
+  EXPECT_FALSE(ledger.ordered());
+  ASSERT_TRUE(ledger.order("flour", "dock", "rack", 4));
+  EXPECT_TRUE(ledger.ordered());
+  ASSERT_TRUE(ledger.restore(before));
+  EXPECT_FALSE(ledger.ordered());
+  ASSERT_TRUE(ledger.order("salt", "rack", "dock", 1));
+  EXPECT_TRUE(ledger.ordered());
+}
+
 TEST(FleetLedger, WhenALoadIsAboard_ThenItsVehicleBeginsWithIt) {
   FleetLedger ledger(two_trucks());
   ledger.made(1, stop(StopKind::PickUp, "flour", 2), 10s);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "supervisor/geometry/convex_polygon.h"
 #include "tests/unit/supervisor/fleet/executive/small_hall.h"
 
 namespace stepwright::fleet {
@@ -88,7 +89,70 @@ TEST(FleetStart, WhenSomethingIsOrderedWhileItWaits_ThenAnotherPlanIsShownAndSti
   EXPECT_FALSE(hall.controller().program());
 }
 
+// So many crates cannot be brought by the deadline.
+TEST(FleetStart, WhenThereIsNoPlanForWhatIsOrderedWhileItWaits_ThenThatIsRefusedAndThePlanBeforeWaits) {
+  SmallHall hall;
+  WaitingHall waiting(hall);
+  std::size_t stops = 0;
+  waiting.on_ready = [&](const RunRecord& now) {
+    ASSERT_EQ(now.episodes.size(), 1u);
+    if (stops == 0) {
+      stops = now.episodes[0].actions.size();
+      EXPECT_EQ(code(waiting.executive->request(OrderChange{"crate", "dock A", "shelf 1", 24})), "");
+      return;
+    }
+    if (now.incidents.empty()) return;
+    EXPECT_EQ(now.episodes[0].actions.size(), stops);
+    EXPECT_FALSE(hall.controller().program()) << "nothing was downloaded";
+    (void)waiting.executive->request_start();
+  };
+  const RunRecord record = waiting.executive->run();
+  SCOPED_TRACE(story(record));
+  EXPECT_NE(story(record).find("what was ordered is refused, there is no plan with it: "), std::string::npos);
+  ASSERT_EQ(record.incidents.size(), 1u);
+  EXPECT_EQ(record.incidents[0].response, run::Response::GoOn);
+  EXPECT_EQ(record.phase, Phase::Done);
+  EXPECT_TRUE(all_met(record));
+  hall.expect_clean();
+}
+
 struct Killed {};
+
+// Nobody can refuse a place that is blocked: it is waited for, also by another supervisor.
+TEST(FleetStart, WhenABlockedPlaceLeavesNoPlanWhileItWaits_ThenItWaitsUntilThePlaceIsFree) {
+  SmallHall hall;
+  const support::TemporaryFolder folder;
+  const auto spill =
+      geometry::footprint_at({18.0, 12.0, 0.0}, {.front_m = 0.5, .rear_m = 0.5, .half_width_m = 0.5});
+  const auto planless = [](const RunRecord& now) { return now.episodes.empty(); };
+  {
+    WaitingHall waiting(hall, folder.path() / "executive.json");
+    waiting.on_ready = [&](const RunRecord& now) {
+      if (now.incidents.empty()) {
+        EXPECT_EQ(code(waiting.executive->request(BlockChange{{"spill", spill}})), "");
+      }
+      if (planless(now)) throw Killed();
+    };
+    EXPECT_THROW(waiting.executive->run(), Killed);
+  }
+  WaitingHall waiting(hall, folder.path() / "executive.json");
+  int waits = 0;
+  waiting.on_ready = [&](const RunRecord& now) {
+    if (!planless(now)) return (void)waiting.executive->request_start();
+    if (++waits > 1) return;
+    EXPECT_TRUE(now.message.starts_with("there is no plan, and nothing can be started: ")) << now.message;
+    EXPECT_TRUE(now.fleet.empty());
+    EXPECT_EQ(code(waiting.executive->request_start()), "X0008");
+    EXPECT_EQ(code(waiting.executive->request(HoldChange{})), "X0008");
+    EXPECT_EQ(code(waiting.executive->request(UnblockChange{"spill"})), "");
+  };
+  const RunRecord record = waiting.executive->run();
+  SCOPED_TRACE(story(record));
+  EXPECT_EQ(waits, 1);
+  EXPECT_EQ(record.phase, Phase::Done);
+  EXPECT_TRUE(all_met(record));
+  hall.expect_clean();
+}
 
 TEST(FleetStart, WhenTheSupervisorIsRestartedWhileItWaits_ThenItStillWaitsWithWhatWasOrdered) {
   SmallHall hall;
