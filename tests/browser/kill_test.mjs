@@ -109,7 +109,7 @@ async function theServerIsKilled(page, cell) {
   cell.run('force', '--config', cell.config, 'Main.stir', 'TRUE');
   cell.run('unforce', '--config', cell.config, 'Main.batches');
   await cell.serve();
-  await tellsNothing(page, 'the page comes back by itself');
+  await tells(page, 'the page comes back by itself, and says who has to log in again', 'Your session has ended');
   await wasNotLoadedAgain(page);
   await keepsToRealTime(page);
   const back = await happened(page, 'what has returned meanwhile is in the journal', 'level.high', 'return');
