@@ -151,13 +151,14 @@ void AdditiveHeuristic::fire(int unit) {
   }
 }
 
-void AdditiveHeuristic::start() {
+void AdditiveHeuristic::start(const Word* without) {
   weigh();
   queue_.clear();
   std::fill(atoms_.begin(), atoms_.end(), AtomEntry{kFar, -1, 0, false});
   units_ = fresh_units_;
   for (const int atom : goal_) is_goal_[static_cast<std::size_t>(atom)] = true;
-  task_.for_each_holding(state_, [this](int atom) { reach(atom, 0, -1, 0); });
+  task_.for_each_holding(
+      state_, [this](int atom) { reach(atom, 0, -1, 0); }, without);
   for (std::size_t i = 0; i < targets_.size(); ++i) {
     if (task_.space().holds(targets_[i], state_)) reach(static_cast<int>(task_.atoms() + i), 0, -1, 0);
   }
@@ -182,9 +183,9 @@ bool AdditiveHeuristic::propagate() {
   return goals == 0;
 }
 
-bool AdditiveHeuristic::evaluate(const Word* state) {
+bool AdditiveHeuristic::evaluate(const Word* state, const Word* without) {
   state_ = state;
-  start();
+  start(without);
   const bool reached = propagate();
   for (const int atom : goal_) is_goal_[static_cast<std::size_t>(atom)] = false;
   if (reached) extract();

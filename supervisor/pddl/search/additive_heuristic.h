@@ -31,8 +31,9 @@ class AdditiveHeuristic {
  public:
   AdditiveHeuristic(const RelaxedTask& task, OperatorWeights weights);
 
-  // False if no plan exists from the state (proved).
-  bool evaluate(const Word* state);
+  // False if no plan exists from the state (proved). `without`: facts that other ones make needless
+  // (exchange_pruning.h), by word; null: none.
+  bool evaluate(const Word* state, const Word* without = nullptr);
 
   // From now on towards these atoms and comparisons instead of the task's goal.
   void aim(std::vector<int> atoms, std::vector<Comparison> comparisons);
@@ -59,7 +60,7 @@ class AdditiveHeuristic {
 
   void find_varying();
   void weigh();
-  void start();
+  void start(const Word* without);
   bool propagate();
   void reach(int atom, int cost, int unit, int times);
   void fire(int unit);

@@ -9,6 +9,8 @@ namespace {
 // Where many steps of numbers lead to the goal, programs see the whole of them at once; a first look need not
 // take them one by one.
 constexpr std::size_t kQuickStates = 5'000;
+// Finding what can change places takes about as long as the quick attempts.
+constexpr SetLimits kSetLimits{.operators = 60'000, .facts = 10'000, .checks = 400'000};
 
 }  // namespace
 
@@ -24,16 +26,18 @@ void FirstPlan::enter(Search& search, std::uint64_t share, bool first_thread, bo
 // need any of these. States with fewer estimates take less time: their searches have larger shares.
 void FirstPlan::prepare() {
   const bool numbers = has_numbers();
+  const Interchangeable* objects = objects_->none() ? nullptr : &*objects_;
   if (numbers) {
     enter(broad_.emplace(task_, control_, ClimbingOptions{.costs = true, .all = true}), 12, true, false);
     enter(cheap_.emplace(task_, control_, ClimbingOptions{.costs = true}), 4, false, false);
     enter(intervals_.emplace(task_, control_), 2, false, false);
   }
   if (landmarks_->size() > 0)
-    enter(width_.emplace(task_, control_, *landmarks_), numbers ? 2 : 8, true, true);
+    enter(width_.emplace(task_, control_, *landmarks_, objects), numbers ? 2 : 8, true, true);
   LazyOptions options = with_landmarks();
   options.lookahead = false;
   options.intervals = numbers;
+  options.objects = objects;
   enter(full_.emplace(task_, control_, options), 2, true, true);
   if (!numbers && threads_ < 2) return;
   LazyOptions thrifty = with_landmarks();
@@ -117,6 +121,7 @@ SearchStatus FirstPlan::run(StopReason& reason) {
     status = CountingWalk(task_, control_).run(kPrograms, reason);
     if (status == SearchStatus::Found || status == SearchStatus::Stopped) return status;
   }
+  objects_.emplace(task_.space(), kSetLimits);
   prepare();
   // Of facts alone width mostly makes short work: the other thread would only disturb.
   if (width_ && !has_numbers()) {

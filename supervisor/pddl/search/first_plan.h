@@ -52,6 +52,7 @@ class FirstPlan {
   SearchControl& control_;
   unsigned threads_;
   std::optional<Landmarks> landmarks_;
+  std::optional<Interchangeable> objects_;  // where some can change places
   std::optional<WidthSearch> width_;
   std::optional<HillClimbing> intervals_, cheap_, broad_;
   std::optional<LazySearch> full_, thrifty_, greedy_;

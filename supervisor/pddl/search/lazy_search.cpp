@@ -39,6 +39,7 @@ LazySearch::LazySearch(const RelaxedTask& task, SearchControl& control, const La
       ahead_(space_.words()),
       scratch_(space_.words()),
       preferred_(space_.task().operators.size(), 0) {
+  if (options.objects != nullptr) exchanges_.emplace(space_, *options.objects);
   if (options.intervals) intervals_.emplace(space_);
   if (options.landmarks != nullptr) count_.emplace(task, *options.landmarks, weights_.of);
   estimates_.resize(1 + (intervals_ ? 1 : 0) + (count_ ? 1 : 0));
@@ -48,6 +49,7 @@ LazySearch::LazySearch(const RelaxedTask& task, SearchControl& control, const La
 
 std::size_t LazySearch::bytes() const {
   std::size_t total = nodes_.memory() + reached_.memory();
+  if (exchanges_) total += exchanges_->memory();
   for (const Queue& queue : queues_) total += queue.heap.capacity() * sizeof(Entry);
   return total;
 }
@@ -105,6 +107,10 @@ std::uint32_t LazySearch::generate(const Entry& entry) {
   if (n.closed && (options_.weight == 0.0 || !better)) return kNoNode;
   if (better && !added && costs_can_fall_ && leads_through(node, entry.parent)) return kNoNode;
   if (better) n = {total, entry.parent, entry.op, steps, false};
+  if (added && exchanges_ && !exchanges_->meet(state_.data())) {
+    n.closed = true;
+    return kNoNode;
+  }
   if (count_) {
     const Word* before = reached_[entry.parent];
     Word* now = reached_[node];
@@ -118,7 +124,8 @@ std::uint32_t LazySearch::generate(const Entry& entry) {
 bool LazySearch::evaluate(std::uint32_t node) {
   control_.count_expanded(1);
   ++expansion_;
-  if (!additive_.evaluate(state_.data())) return false;
+  if (exchanges_) exchanges_->look_at(state_.data());
+  if (!additive_.evaluate(state_.data(), exchanges_ ? exchanges_->needless_facts() : nullptr)) return false;
   std::size_t e = 0;
   estimates_[e++].value = additive_.estimate();
   if (intervals_) {
@@ -155,6 +162,7 @@ double LazySearch::key(std::uint32_t node, int estimate) const {
 
 void LazySearch::push_successors(std::uint32_t node) {
   space_.applicable(state_.data(), applicable_);
+  if (exchanges_) exchanges_->leave_out(applicable_);
   mark_preferred(node);
   for (std::size_t e = 0; e < estimates_.size(); ++e) {
     const double k = key(node, estimates_[e].value);
@@ -218,6 +226,7 @@ void LazySearch::start() {
   started_ = true;
   state_ = space_.initial();
   const std::uint32_t root = nodes_.insert(state_.data()).first;
+  if (exchanges_) (void)exchanges_->meet(state_.data());
   if (count_) count_->progress(state_.data(), reached_[root]);
   if (!reached(root, state_.data()) || !improved_) expand(root);
 }

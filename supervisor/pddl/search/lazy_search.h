@@ -14,6 +14,7 @@
 #include <optional>
 #include <vector>
 
+#include "supervisor/pddl/search/exchange_pruning.h"
 #include "supervisor/pddl/search/landmark_count.h"
 #include "supervisor/pddl/search/lookahead.h"
 #include "supervisor/pddl/search/lower_bounds.h"
@@ -25,13 +26,14 @@
 namespace stepwright::pddl {
 
 struct LazyOptions {
-  double weight = 0.0;                   // of the estimate against the way so far; 0: greedy
-  bool costs = false;                    // estimates of cost instead of steps
-  bool lookahead = true;                 // follow relaxed plans
-  bool intervals = false;                // the relaxed plan over intervals as another heuristic
-  const Landmarks* landmarks = nullptr;  // counted as another heuristic
-  const LowerBounds* bounds = nullptr;   // for pruning
-  std::size_t most_states = SIZE_MAX;    // that it looks ahead to; beyond, it only expands
+  double weight = 0.0;                       // of the estimate against the way so far; 0: greedy
+  bool costs = false;                        // estimates of cost instead of steps
+  bool lookahead = true;                     // follow relaxed plans
+  bool intervals = false;                    // the relaxed plan over intervals as another heuristic
+  const Landmarks* landmarks = nullptr;      // counted as another heuristic
+  const LowerBounds* bounds = nullptr;       // for pruning
+  const Interchangeable* objects = nullptr;  // of states that differ by exchanges one is enough
+  std::size_t most_states = SIZE_MAX;        // that it looks ahead to; beyond, it only expands
 };
 
 class LazySearch {
@@ -89,6 +91,7 @@ class LazySearch {
   AdditiveHeuristic additive_;
   std::optional<RelaxedPlan> intervals_;
   std::optional<LandmarkCount> count_;
+  std::optional<ExchangePruning> exchanges_;
   Lookahead lookahead_;
   bool costs_can_fall_;
   StateTable nodes_;

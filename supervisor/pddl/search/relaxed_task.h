@@ -65,11 +65,13 @@ class RelaxedTask {
   int atom_of_literal(int literal) const { return atom_of_literal_[static_cast<std::size_t>(literal)]; }
 
   // Calls `visit` with every atom that holds in the state, choices left out: their options lead to them. That
-  // a derived fact does not hold counts as reached: what would undo it is not looked into.
+  // a derived fact does not hold counts as reached: what would undo it is not looked into. `without`: facts
+  // that are passed over where they hold, or null.
   template <typename Visit>
-  void for_each_holding(const Word* state, const Visit& visit) const {
+  void for_each_holding(const Word* state, const Visit& visit, const Word* without = nullptr) const {
     for (std::size_t w = 0; w < asked_true_.size(); ++w) {
-      for (Word bits = state[w] & asked_true_[w]; bits != 0; bits &= bits - 1) {
+      const Word passed_over = without == nullptr ? Word{0} : without[w];
+      for (Word bits = state[w] & asked_true_[w] & ~passed_over; bits != 0; bits &= bits - 1) {
         visit(atom_of_literal_[2 * (64 * w + static_cast<std::size_t>(std::countr_zero(bits)))]);
       }
       for (Word bits = (~state[w] | derived_[w]) & asked_false_[w]; bits != 0; bits &= bits - 1) {

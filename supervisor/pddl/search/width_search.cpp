@@ -21,7 +21,8 @@ std::uint64_t mix(std::uint64_t a, std::uint64_t b) {
 
 }  // namespace
 
-WidthSearch::WidthSearch(const RelaxedTask& task, SearchControl& control, const Landmarks& landmarks)
+WidthSearch::WidthSearch(const RelaxedTask& task, SearchControl& control, const Landmarks& landmarks,
+                         const Interchangeable* objects)
     : task_(task),
       space_(task.space()),
       control_(control),
@@ -34,6 +35,7 @@ WidthSearch::WidthSearch(const RelaxedTask& task, SearchControl& control, const 
       seen_(kFilterBits / 64, 0),
       before_(space_.words()),
       state_(space_.words()) {
+  if (objects != nullptr) exchanges_.emplace(space_, *objects);
   list_values(space_.initial().data(), usual_);
   for (std::size_t v = 0; v < usual_.size(); ++v) {
     if (v >= space_.domains().size() || space_.domains()[v].count > 1) usual_[v] = 0;
@@ -42,7 +44,7 @@ WidthSearch::WidthSearch(const RelaxedTask& task, SearchControl& control, const 
 
 std::size_t WidthSearch::bytes() const {
   return nodes_.memory() + reached_.memory() + own_.memory() + open_.capacity() * sizeof(Entry) +
-         seen_.capacity() * sizeof(Word);
+         seen_.capacity() * sizeof(Word) + (exchanges_ ? exchanges_->memory() : 0);
 }
 
 // The values of the state's variables, each as one number; 0 for those that have none of their facts.
@@ -119,7 +121,8 @@ void WidthSearch::mark_done(Word* own) const {
 // A relaxed plan from the state in `state_`. False if there is none.
 bool WidthSearch::plan_steps(Word* own) {
   control_.count_expanded(1);
-  if (!additive_.evaluate(state_.data())) return false;
+  if (exchanges_) exchanges_->look_at(state_.data());
+  if (!additive_.evaluate(state_.data(), exchanges_ ? exchanges_->needless_facts() : nullptr)) return false;
   Steps steps;
   for (const AdditiveHeuristic::Use& use : additive_.plan()) {
     for (const GroundEffect& effect : space_.task().operators[static_cast<std::size_t>(use.op)].effects) {
@@ -164,12 +167,16 @@ void WidthSearch::expand(std::uint32_t node) {
   nodes_.load(node, before_.data());
   list_values(before_.data(), values_before_);
   space_.applicable(before_.data(), applicable_);
+  if (exchanges_) {
+    exchanges_->look_at(before_.data());
+    exchanges_->leave_out(applicable_);
+  }
   for (const int op : applicable_) {
     if (control_.check() != StopReason::None) return;  // one state can take milliseconds
     double cost = 0.0;
     if (!space_.apply(op, before_.data(), state_.data(), cost)) continue;
     const auto [child, added] = nodes_.insert(state_.data());
-    if (!added) continue;
+    if (!added || (exchanges_ && !exchanges_->meet(state_.data()))) continue;
     ++met_;
     nodes_[child] = {snap(nodes_[node].cost + cost), node, op, nodes_[node].steps + 1, false};
     if (space_.goal(state_.data())) {
@@ -185,6 +192,7 @@ SearchStatus WidthSearch::run(std::uint64_t states, StopReason& reason) {
     started_ = true;
     state_ = space_.initial();
     const std::uint32_t root = nodes_.insert(state_.data()).first;
+    if (exchanges_) (void)exchanges_->meet(state_.data());
     if (space_.goal(state_.data())) found_ = offer_plan(space_, control_, {});
     if (!meet(root, kNoNode)) return SearchStatus::Exhausted;
   }

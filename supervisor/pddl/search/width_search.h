@@ -13,9 +13,11 @@
 //
 // Thread rule: one call, one object. `run` can be resumed after Running.
 
+#include <optional>
 #include <vector>
 
 #include "supervisor/pddl/search/additive_heuristic.h"
+#include "supervisor/pddl/search/exchange_pruning.h"
 #include "supervisor/pddl/search/landmark_count.h"
 #include "supervisor/pddl/search/node_words.h"
 #include "supervisor/pddl/search/search_control.h"
@@ -25,8 +27,10 @@ namespace stepwright::pddl {
 
 class WidthSearch {
  public:
-  // The landmarks must outlive it.
-  WidthSearch(const RelaxedTask& task, SearchControl& control, const Landmarks& landmarks);
+  // The landmarks must outlive it. `objects`: of states that differ by exchanges one is enough; null: all
+  // are met.
+  WidthSearch(const RelaxedTask& task, SearchControl& control, const Landmarks& landmarks,
+              const Interchangeable* objects = nullptr);
 
   // Works through about so many states, of which one expanded and eight met that are new count one: an
   // estimate would take as long. Found: a plan was offered to the control and was better. Exhausted: there is
@@ -71,6 +75,7 @@ class WidthSearch {
   MemoryShare memory_;
   LandmarkCount count_;
   AdditiveHeuristic additive_;
+  std::optional<ExchangePruning> exchanges_;
   StateTable nodes_;
   NodeWords reached_, own_;
   std::vector<Steps> steps_;

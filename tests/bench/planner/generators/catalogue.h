@@ -9,6 +9,7 @@
 namespace stepwright::bench {
 
 Generator blocks();
+Generator canteen();
 Generator counters();
 Generator courier();
 Generator depots();

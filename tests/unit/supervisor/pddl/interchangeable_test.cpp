@@ -48,11 +48,11 @@ std::string sets_of(const Task& task) {
   const StateSpace space(ground);
   std::string text;
   const Interchangeable found(space);
-  for (const std::vector<int>& set : found.objects()) {
+  for (const ExchangeSet& set : found.sets()) {
     text += text.empty() ? "" : ", ";
-    for (const int object : set) {
-      text += ground.definition->objects[static_cast<std::size_t>(object)].name +
-              (object == set.back() ? "" : " ");
+    for (const ExchangeMember& member : set.members) {
+      text += ground.definition->objects[static_cast<std::size_t>(member.object)].name +
+              (&member == &set.members.back() ? "" : " ");
     }
   }
   return text;
