@@ -41,8 +41,10 @@ bool Parser::at_mock() const {
          at_word("MOCK");
 }
 
+// Words that are reserved nowhere and end what is being read all the same; those of namespaces, too.
 bool Parser::at_test_declaration() const {
-  return at_test() || at_mock() || (closing_ != nullptr && at_word(closing_));
+  const bool leaves = scope_ != nullptr && scope_->space && at_word("END_NAMESPACE");
+  return at_test() || at_mock() || at_namespace() || leaves || (closing_ != nullptr && at_word(closing_));
 }
 
 void Parser::test(std::vector<TestDeclaration>& out) {

@@ -28,7 +28,9 @@ bool Executive::begin() {
 
 // `wanted`: an operator has started it already.
 bool Executive::start_afresh(bool wanted) {
-  if (!plan_first()) return false;
+  const Planned first = plan_first();
+  if (first == Planned::None) return give_up_planless();
+  if (first != Planned::Ready) return false;
   if (options_.operator_starts && !wanted && !stay_ready()) return false;
   const model::NamedState initial = first_state();
   if (!await_runtime() || !observe(false)) return false;

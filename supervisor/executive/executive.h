@@ -123,7 +123,6 @@ class Executive final : public run::Mission {
   // executive_start.cpp: from one run to the next.
   void start_taken();
   model::NamedState first_state() const;
-  bool plan_first();
   bool stay_ready();
   bool begin_again();
   void forget_run();
@@ -136,6 +135,14 @@ class Executive final : public run::Mission {
     Again,  // the plant is not any more where the planning began
     Over,   // the run is
   };
+  // What is wanted from outside.
+  struct Asked {
+    std::string goal;
+    std::map<std::string, double> changed;
+  };
+  Planned plan_first();
+  bool await_operator();
+  void refuse_change(run::Cause cause, Asked before);
   struct Unplannable {
     std::string reason;
     result::ExitCode exit = result::ExitCode::RuntimeFault;
@@ -216,6 +223,7 @@ class Executive final : public run::Mission {
   std::string goal_;                       // PDDL; empty: the problem's
   std::map<std::string, double> changed_;  // fluents set from outside so far
   std::size_t next_change_ = 0;            // into options_.goal_changes
+  bool waits_ = false;                     // with a plan, for an operator
 
   std::uint64_t observed_event_ = 0;  // the event with which the last observation ended
 

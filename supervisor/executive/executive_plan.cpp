@@ -233,6 +233,10 @@ Executive::Planned Executive::plan_watched(StartState start,
     }
     if (again) continue;
     auto outcome = job.take();
+    if (!outcome && waits_) {
+      unplannable_ = {"no program could be made: " + result::to_string(outcome.error())};
+      return Planned::None;
+    }
     if (!outcome) {
       give_up("no program could be made", outcome.error());
       return Planned::Over;

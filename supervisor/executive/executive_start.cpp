@@ -68,38 +68,62 @@ model::NamedState Executive::first_state() const {
   return with_changes(pddl::to_named(desk_.task().initial()));
 }
 
-bool Executive::plan_first() {
+Executive::Planned Executive::plan_first() {
   const Planned planned = plan_watched({.planning = first_state(), .goal = goal_}, {});
-  if (planned == Planned::None) return give_up_planless();
-  if (planned != Planned::Ready) return false;
-  record_.goal = desk_.goal_status(first_state(), goal_);
-  return true;
+  if (planned == Planned::Ready) record_.goal = desk_.goal_status(first_state(), goal_);
+  return planned;
+}
+
+// Whoever wanted it started wanted that, and not the plan before.
+void Executive::refuse_change(run::Cause cause, Asked before) {
+  goal_ = std::move(before.goal);
+  changed_ = std::move(before.changed);
+  cause.evidence.push_back("that is refused, there is no plan for it: " + unplannable_.reason);
+  open_incident(cause);
+  decide(run::Response::GoOn);
+  enter(Stage::Ready);
 }
 
 // The plan is shown, and the runtime is not touched until an operator wants it. False if the run is over.
 bool Executive::stay_ready() {
   enter(Stage::Ready);
+  waits_ = true;
+  const bool started = await_operator();
+  waits_ = false;
+  if (!started) return false;
+  start_taken();
+  record_.episodes.clear();
+  set_phase(run::Phase::Planning, "started by the operator");
+  return true;
+}
+
+// What is wanted meanwhile and cannot be planned is refused.
+bool Executive::await_operator() {
   const auto show = [this] {
     record_.episodes = {current_.episode};
     set_phase(run::Phase::Ready,
               fmt::format("a plan of {} actions is ready: nothing moves until an operator starts it",
                           current_.plan.actions.size()));
   };
-  for (show();;) {
+  show();
+  while (true) {
     if (abort_) return give_up_aborted();
-    const bool started = wait_start(kLookAtRequests);
-    if (due(clock_.now_s())) {
+    bool started = wait_start(kLookAtRequests);
+    Asked before{goal_, changed_};
+    if (auto change = due(clock_.now_s())) {
       record_.episodes.clear();
       set_phase(run::Phase::Planning, "looking for a plan for what is wanted now");
-      if (!plan_first()) return false;
+      const Planned planned = plan_first();
+      if (planned == Planned::None) {
+        refuse_change(*std::move(change), std::move(before));
+        started = false;
+      } else if (planned != Planned::Ready) {
+        return false;
+      }
       if (!started) show();
     }
-    if (started) break;
+    if (started) return true;
   }
-  start_taken();
-  record_.episodes.clear();
-  set_phase(run::Phase::Planning, "started by the operator");
-  return true;
 }
 
 void Executive::start_taken() {

@@ -39,8 +39,10 @@ struct Place {
   std::uint32_t behind = ~0u;
 };
 
+// What stands between POUs, and heads of them, too: where a namespace is lost, so are the names in it.
 bool begins_pou(const syntax::Token& token) {
   using enum syntax::Keyword;
+  if (token.text == "NAMESPACE" || token.text == "USING") return true;
   return token.is(Program) || token.is(FunctionBlock) || token.is(Function) || token.is(Configuration) ||
          token.is(Type) || token.is(VarGlobal);
 }

@@ -181,7 +181,8 @@ FleetFigures fleet_campaign(std::uint64_t first, std::uint64_t runs, unsigned th
   const auto take = [&](FleetRun result) {
     add(result, figures.of[to_string(result.moment.kind)]);
     add(result, figures.of["all"]);
-    if (result.verdict == Verdict::Lost) figures.lost.push_back(std::move(result));
+    if (result.verdict == Verdict::Lost) figures.lost.push_back(result);
+    figures.newest = std::move(result);
   };
   figures.wall_s = spread(runs, threads, told, cancel, run, take);
   std::ranges::sort(figures.lost, {}, [](const FleetRun& each) { return each.moment.seed; });

@@ -16,6 +16,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -61,6 +62,7 @@ struct FleetClass {
 struct FleetFigures {
   std::map<std::string, FleetClass> of;  // by kind of moment; "all" is their sum
   std::vector<FleetRun> lost;            // by seed
+  std::optional<FleetRun> newest;        // that ended last
   double wall_s = 0.0;
 
   std::uint64_t runs() const;

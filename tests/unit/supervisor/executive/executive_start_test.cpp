@@ -170,6 +170,38 @@ TEST(ExecutiveStart, WhenTheGoalChangesWhileItWaits_ThenAnotherPlanIsShownAndSti
   EXPECT_EQ(bench.controller.stops(), 0);
 }
 
+// Whoever wants to start with a goal that cannot be planned does not get the plan before started.
+TEST(ExecutiveStart, WhenThereIsNoPlanForWhatIsWantedWhileItWaits_ThenThatIsRefusedAndThePlanBeforeWaits) {
+  for (const bool with_start : {false, true}) {
+    StartedBench bench(by_operator());
+    int shown = 0;
+    bench.on_news = [&](const run::RunRecord& now) {
+      if (now.phase != run::Phase::Ready) return;
+      EXPECT_EQ(now.episodes.at(0).actions.size(), 17u);
+      const std::string never = "(and (is-at v1 f1) (= (level a1) 99))";
+      if (++shown == 1) {
+        EXPECT_EQ(
+            code(with_start ? bench.executive->request_start(never) : bench.executive->request_goal(never)),
+            "");
+      } else {
+        EXPECT_FALSE(bench.controller.status()->scan > 0) << "nothing has run";
+        EXPECT_EQ(code(bench.executive->request_start("")), "");
+      }
+    };
+    const run::RunRecord record = bench.run();
+    SCOPED_TRACE(story(record));
+    EXPECT_EQ(shown, 2);
+    EXPECT_EQ(record.phase, run::Phase::Done);
+    ASSERT_EQ(record.incidents.size(), 1u);
+    EXPECT_EQ(record.incidents[0].kind, run::IncidentKind::NewGoal);
+    EXPECT_EQ(record.incidents[0].response, run::Response::GoOn);
+    ASSERT_EQ(record.incidents[0].evidence.size(), 2u);
+    EXPECT_TRUE(record.incidents[0].evidence[1].starts_with("that is refused, there is no plan for it: "))
+        << record.incidents[0].evidence[1];
+    EXPECT_NEAR(bench.controller.plant_value("level_a1_percent"), 50.0, 2.0);
+  }
+}
+
 TEST(ExecutiveStart, WhenARunHasReachedItsGoal_ThenAnotherOneBeginsWhereThePlantIs) {
   StartedBench bench;
   EXPECT_EQ(code(bench.executive->request_start("")), "X0008") << "the first one is about to run";
