@@ -5,7 +5,7 @@ import { join } from 'node:path';
 
 import { cellInFolder } from './cell_folder.mjs';
 
-const SPEED = 5; // times real time, once it is started: a run lasts while somebody kills what belongs to it
+const SPEED = 2; // times real time, once it is started: a run lasts while somebody kills what belongs to it
 
 export async function startBench(program, config) {
   const cell = await cellInFolder(program, 'bench', (folder, port) => {

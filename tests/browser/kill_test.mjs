@@ -218,7 +218,8 @@ async function theSupervisorIsKilled(page, bench) {
   await phaseIs(page, 'the bench waits for its start', 'ready');
   check((await asksApi(page, '/api/plan/start', {})) === '200', 'it is started');
   await phaseIs(page, 'the bench follows its plan', 'executing');
-  check((await asksApi(page, '/api/plan/hold', { reason: 'somebody is at the pump' })) === '200', 'an operator holds it');
+  const held = await asksApi(page, '/api/plan/hold', { reason: 'somebody is at the pump' });
+  check(held === '200', `an operator holds it (${held})`);
   await phaseIs(page, 'and it rests', 'held');
   await until('the cause stands on the page', async () => (await replans(page)).join() === 'held by the operator');
   const before = await journalOf(page);
