@@ -88,7 +88,7 @@ json goals_json(const DocumentInput& input) {
       if (deadline) one["due_ms"] = bound.distance.most.count();
     }
     if (entry.late) one["late"] = true;
-    if (const std::string why = input.ledger->reason_of(k); !why.empty()) one["reason"] = why;
+    if (const std::string why = input.ledger->reason_of(k, input.shut_in); !why.empty()) one["reason"] = why;
     all.push_back(std::move(one));
   }
   return all;

@@ -23,8 +23,9 @@ struct DocumentInput {
   const FleetFollow* follow = nullptr;
   const FleetLedger* ledger = nullptr;
   const std::vector<Blocked>* blocked = nullptr;
-  double epoch_s = 0.0;        // scan-clock time of the schedule's time zero
-  double first_epoch_s = 0.0;  // of the first plan's
+  std::vector<bool> shut_in = {};  // by vehicle: it cannot leave where it stands
+  double epoch_s = 0.0;            // scan-clock time of the schedule's time zero
+  double first_epoch_s = 0.0;      // of the first plan's
   std::uint32_t revision = 1;
 };
 

@@ -87,15 +87,17 @@ bool FleetLedger::give_up_task(std::size_t task) {
   return true;
 }
 
-std::string FleetLedger::reason_of(std::size_t goal) const {
+std::string FleetLedger::reason_of(std::size_t goal, const std::vector<bool>& shut_in) const {
   const GoalEntry& entry = goals_[goal];
   if (!entry.why.empty() || entry.delivered >= entry.amount) return entry.why;
   std::string text;
   for (std::size_t v = 0; v < vehicles_.size(); ++v) {
     const auto aboard = vehicles_[v].aboard.find(goal);
-    if (!vehicles_[v].lost || aboard == vehicles_[v].aboard.end()) continue;
-    text += fmt::format("{}{} aboard of {}, which is lost", text.empty() ? "" : "; ", aboard->second,
-                        problem_.vehicles[v].name);
+    const bool stands = v < shut_in.size() && shut_in[v];
+    if (aboard == vehicles_[v].aboard.end() || (!vehicles_[v].lost && !stands)) continue;
+    text += fmt::format("{}{} aboard of {}, which {}", text.empty() ? "" : "; ", aboard->second,
+                        problem_.vehicles[v].name,
+                        vehicles_[v].lost ? "is lost" : "cannot leave where it stands");
   }
   return text;
 }

@@ -120,8 +120,9 @@ class FleetLedger {
   bool ordered() const;
   // Everything is delivered; no vehicle has anything left to carry.
   bool complete() const;
-  // Why some of the goal is missing: it was given up, or lost vehicles have it aboard. Empty if neither.
-  std::string reason_of(std::size_t goal) const;
+  // Why some of the goal is missing: it was given up, or vehicles have it aboard that are lost or, by
+  // `shut_in` (a flag for each), cannot leave where they stand. Empty if none of it.
+  std::string reason_of(std::size_t goal, const std::vector<bool>& shut_in) const;
   RestProblem rest(const RestOptions& options) const;
 
  private:

@@ -117,15 +117,16 @@ TEST(FleetLedger, WhenALostVehicleHasSomeAboard_ThenThatIsTheReasonWhyItIsMissin
   FleetLedger ledger(two_trucks());
   ledger.made(1, stop(StopKind::PickUp, "flour", 1), 10s);
   ledger.made(0, stop(StopKind::PickUp, "flour", 2), 11s);
-  EXPECT_EQ(ledger.reason_of(0), "");
+  EXPECT_EQ(ledger.reason_of(0, {}), "");
   ledger.lose(1, "it does not answer");
   ledger.made(0, stop(StopKind::SetDown, "flour", 2), 30s);
   EXPECT_EQ(ledger.goals()[0].vehicle, std::optional<std::uint32_t>(0));
-  EXPECT_EQ(ledger.reason_of(0), "1 aboard of truck 2, which is lost");
+  EXPECT_EQ(ledger.reason_of(0, {}), "1 aboard of truck 2, which is lost");
   ledger.find(1);
-  EXPECT_EQ(ledger.reason_of(0), "");
+  EXPECT_EQ(ledger.reason_of(0, {}), "");
+  EXPECT_EQ(ledger.reason_of(0, {true, true}), "1 aboard of truck 2, which cannot leave where it stands");
   ledger.give_up(0, "no way");
-  EXPECT_EQ(ledger.reason_of(0), "no way");
+  EXPECT_EQ(ledger.reason_of(0, {}), "no way");
 }
 
 TEST(FleetLedger, WhenPartsAreGivenUp_ThenItIsSaidOfEachOnlyOnce) {
