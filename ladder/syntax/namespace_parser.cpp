@@ -89,9 +89,21 @@ void Parser::open_namespace(Unit& out, const Name& name, const std::vector<std::
   }
 }
 
+// To its end, with all that it holds.
+void Parser::skip_namespace() {
+  std::size_t open = 0;
+  do {
+    if (at_namespace()) ++open;
+    if (at_word("END_NAMESPACE")) --open;
+    advance();
+  } while (open > 0 && !at(TokenKind::End));
+}
+
 void Parser::namespace_block(Unit& out) {
   const Nesting nesting(*this);
-  if (too_deep()) return;
+  // So deep a name is too long, which was told.
+  static_assert(kMaxNesting > kMaxName / 2);
+  if (nesting_ > kMaxNesting) return skip_namespace();
   const Token& open = advance();
   const bool internal = accept_internal();
   NameScope* const outer = scope_;

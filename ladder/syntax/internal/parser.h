@@ -104,6 +104,7 @@ class Parser {
   bool accept_internal();
   void qualify(Unit& out, Name& name, bool internal);
   void open_namespace(Unit& out, const Name& name, const std::vector<std::string_view>& parts, bool internal);
+  void skip_namespace();
   void namespace_block(Unit& out);
   void namespace_part(Unit& out);
   void types_of_unit(Unit& out);
