@@ -150,8 +150,13 @@ void Parser::skip_declaration() {
   }
 }
 
+bool Parser::is_too_deep() const {
+  static_assert(kMaxNesting > kMaxName / 2, "namespaces are limited by the length of names");
+  return nesting_ > kMaxNesting;
+}
+
 bool Parser::too_deep() {
-  if (nesting_ <= kMaxNesting) return false;
+  if (!is_too_deep()) return false;
   if (reported_at_ != at_) {
     context_.sink.error(code::kTooDeep, peek().where, "nested too deeply",
                         "split the expression or the statement into several");

@@ -101,9 +101,7 @@ void Parser::skip_namespace() {
 
 void Parser::namespace_block(Unit& out) {
   const Nesting nesting(*this);
-  // So deep a name is too long, which was told.
-  static_assert(kMaxNesting > kMaxName / 2);
-  if (nesting_ > kMaxNesting) return skip_namespace();
+  if (is_too_deep()) return skip_namespace();  // so deep a name is too long, which was told
   const Token& open = advance();
   const bool internal = accept_internal();
   NameScope* const outer = scope_;

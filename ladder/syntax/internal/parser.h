@@ -54,6 +54,7 @@ class Parser {
 
   // Guards against stack exhaustion; reports once.
   class Nesting;
+  bool is_too_deep() const;
   bool too_deep();
 
   // expression_parser.cpp
