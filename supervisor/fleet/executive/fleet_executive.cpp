@@ -129,9 +129,7 @@ bool FleetExecutive::has_gone_on() {
     set_phase(Phase::Waiting, "the runtime does not answer; waiting for it");
     if (!await_runtime()) return false;
   }
-  const auto status = controller_.status();
-  if (!status || status->state != host::RuntimeState::Running || status->program_digest != digest_)
-    return false;
+  if (!runs()) return false;
   open_incident({IncidentKind::LostRuntime, {"the runtime was not seen for a while; it has gone on"}, {}});
   decide(Response::GoOn);
   set_phase(phase, message);

@@ -20,13 +20,9 @@
 //   FleetExecutive executive(*desk, controller, {.cell = "fleet"}, publish);
 //   run::RunRecord record = executive.run();
 
-#include <atomic>
 #include <chrono>
-#include <condition_variable>
 #include <cstdint>
 #include <filesystem>
-#include <functional>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>

@@ -29,6 +29,30 @@ std::string code_for(std::vector<std::byte> bytes) {
   return loaded ? "" : loaded.error()[0].code;
 }
 
+// A program with one variable, of a type with two BOOLs; the second one has these flags.
+ProgramInfo with_two_bools(const char* variable, bytecode::TypeKind kind, const char* first,
+                           const char* second, std::uint32_t flags) {
+  writer::ContainerModel model;
+  model.sizes.data_bytes = 2;
+  const auto boolean = model.add_type(writer::elementary(bytecode::ElementaryType::Bool));
+  writer::Type pair;
+  pair.name = "PAIR";
+  pair.kind = kind;
+  pair.size = 2;
+  pair.members.push_back({first, boolean, 0});
+  pair.members.push_back({second, boolean, 1, flags});
+  const auto type = model.add_type(std::move(pair));
+  writer::Symbol symbol;
+  symbol.name = variable;
+  symbol.type = type;
+  model.symbols.push_back(std::move(symbol));
+  writer::FunctionBuilder main("MAIN", bytecode::FunctionKind::Program, 2);
+  main.emit(bytecode::Opcode::Return);
+  model.functions.push_back(std::move(main).take());
+  model.tasks.push_back({.name = "t", .interval_us = 1'000, .priority = 0, .calls = {{"MAIN", 0, 0}}});
+  return ProgramInfo::read(writer::write_container(model).value()).value();
+}
+
 TEST(LoadedProgram, Bytes_WhenWrong_ThenTheCodeSaysWhatIsWrong) {
   std::vector<std::byte> bytes = sample_bytes();
   EXPECT_EQ(code_for(bytes), "");
@@ -79,50 +103,16 @@ TEST(ProgramInfo, Variables_WhenMembersAreBits_ThenSayWhich) {
   for (const std::uint8_t bit : {std::uint8_t{0}, std::uint8_t{7}})
     EXPECT_EQ(bytecode::member_bit(bytecode::bit_member(bit)), bit);
   EXPECT_EQ(bytecode::member_bit(bytecode::kMemberHidden), bytecode::kNoBit);
-  writer::ContainerModel model;
-  model.sizes.data_bytes = 2;
-  const auto boolean = model.add_type(writer::elementary(bytecode::ElementaryType::Bool));
-  writer::Type frame;
-  frame.name = "FRAME";
-  frame.kind = bytecode::TypeKind::Struct;
-  frame.size = 2;
-  frame.members.push_back({"whole", boolean, 0});
-  frame.members.push_back({"third", boolean, 1, bytecode::bit_member(3)});
-  const auto type = model.add_type(std::move(frame));
-  writer::Symbol symbol;
-  symbol.name = "f";
-  symbol.type = type;
-  model.symbols.push_back(std::move(symbol));
-  writer::FunctionBuilder main("MAIN", bytecode::FunctionKind::Program, 2);
-  main.emit(bytecode::Opcode::Return);
-  model.functions.push_back(std::move(main).take());
-  model.tasks.push_back({.name = "t", .interval_us = 1'000, .priority = 0, .calls = {{"MAIN", 0, 0}}});
-  const ProgramInfo info = ProgramInfo::read(writer::write_container(model).value()).value();
+  const ProgramInfo info =
+      with_two_bools("f", bytecode::TypeKind::Struct, "whole", "third", bytecode::bit_member(3));
   EXPECT_EQ(info.find("f.whole")->bit, bytecode::kNoBit);
   EXPECT_EQ(info.find("f.third")->bit, 3);
   EXPECT_EQ(info.find("f.third")->address, info.find("f.whole")->address + 1);
 }
 
 TEST(ProgramInfo, Variables_WhenTheCompilerHidesThem_ThenNobodySeesThem) {
-  writer::ContainerModel model;
-  model.sizes.data_bytes = 2;
-  const auto boolean = model.add_type(writer::elementary(bytecode::ElementaryType::Bool));
-  writer::Type block;
-  block.name = "BLOCK";
-  block.kind = bytecode::TypeKind::Instance;
-  block.size = 2;
-  block.members.push_back({"go", boolean, 0});
-  block.members.push_back({"go#BEFORE", boolean, 1, bytecode::kMemberHidden});
-  const auto type = model.add_type(std::move(block));
-  writer::Symbol symbol;
-  symbol.name = "MAIN";
-  symbol.type = type;
-  model.symbols.push_back(std::move(symbol));
-  writer::FunctionBuilder main("MAIN", bytecode::FunctionKind::Program, 2);
-  main.emit(bytecode::Opcode::Return);
-  model.functions.push_back(std::move(main).take());
-  model.tasks.push_back({.name = "t", .interval_us = 1'000, .priority = 0, .calls = {{"MAIN", 0, 0}}});
-  const ProgramInfo info = ProgramInfo::read(writer::write_container(model).value()).value();
+  const ProgramInfo info =
+      with_two_bools("MAIN", bytecode::TypeKind::Instance, "go", "go#BEFORE", bytecode::kMemberHidden);
   ASSERT_EQ(info.tags().size(), 1u);
   EXPECT_EQ(info.tags()[0].name, "MAIN.go");
 }
