@@ -47,7 +47,8 @@ class RuntimeTrouble : public testing::Test {
     while (count < wanted && Clock::now() < deadline) {
       data_->clear();
       while (const auto done = data_->take_written()) {
-        EXPECT_EQ(done->exception, Exception::DeviceFailure);
+        // Busy: sent after others were late, when the runtime still had as many as it takes.
+        wrong_ += done->exception != Exception::DeviceFailure && done->exception != Exception::DeviceBusy;
         ++count;
       }
       std::this_thread::sleep_for(5ms);
@@ -57,6 +58,7 @@ class RuntimeTrouble : public testing::Test {
 
   std::unique_ptr<DeafRuntime> runtime_;
   std::atomic<int> refused_{0};
+  int wrong_ = 0;  // answers that say that something was written
   std::unique_ptr<RuntimeData> data_;
 };
 
@@ -76,6 +78,7 @@ TEST_F(RuntimeTrouble, WhenManyWritesWait_ThenEachIsAnsweredWithinItsTime) {
   }
   // Counted from the sending it would be a hundred times the time-out.
   EXPECT_EQ(answered(kWrites, 100'000ms), kWrites);
+  EXPECT_EQ(wrong_, 0);
 }
 
 TEST_F(RuntimeTrouble, WhenMoreWritesWaitThanThereAreClients_ThenTheNextIsRefused) {
