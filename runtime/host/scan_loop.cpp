@@ -12,8 +12,6 @@ constexpr std::size_t kQueue = 256;
 constexpr std::int64_t kPublishPeriodNs = 5'000'000;
 // How often the figures of the tasks are published: they are large.
 constexpr std::int64_t kTimingPeriodNs = 100'000'000;
-// Simulated with a speed: what the simulation lags behind more than this is not caught up.
-constexpr std::int64_t kMaxLagNs = 100'000'000;
 constexpr std::int64_t kRecordingWaitNs = 1'000'000;
 constexpr std::int64_t kFullRingWaitNs = 1'000'000;
 
@@ -45,8 +43,10 @@ ScanLoop::ScanLoop(const HostConfig& config, AreaDriver& io, PlantAccess* plant,
       commands_(kQueue),
       completions_(kQueue),
       lifeline_(config.safety.stall_ns),
+      barrier_(config),
       faults_(config.faults),
-      truths_(plant == nullptr ? 0 : plant->value_names().size()) {
+      truths_(plant == nullptr ? 0 : plant->value_names().size()),
+      pace_(config.speed) {
   std::stable_sort(faults_.begin(), faults_.end(),
                    [](const ScheduledFault& a, const ScheduledFault& b) { return a.at_ns < b.at_ns; });
   origin_ns_ = clock_.now_ns();
@@ -143,7 +143,10 @@ void ScanLoop::turn_simulated() {
   if (program_->events().full()) return wait(kFullRingWaitNs);
   // So does a recording that cannot follow; its writer looks for news by itself.
   if (!tap_.has_room(program_->image().bytes().size())) return wait(kRecordingWaitNs);
-  if (config_.speed > 0.0 && !stepper_.on() && early(program_->cycle().next_time_ns())) return;
+  // What a person steps through waits for that person only.
+  const std::int64_t early_ns =
+      stepper_.on() ? 0 : pace_.wait_ns(clock_.now_ns(), program_->cycle().next_time_ns());
+  if (early_ns > 0) return wait(early_ns);
   scan_once();
 }
 
@@ -161,21 +164,6 @@ void ScanLoop::wait(std::int64_t timeout_ns) {
     wake_.wait_until(clock_.now_ns() + timeout_ns);
   }
   lifeline_.busy();
-}
-
-// True if the scan at `next_ns` must wait for the clock on the wall; then some waiting was done.
-bool ScanLoop::early(std::int64_t next_ns) {
-  const double ahead_ns = static_cast<double>(next_ns - pace_scan_ns_) / config_.speed;
-  const std::int64_t wait_ns = pace_wall_ns_ + static_cast<std::int64_t>(ahead_ns) - clock_.now_ns();
-  if (wait_ns > 0) {
-    wait(wait_ns);
-    return true;
-  }
-  if (-wait_ns > kMaxLagNs) {
-    pace_scan_ns_ = next_ns;
-    pace_wall_ns_ = clock_.now_ns();
-  }
-  return false;
 }
 
 void ScanLoop::scan_once() {
@@ -199,10 +187,7 @@ void ScanLoop::scan_once() {
   if (report.state != scan::ScanState::Running) return faulted(report);
   retain_.offer(program_->image().bytes(), clock_.now_ns());
   if (changed) {
-    if (barrier_ && !supervisor_lost_ && !real()) {
-      now_.waiting_for_supervisor = true;
-      end_stretch();
-    }
+    stand_at_barrier();
     emit(EventKind::StepChange, {}, {});
   } else if (stands) {
     publish();
@@ -269,6 +254,12 @@ void ScanLoop::note(EventKind kind, const bytecode::Trap& trap, std::string_view
   if (!program_->events().push(event, program_->image().bytes(), truths_)) ++now_.lost_events;
 }
 
+void ScanLoop::stand_at_barrier() {
+  if (!barrier_.holds()) return;
+  now_.waiting_for_supervisor = true;
+  end_stretch();
+}
+
 void ScanLoop::release_barrier() {
   if (!now_.waiting_for_supervisor) return;
   now_.waiting_for_supervisor = false;
@@ -277,17 +268,11 @@ void ScanLoop::release_barrier() {
 
 void ScanLoop::begin_stretch() {
   if (stepper_.on()) return;  // what a person steps through says nothing about speed
-  stretch_wall_ns_ = clock_.now_ns();
-  stretch_scan_ns_ = now_.time_ns;
-  pace_wall_ns_ = stretch_wall_ns_;
-  pace_scan_ns_ = next_time_ns();
+  pace_.begin(clock_.now_ns(), now_.time_ns, next_time_ns());
 }
 
 void ScanLoop::end_stretch() {
-  if (stretch_wall_ns_ == 0) return;
-  ran_wall_ns_ += clock_.now_ns() - stretch_wall_ns_;
-  ran_scan_ns_ += now_.time_ns - stretch_scan_ns_;
-  stretch_wall_ns_ = 0;
+  pace_.end(clock_.now_ns(), now_.time_ns);
 }
 
 // The other tasks of the program neither take nor give values while it lives.
@@ -301,13 +286,7 @@ void ScanLoop::publish_if_due() {
 
 void ScanLoop::publish() {
   published_ns_ = clock_.now_ns();
-  std::int64_t wall_ns = ran_wall_ns_;
-  std::int64_t scan_ns = ran_scan_ns_;
-  if (stretch_wall_ns_ != 0) {
-    wall_ns += published_ns_ - stretch_wall_ns_;
-    scan_ns += now_.time_ns - stretch_scan_ns_;
-  }
-  if (wall_ns > 0) now_.realtime_factor = static_cast<double>(scan_ns) / static_cast<double>(wall_ns);
+  now_.realtime_factor = pace_.factor(published_ns_, now_.time_ns).value_or(now_.realtime_factor);
   if (program_ != nullptr) {
     scan::Histogram all = earlier_scans_;
     all.add(program_->cycle().statistics().scan_time);

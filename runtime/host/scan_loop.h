@@ -20,10 +20,12 @@
 #include <vector>
 
 #include "runtime/host/area_driver.h"
+#include "runtime/host/barrier.h"
 #include "runtime/host/change_trial.h"
 #include "runtime/host/command.h"
 #include "runtime/host/doorbell.h"
 #include "runtime/host/host_config.h"
+#include "runtime/host/pace.h"
 #include "runtime/host/plant_access.h"
 #include "runtime/host/prepared_program.h"
 #include "runtime/host/real_time.h"
@@ -146,12 +148,12 @@ class ScanLoop {
   void scan_once();
   void faulted(const scan::ScanReport& report);
   void idle_io(std::int64_t time_ns);
-  bool early(std::int64_t next_ns);
   void inject_scheduled(std::int64_t time_ns);
   void emit(EventKind kind, const bytecode::Trap& trap, std::string_view reason,
             const PreparedProgram* other = nullptr);
   void note(EventKind kind, const bytecode::Trap& trap, std::string_view reason,
             const PreparedProgram* other);
+  void stand_at_barrier();
   void release_barrier();
   void begin_stretch();
   void end_stretch();
@@ -191,20 +193,13 @@ class ScanLoop {
   std::int64_t idle_due_ns_ = 0;    // real clock: scan time of the next I/O while no program runs
   bool commands_left_ = false;      // real clock: there was no time for all of them before the scan
   std::uint64_t stopped_at_ = 0;    // order of the newest stop: starts that were asked for before it are void
-  bool barrier_ = false;
-  bool supervisor_lost_ = false;
+  Barrier barrier_;
   std::size_t next_fault_ = 0;  // into config_.faults, which are sorted by time
   std::vector<ScheduledFault> faults_;
   std::vector<double> truths_;
   scan::Histogram earlier_scans_;  // of the programs before
   std::uint64_t earlier_overruns_ = 0;
-  std::int64_t pace_wall_ns_ = 0;  // simulated with a speed: where clock and scan clock were even
-  std::int64_t pace_scan_ns_ = 0;
-  std::int64_t stretch_wall_ns_ =
-      0;  // when and at which scan time the present stretch of running began; 0 = none
-  std::int64_t stretch_scan_ns_ = 0;
-  std::int64_t ran_wall_ns_ = 0;  // sums over all stretches that ended
-  std::int64_t ran_scan_ns_ = 0;
+  Pace pace_;
   std::int64_t published_ns_ = 0;
   std::int64_t timings_published_ns_ = 0;
   Stepper stepper_;

@@ -115,10 +115,7 @@ void ScanLoop::roll_back(const bytecode::Trap& trap) {
   publish_forces();
   trial_ = {};
   now_.kept = &failed;  // until the event, which speaks of it, is on its way
-  if (barrier_ && !supervisor_lost_ && !real()) {
-    now_.waiting_for_supervisor = true;
-    end_stretch();
-  }
+  stand_at_barrier();
   emit(EventKind::RolledBack, trap, dropped_text(dropped).view(), &failed);
   now_.kept = nullptr;
 }

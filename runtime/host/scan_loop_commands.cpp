@@ -119,7 +119,7 @@ Completion ScanLoop::apply(const Command& command) {
     case CommandKind::InjectFault:
       return inject_fault(command);
     case CommandKind::SupervisorAlive:
-      supervisor_lost_ = false;
+      barrier_.supervisor_is_there(true);
       return done(Outcome::Done);
     case CommandKind::SupervisorLost:
       if (config_.on_lost_supervisor == LostSupervisor::Safe) stopped_at_ = command.order;
@@ -202,7 +202,7 @@ Outcome ScanLoop::start(const Command& command) {
   retain_.begin(program_->retained(), program_->image().bytes(), command.cold);
   program_->steps().reset(program_->image().bytes());
   program_->crew().start(next_start_ns_);
-  barrier_ = command.barrier;
+  barrier_.arm(command.barrier);
   now_.state = RuntimeState::Running;
   tap_.state(record::StateCause::Start, running());
   emit(EventKind::Started, {}, {});
@@ -292,10 +292,10 @@ Completion ScanLoop::inject_fault(const Command& command) {
 }
 
 void ScanLoop::supervisor_lost() {
-  supervisor_lost_ = true;
+  barrier_.supervisor_is_there(false);
   if (config_.on_lost_supervisor == LostSupervisor::Safe) {
     stop(kSupervisorLost, scan::SafeCause::SupervisorLost);
-  } else {
+  } else if (!barrier_.holds()) {
     release_barrier();
   }
 }

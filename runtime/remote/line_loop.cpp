@@ -6,8 +6,6 @@ namespace stepwright::remote {
 namespace {
 
 constexpr std::int64_t kNsPerMs = 1'000'000;
-// Simulated with a speed: what lags behind more than this is not caught up.
-constexpr std::int64_t kMaxLagNs = 100 * kNsPerMs;
 // A controller that answers and does not scan for this long, or for kStallPeriods of its periods, hangs.
 constexpr std::int64_t kStallNs = 1'000 * kNsPerMs;
 constexpr std::int64_t kStallPeriods = 4;
@@ -24,7 +22,9 @@ LineLoop::LineLoop(const RemoteConfig& config, RegisterLine& line, image::IoDriv
       snapshots_(snapshots),
       box_(box),
       link_(line, {.patience = config.lost_after}, quit_),
-      plant_(config.host, driver, plant) {
+      plant_(config.host, driver, plant),
+      barrier_(config.host),
+      pace_(config.host.speed) {
   origin_ns_ = clock_.now_ns();
   publish();
 }
@@ -62,8 +62,11 @@ void LineLoop::wait(std::int64_t timeout_ns) {
 LineLoop::Done LineLoop::turn_lock_step() {
   const bool held = !running() || now_.waiting_for_supervisor || !stepper_.may_scan() || box_.full();
   if (!held) {
-    if (config_.host.speed > 0.0 && !stepper_.on() && early(next_ns_)) return {};
-    return scan_once();
+    const std::int64_t early_ns = stepper_.on() ? 0 : pace_.wait_ns(wall_ns(), next_ns_);
+    if (early_ns <= 0) return scan_once();
+    publish_if_due();
+    wait(early_ns);
+    return {};
   }
   publish_if_due();
   const std::int64_t left_ns = status_due_ns_ - wall_ns();
@@ -82,22 +85,6 @@ LineLoop::Done LineLoop::look_at_status() {
   status_due_ns_ = wall_ns() + ns(config_.status_period);
   now_.overruns = status->overruns;
   return take_events(*status);
-}
-
-// True if the scan at `next_ns` must wait for the clock on the wall; then some waiting was done.
-bool LineLoop::early(std::int64_t next_ns) {
-  const double ahead_ns = static_cast<double>(next_ns - pace_scan_ns_) / config_.host.speed;
-  const std::int64_t wait_ns = pace_wall_ns_ + static_cast<std::int64_t>(ahead_ns) - wall_ns();
-  if (wait_ns > 0) {
-    publish_if_due();
-    wait(wait_ns);
-    return true;
-  }
-  if (-wait_ns > kMaxLagNs) {
-    pace_scan_ns_ = next_ns;
-    pace_wall_ns_ = wall_ns();
-  }
-  return false;
 }
 
 // One turn: the plant's inputs there, the outputs of the scan that they let run back.

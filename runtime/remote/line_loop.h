@@ -17,6 +17,8 @@
 #include <string_view>
 #include <vector>
 
+#include "runtime/host/barrier.h"
+#include "runtime/host/pace.h"
 #include "runtime/host/real_time.h"
 #include "runtime/host/snapshot_memory.h"
 #include "runtime/host/stepper.h"
@@ -82,7 +84,6 @@ class LineLoop {
   [[nodiscard]] Done plant_lost();
   [[nodiscard]] Done look_at_status();
   void accept(const ControllerOutputs& outputs);
-  bool early(std::int64_t next_ns);
   void wait(std::int64_t timeout_ns);
   std::uint16_t next_turn() { return turn_ = static_cast<std::uint16_t>(turn_ == 0xFFFF ? 1 : turn_ + 1); }
 
@@ -128,8 +129,7 @@ class LineLoop {
   std::uint32_t uptime_ms_ = 0;
   std::int64_t base_ns_ = 0;  // own time = the controller's + base
   std::int64_t next_ns_ = 0;  // own time of the next scan
-  bool barrier_ = false;
-  bool supervisor_lost_ = false;
+  host::Barrier barrier_;
   std::uint64_t stopped_at_ = 0;  // order of the newest stop: starts that were asked for before it are void
   host::Stepper stepper_;
   scan::Histogram turns_;  // how long a turn takes, there and back
@@ -140,12 +140,7 @@ class LineLoop {
   std::int64_t image_due_ns_ = 0;   // wall
   std::int64_t published_ns_ = 0;   // wall
   std::int64_t progress_ns_ = 0;    // wall: when the scan number was seen to change
-  std::int64_t pace_wall_ns_ = 0;   // simulated with a speed: where wall and scan clock were even
-  std::int64_t pace_scan_ns_ = 0;
-  std::int64_t stretch_wall_ns_ = 0;  // when the present stretch of running began; 0 = none
-  std::int64_t stretch_scan_ns_ = 0;
-  std::int64_t ran_wall_ns_ = 0;
-  std::int64_t ran_scan_ns_ = 0;
+  host::Pace pace_;
 };
 
 }  // namespace stepwright::remote

@@ -74,7 +74,7 @@ Completion LineLoop::apply(const RemoteCommand& asked) {
       if (command.event >= now_.last_event) release_barrier();
       return done;
     case CommandKind::SupervisorAlive:
-      supervisor_lost_ = false;
+      barrier_.supervisor_is_there(true);
       return done;
     case CommandKind::SupervisorLost:
       return supervisor_lost(command);
@@ -180,7 +180,7 @@ Completion LineLoop::start(const host::Command& command) {
   if (!answer) return lost(command.ticket, answer.error());
   if (!answer->done()) return refused(command.ticket, *answer);
   if (auto begun = begin_run(); !begun) return lost(command.ticket, begun.error());
-  barrier_ = command.barrier;
+  barrier_.arm(command.barrier);
   now_.state = host::RuntimeState::Running;
   progress_ns_ = due_ns_ = wall_ns();
   emit(host::EventKind::Started, {});
@@ -289,9 +289,9 @@ Completion LineLoop::inject(const host::Command& command) {
 }
 
 Completion LineLoop::supervisor_lost(const host::Command& command) {
-  supervisor_lost_ = true;
+  barrier_.supervisor_is_there(false);
   if (config_.host.on_lost_supervisor != host::LostSupervisor::Safe) {
-    release_barrier();
+    if (!barrier_.holds()) release_barrier();
     return {command.ticket, Outcome::Done, {}};
   }
   stopped_at_ = command.order;

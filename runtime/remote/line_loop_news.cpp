@@ -84,7 +84,7 @@ LineLoop::Done LineLoop::refresh_image() {
 }
 
 void LineLoop::emit(host::EventKind kind, std::string detail) {
-  if (kind == host::EventKind::StepChange && barrier_ && !supervisor_lost_ && simulated()) {
+  if (kind == host::EventKind::StepChange && barrier_.holds()) {
     now_.waiting_for_supervisor = true;
     end_stretch();
   }
@@ -111,17 +111,11 @@ void LineLoop::release_barrier() {
 
 void LineLoop::begin_stretch() {
   if (stepper_.on()) return;
-  stretch_wall_ns_ = wall_ns();
-  stretch_scan_ns_ = now_.time_ns;
-  pace_wall_ns_ = stretch_wall_ns_;
-  pace_scan_ns_ = next_ns_;
+  pace_.begin(wall_ns(), now_.time_ns, next_ns_);
 }
 
 void LineLoop::end_stretch() {
-  if (stretch_wall_ns_ == 0) return;
-  ran_wall_ns_ += wall_ns() - stretch_wall_ns_;
-  ran_scan_ns_ += now_.time_ns - stretch_scan_ns_;
-  stretch_wall_ns_ = 0;
+  pace_.end(wall_ns(), now_.time_ns);
 }
 
 void LineLoop::publish_if_due() {
@@ -131,13 +125,7 @@ void LineLoop::publish_if_due() {
 void LineLoop::publish() {
   published_ns_ = wall_ns();
   plant_.beat();
-  std::int64_t spent_ns = ran_wall_ns_;
-  std::int64_t scanned_ns = ran_scan_ns_;
-  if (stretch_wall_ns_ != 0) {
-    spent_ns += published_ns_ - stretch_wall_ns_;
-    scanned_ns += now_.time_ns - stretch_scan_ns_;
-  }
-  if (spent_ns > 0) now_.realtime_factor = static_cast<double>(scanned_ns) / static_cast<double>(spent_ns);
+  now_.realtime_factor = pace_.factor(published_ns_, now_.time_ns).value_or(now_.realtime_factor);
   now_.scan_p50_us = static_cast<double>(turns_.percentile_ns(50'000)) / kNsPerUs;
   now_.scan_p99_us = static_cast<double>(turns_.percentile_ns(99'000)) / kNsPerUs;
   now_.scan_max_us = static_cast<double>(turns_.max_ns()) / kNsPerUs;

@@ -174,7 +174,9 @@ TEST(HostRuntime, WhenInputsAreHeld_ThenTheStatusSaysHowOften) {
 }
 
 TEST(HostRuntime, WhenTheSupervisorIsLostAndPolicyIsContinue_ThenBarriersNoLongerHold) {
-  Harness harness;
+  HostConfig config;
+  config.speed = 10'000.0;
+  Harness harness(config);
   harness.load(step_program());
   harness.start(true);
   harness.event();
@@ -183,6 +185,26 @@ TEST(HostRuntime, WhenTheSupervisorIsLostAndPolicyIsContinue_ThenBarriersNoLonge
   EXPECT_EQ(harness.event().scan, 11u);
   EXPECT_EQ(harness.event().scan, 21u);
   EXPECT_EQ(harness.runtime->status().state, RuntimeState::Running);
+}
+
+// How long a supervisor is held up by its machine is nothing that a trace may depend on.
+TEST(HostRuntime, WhenTheSupervisorIsLostAndTheSimulationHasNoSpeed_ThenTheClockStandsUntilOneIsThere) {
+  Harness harness;
+  harness.load(step_program());
+  harness.start(true);
+  harness.event();
+  const StepEvent first = harness.event();
+  EXPECT_EQ(harness.command(CommandKind::SupervisorLost), Outcome::Done);
+  EXPECT_TRUE(harness.runtime->status().waiting_for_supervisor);
+  EXPECT_EQ(harness.runtime->status().scan, first.scan);
+  Command acknowledge;
+  acknowledge.kind = CommandKind::Acknowledge;
+  acknowledge.event = first.sequence;
+  EXPECT_EQ(harness.command(acknowledge).outcome, Outcome::Done);
+  EXPECT_EQ(harness.event().scan, 11u);
+  EXPECT_TRUE(harness.runtime->status().waiting_for_supervisor);
+  EXPECT_EQ(harness.command(CommandKind::Stop), Outcome::Done);
+  EXPECT_EQ(harness.event().kind, EventKind::Stopped);
 }
 
 TEST(HostRuntime, WhenTheSupervisorComesBack_ThenBarriersHoldAgain) {
