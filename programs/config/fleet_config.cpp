@@ -86,6 +86,7 @@ FleetMissionConfig read_fleet_mission(const TomlTable& fleet, const std::filesys
   mission.time = std::chrono::milliseconds(fleet.integer("time_ms", 0, {0, 86'400'000}));
   mission.late = std::chrono::milliseconds(fleet.integer("late_ms", mission.late.count(), {100, 3'600'000}));
   mission.hold = std::chrono::seconds(fleet.integer("hold_s", mission.hold.count(), {0, 31'536'000}));
+  mission.attended = fleet.boolean("attended", mission.attended);
   for (const TomlTable& table : fleet.tables("requests")) mission.requests.push_back(read_request(table));
   for (const TomlTable& table : fleet.tables("orders")) {
     FleetOrderConfig order;

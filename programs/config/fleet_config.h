@@ -89,6 +89,7 @@ struct FleetRequestConfig {
 //   time_ms = 0                  # budget of a planning; 0: none, so that plans are the same on every machine
 //   late_ms = 3000               # who is later than scheduled by more gives all others new times
 //   hold_s = 3600                # so long an emergency stop holds the fleet until somebody lets it go on
+//   attended = true              # somebody can see to what the fleet cannot do; false: then the run ends
 //   [[fleet.orders]]             # somebody orders this at that time
 //   at_s = 60.0
 //   name = "order 43"
@@ -105,6 +106,7 @@ struct FleetMissionConfig {
   std::chrono::milliseconds time{0};
   std::chrono::milliseconds late{3'000};
   std::chrono::seconds hold{3'600};
+  bool attended = true;
   std::vector<FleetOrderConfig> orders;
   std::vector<FleetRequestConfig> requests;
   result::Location where;  // of `problem`

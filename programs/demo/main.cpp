@@ -191,6 +191,10 @@ int run_demo(const DemoOptions& options) {
                 static_cast<unsigned>(config->hmi.port));
     std::fflush(stdout);
   }
+  // What people would have to see to ends a run at which nobody can look; whoever sets the value himself
+  // wins.
+  if (options.headless && !config->fleet.problem.empty())
+    overrides->insert(overrides->begin(), "fleet.attended=false");
   auto run = run_once(setting, *overrides, options.state_dir, 0);
   if (!run) return fail(run.error(), ExitCode::RuntimeFault);
   std::optional<CellRunResult> sequential;

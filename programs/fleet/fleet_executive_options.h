@@ -75,6 +75,7 @@ inline fleet::FleetExecutiveOptions fleet_executive_options(const CellConfig& co
           .barrier = config.clock.mode == ClockMode::Simulated,
           .late = config.fleet.late,
           .hold = config.fleet.hold,
+          .attended = config.fleet.attended,
           .journal = config.journal_path(),
           .requests = fleet_requests(config)};
 }

@@ -5,7 +5,8 @@
 // not mend: a vehicle that has stopped or come back, a blocked place, another order. Whatever cannot be
 // mended ends in the safe state of the outputs, with a report. An emergency stop holds the fleet until
 // somebody lets it go on, and so does an operator who asks for it (then all come to rest first); then
-// everybody is planned for anew from where he stands.
+// everybody is planned for anew from where he stands. What cannot be done as things are is no end either: all
+// rest until people have seen to it.
 //
 // Where an operator starts runs the first plan is shown and waits, and nothing is downloaded before. An order
 // for which there is no plan is refused then; where a blocked place leaves none, that is waited for as well.
@@ -46,6 +47,7 @@ struct FleetExecutiveOptions {
   std::chrono::milliseconds late{3'000};  // more is a delay
   // Of the scan clock: so long an emergency stop or an operator holds the fleet until somebody lets it go on.
   std::chrono::seconds hold{3'600};
+  bool attended = true;  // somebody can see to what the fleet cannot do; false: then the run ends
   // Of wall time between two documents that only tell of progress: they are large.
   std::chrono::milliseconds between_documents{500};
   std::filesystem::path journal;       // for a restarted supervisor; empty: none is kept
@@ -118,6 +120,7 @@ class FleetExecutive final : public run::Mission {
   std::optional<run::Cause> hold(const run::Cause& cause, run::Phase phase, const std::string& message);
   std::optional<run::Cause> hold_stopped() override;
   bool stay(const std::string& reason, run::IncidentKind kind);
+  bool nobody_comes() const;
   std::optional<run::Cause> hold_asked();
   bool take_held(const host::StepEvent& event);
   run::Cause resumed();

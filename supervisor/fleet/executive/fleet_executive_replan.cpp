@@ -112,8 +112,14 @@ bool FleetExecutive::plan_rest() {
   }
 }
 
+// Nobody is there, and what is asked for at given times has been asked for.
+bool FleetExecutive::nobody_comes() const {
+  return !options_.attended && next_request_ == options_.requests.size();
+}
+
 // All vehicles rest until somebody lets the fleet go on, which plans anew. False if the run is over.
 bool FleetExecutive::stay(const std::string& reason, IncidentKind kind) {
+  if (nobody_comes()) return give_up(reason, kind);
   decide(Response::Replan);
   (void)controller_.acknowledge(rested_at_);  // the clock goes on while the fleet is held
   const auto cause =

@@ -146,6 +146,7 @@ FleetRun run_fleet(FleetCell& cell, std::uint64_t seed) {
   fleet::FleetExecutiveOptions options = config::fleet_executive_options(config);
   options.requests = run.moment.requests;
   options.hold = kHold;
+  options.attended = false;
   options.journal.clear();
   try {
     fleet::FleetExecutive executive(desk, controller, std::move(options), {});

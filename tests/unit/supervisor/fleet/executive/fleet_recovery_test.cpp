@@ -170,6 +170,40 @@ TEST(FleetStay, WhenNobodyComes_ThenTheRunEndsWithTheReasonOfTheWait) {
   hall.expect_clean();
 }
 
+// A load is aboard of a dead truck, and everything else is done.
+TEST(FleetStay, WhenSomethingIsMissingAtTheEnd_ThenTheRunWaitsForPeopleAndGoesOn) {
+  SmallHall hall({{12.0, "dead_v2", 1.0}, {150.0, "dead_v2", 0.0, true}});
+  FleetExecutiveOptions options = hall.options();
+  options.requests = {{160.0, ReturnChange{"truck 2"}}, {165.0, ResumeChange{}}};
+  options.attended = false;  // who comes at a given time is waited for all the same
+  hall.tell_time();
+  bool waited = false;
+  const RunRecord record = hall.run(options, [&](const RunRecord& now) {
+    waited =
+        waited || (now.phase == Phase::Held && now.message.starts_with("all that could be done is done"));
+  });
+  SCOPED_TRACE(story(record));
+  EXPECT_TRUE(waited);
+  EXPECT_EQ(record.phase, Phase::Done);
+  EXPECT_TRUE(all_met(record));
+  hall.expect_clean();
+}
+
+TEST(FleetStay, WhenNobodyIsThere_ThenARunInWhichSomethingIsMissingEndsAtOnce) {
+  SmallHall hall({{12.0, "dead_v2", 1.0}});
+  FleetExecutiveOptions options = hall.options();
+  options.attended = false;
+  bool waited = false;
+  const RunRecord record =
+      hall.run(options, [&](const RunRecord& now) { waited = waited || now.phase == Phase::Held; });
+  SCOPED_TRACE(story(record));
+  EXPECT_FALSE(waited);
+  EXPECT_EQ(record.phase, Phase::Safe);
+  EXPECT_TRUE(record.message.starts_with("all that could be done is done: 1 of 1 of ")) << record.message;
+  EXPECT_FALSE(hall.controller().any_output());
+  hall.expect_clean();
+}
+
 TEST(FleetHold, WhenAnOperatorHoldsTheFleet_ThenAllRestUntilItIsResumedAndAllIsDelivered) {
   SmallHall hall;
   FleetExecutiveOptions options = hall.options();
