@@ -1,5 +1,6 @@
 """Processes of the sorting line that are killed: the line stands where it stood, and the order is finished."""
 
+import signal
 import unittest
 
 from cell_process import Demo
@@ -26,6 +27,18 @@ class Kill(unittest.TestCase):
         self.assertEqual(code, 0, report["stdout"])
         self.assertEqual(report["restarts"], {"supervisor": 1})
         self.assertEqual(sorted_boxes(report["plant"]), ORDERED)
+
+    def test_a_supervisor_that_its_machine_holds_up_costs_a_simulation_nothing(self):
+        with Demo("--fast", "--no-compare", cell="conveyor") as demo:
+            undisturbed, _ = demo.result()
+        with Demo("--fast", "--no-compare", cell="conveyor") as demo:
+            demo.wait_for_actions(2)
+            demo.kill("supervisor", signal.SIGSTOP)
+            demo.wait_for_line("runtime", "the supervisor was lost")
+            demo.kill("supervisor", signal.SIGCONT)
+            report, code = demo.result()
+        self.assertEqual(code, 0, report["stdout"])
+        self.assertEqual(report["trace_hash"], undisturbed["trace_hash"])
 
 
 if __name__ == "__main__":
