@@ -5,9 +5,11 @@
 #include <time.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstddef>
 #include <cstdlib>
 #include <cstring>
+#include <utility>
 
 namespace stepwright::process {
 namespace {
@@ -53,14 +55,29 @@ NotifySocket::~NotifySocket() {
   if (descriptor_ >= 0) close(descriptor_);
 }
 
-void NotifySocket::send(const std::string& text) const {
-  if (descriptor_ < 0) return;
+// False if there is no room for it now.
+bool NotifySocket::sent(const std::string& text) const {
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
   std::memcpy(address.sun_path, address_.data(), address_.size());
   const std::size_t size = offsetof(sockaddr_un, sun_path) + address_.size();
-  (void)sendto(descriptor_, text.data(), text.size(), MSG_NOSIGNAL,
-               reinterpret_cast<const sockaddr*>(&address), static_cast<socklen_t>(size));
+  const ssize_t done = sendto(descriptor_, text.data(), text.size(), MSG_NOSIGNAL,
+                              reinterpret_cast<const sockaddr*>(&address), static_cast<socklen_t>(size));
+  return done >= 0 || (errno != EAGAIN && errno != ENOBUFS);
+}
+
+void NotifySocket::send(std::string text) {
+  constexpr std::string_view kStatus = "STATUS=";
+  if (descriptor_ < 0) return;
+  // The newest state only is news.
+  const bool outdated = !kept_.empty() && kept_.back().starts_with(kStatus) && text.starts_with(kStatus);
+  if (outdated) kept_.pop_back();
+  kept_.push_back(std::move(text));
+  flush();
+}
+
+void NotifySocket::flush() {
+  while (!kept_.empty() && sent(kept_.front())) kept_.pop_front();
 }
 
 void NotifySocket::ready(std::string_view status) {
@@ -75,11 +92,14 @@ void NotifySocket::stopping() {
 void NotifySocket::status(std::string_view text) {
   send("STATUS=" + one_line(text));
 }
+// It is a sign of life now or never.
 void NotifySocket::watchdog() {
-  send("WATCHDOG=1");
+  flush();
+  if (present() && kept_.empty()) (void)sent("WATCHDOG=1");
 }
 
 void Heartbeat::turn() {
+  init_.flush();
   const auto interval = init_.watchdog_interval();
   const auto now = std::chrono::steady_clock::now();
   if (!interval || now < due_) return;

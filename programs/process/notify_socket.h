@@ -9,9 +9,11 @@
 //   if (alive) init.watchdog();                  // more often than watchdog_interval()
 //   init.stopping();
 //
-// Threads: one. Nothing blocks and nothing fails: an init system that does not listen has its own timeouts.
+// Threads: one. Nothing blocks and nothing fails: what an init system that is busy does not take is kept and
+// comes with the next message; one that does not listen has its own timeouts.
 
 #include <chrono>
+#include <deque>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -36,13 +38,17 @@ class NotifySocket {
   void stopping();
   void status(std::string_view text);
   void watchdog();
+  // Tries again what was not taken.
+  void flush();
 
  private:
-  void send(const std::string& text) const;
+  void send(std::string text);
+  bool sent(const std::string& text) const;
 
   int descriptor_ = -1;
   std::string address_;  // as the system wants it: '\0' in front of an abstract name
   std::optional<std::chrono::microseconds> watchdog_;
+  std::deque<std::string> kept_;  // in the order in which it is to be told
 };
 
 // Feeds the watchdog from a loop that may turn as often as it likes.

@@ -16,7 +16,8 @@
 namespace stepwright::cell_runtime {
 namespace {
 
-constexpr int kPatienceMs = 5'000;
+// One that cannot start ends, which is seen at once; only one that hangs is waited for so long.
+constexpr int kPatienceMs = 60'000;
 
 tl::unexpected<result::Diagnostics> failed(const std::filesystem::path& log, const std::string& why) {
   return result::fail("R0046", {log.string(), 0, 0}, "no guard watches: " + why,

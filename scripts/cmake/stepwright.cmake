@@ -159,6 +159,10 @@ function(stepwright_program name)
   endif()
 endfunction()
 
+# Seconds after which a test counts as one that never ends. No measure of how fast it is to be: the longest takes a minute
+# or two on a machine that does nothing else, and a machine may be ten times slower.
+set(STEPWRIGHT_TEST_PATIENCE 1800)
+
 # The unit tests of one folder: executable unit_<folder>, one ctest entry per GoogleTest case.
 function(stepwright_test folder)
   cmake_parse_arguments(ARG "" "" "SOURCES;APART;DEPENDS;PRIVATE" ${ARGN})
@@ -169,6 +173,6 @@ function(stepwright_test folder)
   target_compile_definitions(${target} PRIVATE STEPWRIGHT_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
                                                STEPWRIGHT_BIN_DIR="${CMAKE_RUNTIME_OUTPUT_DIRECTORY}")
   set_target_properties(${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
-  gtest_discover_tests(${target} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 300)
+  gtest_discover_tests(${target} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT ${STEPWRIGHT_TEST_PATIENCE})
   add_dependencies(unit_tests ${target})
 endfunction()

@@ -108,14 +108,14 @@ class Records(unittest.TestCase):
             blocked.parent.mkdir(mode=0o700, exist_ok=True)
             blocked.write_text("not a folder", encoding="utf-8")
             page.start()
-            self.assertIn("nothing is recorded: ", page.process.output())
+            page.process.wait_for("nothing is recorded: ")
             page.claim()
             answer = page.ask("GET", "/api/history/tags")
             self.assertEqual((answer.status, answer.json["problems"][0]["code"]), (503, "S0001"))
             self.assertEqual(page.ask("GET", "/").status, 200)
             blocked.unlink()
             eventually(lambda: page.ask("GET", "/api/history/tags").status == 200)
-            self.assertIn("values and alarms are recorded from here on", page.process.output())
+            page.process.wait_for("values and alarms are recorded from here on")
 
 
 class Tls(unittest.TestCase):

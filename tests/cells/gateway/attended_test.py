@@ -22,8 +22,8 @@ mode = "real"
 [controller]
 kind = "modbus-rtu"
 device = "{device}"
-lost_after_ms = 200
-timeout_ms = 50
+lost_after_ms = 3000
+timeout_ms = 500
 {more}
 [controller.metrics]
 port = 0

@@ -39,7 +39,7 @@ output_bytes = 8
 [controller]
 kind = "modbus-rtu"
 device = "{device}"
-lost_after_ms = 300
+lost_after_ms = 3000
 """
 
 

@@ -80,7 +80,7 @@ async function modbusSerial() {
   if (kind === 'tcp') await client.connectTCP('127.0.0.1', { port: Number(where) });
   else await client.connectRTUBuffered(where, { baudRate: 19200, parity: 'none', stopBits: 1 });
   client.setID(1);
-  client.setTimeout(3000);
+  client.setTimeout(20_000);
   const data = (count) => (done) => done.data.slice(0, count);
   // It has no method for FC 23 that promises.
   const readWrite = (readAt, count, writeAt, values) => new Promise((resolve, reject) => {

@@ -22,12 +22,21 @@ def context():
     return ModbusServerContext(slaves={1: slave}, single=False)
 
 
+async def listens(port):
+    while True:
+        try:
+            (await asyncio.open_connection("127.0.0.1", port))[1].close()
+            return
+        except OSError:
+            await asyncio.sleep(0.02)
+
+
 async def main():
     kind, where = sys.argv[1:3]
     if kind == "tcp":
         server = ModbusTcpServer(context(), framer=ModbusSocketFramer, address=("127.0.0.1", int(where)))
         serving = asyncio.ensure_future(server.serve_forever())
-        await asyncio.sleep(0.3)
+        await listens(int(where))
     else:
         server = ModbusSerialServer(context(), framer=ModbusRtuFramer, port=where, baudrate=19200, parity="N", stopbits=1,
                                     timeout=1)

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <thread>
@@ -111,6 +112,17 @@ class Monitor : public ::testing::Test {
   nlohmann::json values() {
     EXPECT_EQ(run("snapshot", "--json " + path("report.json")), 0) << err;
     return json()["values"];
+  }
+  // A figure of the recording that is under way.
+  std::uint64_t recorded(const char* figure) {
+    EXPECT_EQ(run("record", "--status --json " + path("report.json")), 0) << err;
+    return json()[figure];
+  }
+  static bool eventually(const std::function<bool()>& condition) {
+    for (const auto end = std::chrono::steady_clock::now() + kPatience; !condition();) {
+      if (std::chrono::steady_clock::now() > end) return false;
+    }
+    return true;
   }
 
   const support::TemporaryFolder folder_;
@@ -266,8 +278,7 @@ TEST_F(Monitor, WhenItIsStepped_ThenItStandsAndTheChangesAreShown) {
       << out;
   EXPECT_EQ(values()["MAIN.count"], at + 3);
   EXPECT_EQ(run("continue", ""), 0) << err;
-  std::this_thread::sleep_for(50ms);
-  EXPECT_GT(values()["MAIN.count"], at + 3);
+  EXPECT_TRUE(eventually([&] { return values()["MAIN.count"] > at + 3; }));
 }
 
 TEST_F(Monitor, WhenTheProgramDoesNotRun_ThenStepSaysWhyItStands) {
@@ -327,7 +338,12 @@ TEST_F(Monitor, WhenARecordingIsDetached_ThenItIsEndedByAnotherCommand) {
 
 TEST_F(Monitor, WhenTheRuntimeIsKilled_ThenItsRecordingIsReplayedWithAWarning) {
   start(std::string(kStill) + "[record]\nfile = \"run.swrec\"\n");
-  std::this_thread::sleep_for(700ms);
+  ASSERT_TRUE(eventually([&] { return recorded("scans") > 20; }));
+  // What was under way may lack them; with what is written after that they are in the file.
+  for (int round = 0; round < 2; ++round) {
+    const std::uint64_t written = recorded("bytes");
+    ASSERT_TRUE(eventually([&] { return recorded("bytes") > written; }));
+  }
   runtime_->kill();
   ASSERT_EQ(run_plain("replay", path("state/run.swrec") + " --json " + path("report.json")), 0) << out << err;
   EXPECT_NE(err.find("R0053"), std::string::npos) << err;

@@ -12,7 +12,7 @@ import time
 from processes import BIN, Process, eventually
 
 KERNEL = os.environ["STEPWRIGHT_GUEST_KERNEL"]
-PATIENCE_S = 60
+PATIENCE_S = 300  # it is emulated, and so ten times slower than the machine that it is on
 LIBRARY = re.compile(r"(?:=> )?(/\S+) \(0x")
 
 # The line of the console is a loop of commands: each is answered with what it says and how it ended.
@@ -131,7 +131,7 @@ class Guest:
         self.run(f"[ -e {pid} ] && kill -{signal} $(cat {pid}) && wait $(cat {pid}); rm -f {pid}")
 
     def wait_for(self, log, text):
-        found = eventually(lambda: self.run(f"grep -q '{text}' {log}")[0] == 0, 30, 0.05)
+        found = eventually(lambda: self.run(f"grep -q '{text}' {log}")[0] == 0, PATIENCE_S, 0.05)
         assert found, f"'{text}' is not in {log}:\n" + self.run(f"cat {log}")[1]
 
     def ask_monitor(self, command):

@@ -11,7 +11,7 @@ import termios
 import time
 import unittest
 
-from guest import Guest
+from guest import Guest, PATIENCE_S
 from lines import Line
 from processes import Process, eventually, stepwright
 
@@ -162,12 +162,15 @@ class SerialDevice(unittest.TestCase):
         found = re.search(r"%IW0 +level +(\d+), ([a-z:]+)", self.status(config))
         return (int(found.group(1)), found.group(2)) if found else None
 
-    def wait_for_level(self, config, wanted, patience_s=30):
+    def wait_for_level(self, config, wanted, patience_s=PATIENCE_S):
         found = eventually(lambda: self.level(config) == wanted, patience_s, 0.05)
         self.assertTrue(found, f"{self.status(config)}\n{self.guest.run('cat /tmp/*.log')[1]}")
 
     def mbpoll(self, name):
-        """What an independent master reads of holding register 0."""
+        """What an independent master reads of holding register 0, and not a late answer that nobody waited for."""
+        end = os.open(self.lines[name].slave, os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)
+        termios.tcflush(end, termios.TCIOFLUSH)
+        os.close(end)
         done = subprocess.run(["mbpoll", "-m", "rtu", "-b", "38400", "-P", "even", "-a", "17", "-0", "-r", "0", "-t", "4", "-1",
                                "-o", "0.5", self.lines[name].slave], capture_output=True, text=True, timeout=20, check=False)
         found = re.search(r"\[0\]:\s+(-?\d+)", done.stdout)
@@ -182,13 +185,13 @@ class SerialDevice(unittest.TestCase):
 
     def pull_out(self):
         self.guest.ask_monitor("device_del card")
-        self.assertTrue(eventually(lambda: not self.card_is_there(), 20, 0.05))
+        self.assertTrue(eventually(lambda: not self.card_is_there(), PATIENCE_S, 0.05))
         # The guest lets it go some time after its driver has; before that there is no room for another one.
-        self.assertTrue(eventually(lambda: 'id "card"' not in self.guest.ask_monitor("info qtree"), 30, 0.05))
+        self.assertTrue(eventually(lambda: 'id "card"' not in self.guest.ask_monitor("info qtree"), PATIENCE_S, 0.05))
 
     def plug_in(self):
         said = self.guest.ask_monitor(f"device_add {CARD_DEVICE}")
-        self.assertTrue(eventually(self.card_is_there, 20, 0.02), said)
+        self.assertTrue(eventually(self.card_is_there, PATIENCE_S, 0.02), said)
         self.assertIn('id "card"', self.guest.ask_monitor("info qtree"))
 
     def test_the_client_polls_a_plc_with_the_settings_that_it_was_told(self):
@@ -209,11 +212,13 @@ class SerialDevice(unittest.TestCase):
                 self.guest.stop("runtime")
                 self.guest.stop("modbus-client")
                 self.assertNotIn("error", self.guest.say(f"cat {log} {runtime}").lower())
+            for command in COMMANDS:  # of one that failed, too
+                self.guest.stop(command)
 
     def test_nobody_else_speaks_on_the_clients_port(self):
         self.start_plc("com2")
         self.start("modbus-client", "e")
-        self.assertTrue(eventually(lambda: "online" in self.status("e"), 30, 0.05), self.status("e"))
+        self.assertTrue(eventually(lambda: "online" in self.status("e"), PATIENCE_S, 0.05), self.status("e"))
         code, said = self.open_as_nobody()
         self.assertNotEqual(code, 0)
         self.assertIn("busy", said)
@@ -222,32 +227,32 @@ class SerialDevice(unittest.TestCase):
         self.assertIn("online", self.status("e"))
         self.guest.stop("modbus-client")
         # Now the server takes it, and leaves it to everybody in the end.
-        self.assertTrue(eventually(lambda: self.open_as_nobody()[0] != 0, 20, 0.05))
+        self.assertTrue(eventually(lambda: self.open_as_nobody()[0] != 0, PATIENCE_S, 0.05))
         self.guest.stop("modbus-server")
         self.assertEqual(self.open_as_nobody()[0], 0)
 
     def test_the_client_comes_back_with_its_port(self):
         self.start_plc("card")
         self.start("modbus-client", "card")
-        self.assertTrue(eventually(lambda: "online" in self.status("card"), 30, 0.05), self.status("card"))
+        self.assertTrue(eventually(lambda: "online" in self.status("card"), PATIENCE_S, 0.05), self.status("card"))
         self.pull_out()
-        self.assertTrue(eventually(lambda: "offline" in self.status("card"), 20, 0.05))
-        self.assertTrue(eventually(lambda: "bad" in (self.level("card") or ("", ""))[1], 20, 0.05), self.status("card"))
+        self.assertTrue(eventually(lambda: "offline" in self.status("card"), PATIENCE_S, 0.05))
+        self.assertTrue(eventually(lambda: "bad" in (self.level("card") or ("", ""))[1], PATIENCE_S, 0.05), self.status("card"))
         self.plug_in()
         begin = time.monotonic()
-        self.assertTrue(eventually(lambda: "offline" not in self.status("card"), 30, 0.02))
+        self.assertTrue(eventually(lambda: "offline" not in self.status("card"), PATIENCE_S, 0.02))
         print(f"the client answers {time.monotonic() - begin:.2f} s after its port is back")
 
     def test_the_server_comes_back_with_its_port(self):
         self.start("runtime", "server")
         log = self.start("modbus-server", "server")
-        self.assertTrue(eventually(lambda: self.mbpoll("card") == FIRST_SETPOINT, 30), self.guest.run(f"cat {log}")[1])
+        self.assertTrue(eventually(lambda: self.mbpoll("card") == FIRST_SETPOINT, PATIENCE_S), self.guest.run(f"cat {log}")[1])
         self.pull_out()
-        self.assertIsNone(self.mbpoll("card"))
+        self.assertTrue(eventually(lambda: self.mbpoll("card") is None, PATIENCE_S))
         self.guest.wait_for(log, "R0111")
         self.plug_in()
         begin = time.monotonic()
-        self.assertTrue(eventually(lambda: self.mbpoll("card") == FIRST_SETPOINT, 30), self.guest.run(f"cat {log}")[1])
+        self.assertTrue(eventually(lambda: self.mbpoll("card") == FIRST_SETPOINT, PATIENCE_S), self.guest.run(f"cat {log}")[1])
         print(f"the server answers {time.monotonic() - begin:.2f} s after its port is back")
 
 

@@ -23,7 +23,18 @@ constexpr unsigned kOfUnit = 1'000;
 struct Answer {
   Clock::time_point at;
   Bytes frame;
+
+  std::uint8_t unit() const { return frame[0]; }
 };
+
+// Those of `from` for which `wanted` holds go to the end of `to`, due at once.
+template <typename Wanted>
+void move_answers(std::vector<Answer>& from, std::vector<Answer>& to, const Wanted& wanted) {
+  for (const Answer& answer : from) {
+    if (wanted(answer)) to.push_back({{}, answer.frame});
+  }
+  std::erase_if(from, wanted);
+}
 
 Bytes answer_to(const Bytes& request) {
   const auto first = static_cast<unsigned>(request[2] << 8 | request[3]);
@@ -60,9 +71,16 @@ LineOfUnits::~LineOfUnits() {
   close(theirs_);
 }
 
+void LineOfUnits::release(std::uint8_t unit) {
+  keep_[unit] = false;
+  released_ = unit;
+  while (released_ >= 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+}
+
 void LineOfUnits::serve() {
   Bytes received;
   std::vector<Answer> answers;
+  std::vector<Answer> kept;
   while (!stop_) {
     pollfd entry{ours_, POLLIN, 0};
     if (poll(&entry, 1, 1) > 0) {
@@ -77,14 +95,19 @@ void LineOfUnits::serve() {
       received.clear();
       const std::uint8_t unit = request[0];
       ++requests_[unit];
+      move_answers(kept, answers, [&](const Answer& answer) { return before_[answer.unit()] == unit; });
       if (!silent_[unit])
-        answers.push_back({now + std::chrono::milliseconds(delay_ms_[unit]), answer_to(request)});
+        (keep_[unit] ? kept : answers)
+            .push_back({now + std::chrono::milliseconds(delay_ms_[unit]), answer_to(request)});
     }
+    const int released = released_;
+    move_answers(kept, answers, [&](const Answer& answer) { return answer.unit() == released; });
     for (const Answer& answer : answers) {
       if (answer.at > now) continue;
       if (write(ours_, answer.frame.data(), answer.frame.size()) < 0) stop_ = true;
     }
     std::erase_if(answers, [&](const Answer& answer) { return answer.at <= now; });
+    if (released >= 0) released_ = -1;
   }
 }
 

@@ -33,6 +33,14 @@ class LineOfUnits {
     delay_ms_[unit] = static_cast<int>(time.count());
   }
   void silence(std::uint8_t unit, bool silent) { silent_[unit] = silent; }
+  // The unit's answers are kept until they are released, or until `other` is asked: then they come right
+  // before its own.
+  void keep(std::uint8_t unit, std::uint8_t other = 0) {
+    before_[unit] = other;
+    keep_[unit] = true;
+  }
+  // They are on the line when it returns; later ones are not kept.
+  void release(std::uint8_t unit);
   // The adapter of the master repeats to it what it sends.
   void echo() { echo_ = true; }
 
@@ -45,6 +53,9 @@ class LineOfUnits {
   std::array<std::atomic<int>, 256> delay_ms_{};
   std::array<std::atomic<int>, 256> requests_{};
   std::array<std::atomic<bool>, 256> silent_{};
+  std::array<std::atomic<bool>, 256> keep_{};
+  std::array<std::atomic<std::uint8_t>, 256> before_{};
+  std::atomic<int> released_{-1};  // a unit whose kept answers are to be sent
   std::atomic<bool> echo_{false};
   std::atomic<bool> stop_{false};
   std::thread thread_;

@@ -11,8 +11,6 @@ using master::Outcome;
 using std::chrono::milliseconds;
 
 constexpr milliseconds kFirstPause{20};
-constexpr milliseconds kTick{1};
-constexpr int kShareOfTheDead = 3;  // parts of the others' time to one of theirs
 
 bool is_gone(const Outcome& outcome) {
   return outcome.fault == Fault::NotConnected || outcome.fault == Fault::ConnectionLost;
@@ -44,11 +42,11 @@ ConnectionWorker::ConnectionWorker(std::vector<Device> devices, master::Master m
     : board_(std::move(devices), Clock::now()),
       master_(std::move(master)),
       settings_(settings),
-      serial_(std::holds_alternative<master::SerialEndpoint>(board_.devices().front().endpoint)),
+      schedule_(board_.devices(), Clock::now(),
+                std::holds_alternative<master::SerialEndpoint>(board_.devices().front().endpoint)),
       words_(master::kMaxReadRegisters),
       bits_(master::kMaxReadBits) {
   for (const Device& device : board_.devices()) {
-    units_.emplace_back(device, Clock::now(), serial_);
     between_ = std::max(between_, device.pause);
     const std::uint32_t most = device.requests_per_connection;
     if (most > 0) most_requests_ = most_requests_ == 0 ? most : std::min(most_requests_, most);
@@ -82,7 +80,7 @@ void ConnectionWorker::take_outputs() {
   new_outputs_ = false;
   const std::vector<std::byte> area = outputs_;
   lock.unlock();
-  for (Unit& unit : units_) unit.writes().set_outputs(area);
+  for (Unit& unit : schedule_.units()) unit.writes().set_outputs(area);
   board_.outputs_are(area);
 }
 
@@ -106,26 +104,25 @@ void ConnectionWorker::run() {
       connect_at_ = Clock::now() + between_;
     }
     if (!master_.connected() && !connect()) continue;
-    const Job job = next_job(Clock::now());
-    if (job.turn != Turn::Wait) units_[job.unit].begins(Clock::now());
+    const PollSchedule::Job job = schedule_.next(Clock::now());
     switch (job.turn) {
-      case Turn::Wait:
+      case PollSchedule::Turn::Wait:
         wait_until(job.at);
         break;
-      case Turn::Read:
-        read_group(job.unit, *units_[job.unit].next_group());
+      case PollSchedule::Turn::Read:
+        read_group(job.unit, *schedule_.units()[job.unit].next_group());
         break;
-      case Turn::Write:
+      case PollSchedule::Turn::Write:
         write_next(job.unit);
         break;
-      case Turn::Probe:
+      case PollSchedule::Turn::Probe:
         probe(job.unit);
         break;
     }
     // What was lost with its connection has the first request of the next one.
-    if (master_.connected()) wrote_last_ = job.turn == Turn::Write;
-    const bool all =
-        std::ranges::all_of(units_, [](Unit& unit) { return unit.asleep() || unit.writes().clean(); });
+    if (master_.connected()) schedule_.ended(job.turn);
+    const bool all = std::ranges::all_of(schedule_.units(),
+                                         [](Unit& unit) { return unit.asleep() || unit.writes().clean(); });
     const std::scoped_lock lock(mutex_);
     written_ = all && !new_outputs_ && (master_.connected() || goes_on_);
   }
@@ -152,61 +149,20 @@ bool ConnectionWorker::connect() {
   const bool goes_on = std::exchange(goes_on_, false);
   connect_at_ = now + std::max(pause_, between_);
   pause_ = std::clamp(2 * pause_, kFirstPause, std::max(kFirstPause, settings_.reconnect_at_most));
-  silent_.clear();
-  probe_at_ = {};
+  schedule_.connecting();
+  std::vector<Unit>& units = schedule_.units();
   if (!outcome.good()) {
-    for (std::size_t i = 0; i < units_.size(); ++i)
+    for (std::size_t i = 0; i < units.size(); ++i)
       board_.offline(i, Quality::NotConnected, outcome.text(), now);
     return false;
   }
   if (goes_on) return true;
-  for (std::size_t i = 0; i < units_.size(); ++i) {
-    units_[i].begin_anew();
-    units_[i].hope(now);
+  schedule_.begin_anew(now);
+  for (std::size_t i = 0; i < units.size(); ++i) {
     // There is nothing to ask it, and what is to be written may come later.
-    if (units_[i].next_group() == nullptr && !units_[i].asleep()) board_.online(i, now);
+    if (units[i].next_group() == nullptr && !units[i].asleep()) board_.online(i, now);
   }
   return true;
-}
-
-// After a silence everybody else who is due comes first, so that units which die together hold up the others
-// for one timeout at a time.
-bool ConnectionWorker::others_first(std::size_t index, Clock::time_point now) {
-  for (std::size_t i = 0; i < units_.size(); ++i) {
-    Unit& other = units_[i];
-    if (i == index || other.asleep() || other.doubtful() || other.asked_at() >= silence_at_) continue;
-    const GroupPoll* const group = other.next_group();
-    const auto write = other.writes().due();
-    if ((group != nullptr && group->due <= now) || (write && *write <= now)) return true;
-  }
-  return false;
-}
-
-ConnectionWorker::Job ConnectionWorker::next_job(Clock::time_point now) {
-  Job read;
-  Job write;
-  Job dead;
-  for (std::size_t i = 0; i < units_.size(); ++i) {
-    Unit& unit = units_[i];
-    const bool waits = (unit.doubtful() || unit.asleep()) && others_first(i, now);
-    const auto earliest = waits ? std::max(unit.rests_until(), now + kTick) : unit.rests_until();
-    const auto when = [&](Clock::time_point due) { return std::max(due, earliest); };
-    if (unit.asleep()) {
-      const auto at = when(std::max(unit.wakes_at(), probe_at_));
-      if (at < dead.at) dead = {Turn::Probe, i, at};
-      continue;
-    }
-    if (const GroupPoll* group = unit.next_group(); group != nullptr && when(group->due) < read.at)
-      read = {Turn::Read, i, when(group->due)};
-    if (const auto due = unit.writes().due(); due && when(*due) < write.at)
-      write = {Turn::Write, i, when(*due)};
-  }
-  if (dead.at <= now) return dead;
-  const bool reads = read.at <= now;
-  const bool writes = write.at <= now;
-  if (reads && (!writes || wrote_last_)) return read;
-  if (writes) return write;
-  return {Turn::Wait, 0, std::min({read.at, write.at, dead.at})};
 }
 
 Outcome ConnectionWorker::read(Unit& unit, const ReadRequest& request) {
@@ -224,7 +180,7 @@ Outcome ConnectionWorker::read(Unit& unit, const ReadRequest& request) {
 }
 
 void ConnectionWorker::read_group(std::size_t index, GroupPoll& group) {
-  Unit& unit = units_[index];
+  Unit& unit = schedule_.units()[index];
   if (group.next == 0) group.before = std::exchange(group.began, Clock::now());
   for (std::size_t& i = group.next; i < group.requests.size();) {
     if (used_up()) return;  // the rest on the next connection
@@ -276,7 +232,7 @@ Outcome ConnectionWorker::send(Unit& unit, const WriteRequest& request) {
 }
 
 void ConnectionWorker::write_next(std::size_t index) {
-  Unit& unit = units_[index];
+  Unit& unit = schedule_.units()[index];
   const auto request = unit.writes().next(Clock::now());
   if (!request) return;
   const auto sent = Clock::now();
@@ -297,7 +253,7 @@ void ConnectionWorker::write_next(std::size_t index) {
 }
 
 void ConnectionWorker::probe(std::size_t index) {
-  Unit& unit = units_[index];
+  Unit& unit = schedule_.units()[index];
   GroupPoll* const group = unit.next_group();
   if (group != nullptr) {
     const ReadRequest& request = group->requests.front();
@@ -333,13 +289,8 @@ bool ConnectionWorker::judge(std::size_t index, const Outcome& outcome, Clock::t
     on_lost(outcome.text(), now);
     return false;
   }
-  // It has answered, if only to refuse. If nobody did before, it may have been the line that was dead.
-  if (std::ranges::all_of(units_, &Unit::asleep)) {
-    for (Unit& unit : units_) unit.hope(now);
-  }
-  units_[index].answered();
+  schedule_.answered(index, now);
   board_.online(index, now);
-  silent_.clear();
   answered_ = true;
   pause_ = kFirstPause;
   return true;
@@ -347,33 +298,17 @@ bool ConnectionWorker::judge(std::size_t index, const Outcome& outcome, Clock::t
 
 void ConnectionWorker::on_silence(std::size_t index, const std::string& error, Clock::time_point sent,
                                   Clock::time_point now) {
-  Unit& unit = units_[index];
-  const bool was_asleep = unit.asleep();
-  const bool others_awake =
-      std::ranges::any_of(units_, [&](const Unit& other) { return &other != &unit && !other.asleep(); });
-  silence_at_ = now;
-  if (unit.silent(now, others_awake)) {
-    if (others_awake) {
-      probe_at_ = now + kShareOfTheDead * (now - sent);
-    } else {  // nobody is left whom a try would delay
-      for (Unit& each : units_) each.hope(now + each.device().retry_after);
-    }
-    board_.offline(index, Quality::CommFailure, error, now);
-  }
-  if (serial_) return;
-  // A unit that is known to be dead says nothing about the connection, as long as others speak.
-  if (was_asleep && others_awake) return;
-  if (std::ranges::find(silent_, index) == silent_.end()) silent_.push_back(index);
-  if (silent_.size() >= 2 || !others_awake) {
-    master_.close();
-    board_.count(index,
-                 [](DeviceCounters& counters, std::vector<GroupStatus>&) { ++counters.connection_losses; });
-  }
+  const PollSchedule::Silence silence = schedule_.silent(index, sent, now);
+  if (silence.dead) board_.offline(index, Quality::CommFailure, error, now);
+  if (!silence.of_connection) return;
+  master_.close();
+  board_.count(index,
+               [](DeviceCounters& counters, std::vector<GroupStatus>&) { ++counters.connection_losses; });
 }
 
 void ConnectionWorker::on_lost(const std::string& error, Clock::time_point now) {
   master_.close();
-  for (std::size_t i = 0; i < units_.size(); ++i) {
+  for (std::size_t i = 0; i < board_.devices().size(); ++i) {
     if (!answered_) board_.offline(i, Quality::NotConnected, error, now);
     board_.count(i,
                  [](DeviceCounters& counters, std::vector<GroupStatus>&) { ++counters.connection_losses; });

@@ -3,12 +3,10 @@
 // The poller of one connection: a thread that reads and writes all units behind one host and port, or on one
 // serial line, which take turns there. What it waits for holds up no other connection.
 //
-// Of what is due the oldest comes first; writes and reads alternate where both are. Units that do not answer
-// are tried again one at a time and more and more rarely, so that their timeouts take at most a quarter of
-// the line's time at first and next to nothing later. When nobody answers, nobody is spared; who answers
-// first then wakes the others. A connection is made anew when it is lost, when every unit of it is silent, or
-// two of them are in a row (half-open: nothing comes and nothing says so); never twice within 20 ms. The loss
-// of one that has carried answers says nothing about its units: the request is repeated on the next one.
+// The schedule says who is asked next. A connection is made anew when it is lost, when every unit of it is
+// silent, or two of them are in a row (half-open: nothing comes and nothing says so); never twice within 20
+// ms. The loss of one that has carried answers says nothing about its units: the request is repeated on the
+// next one.
 //
 // Threads: its own; set_outputs, written and board() from any.
 
@@ -24,6 +22,7 @@
 #include <thread>
 #include <vector>
 
+#include "runtime/modbus/client/poll/poll_schedule.h"
 #include "runtime/modbus/client/poll/tag_board.h"
 #include "runtime/modbus/client/poll/unit.h"
 #include "runtime/modbus/client/settings.h"
@@ -51,13 +50,6 @@ class ConnectionWorker {
   bool written() const { return written_; }
 
  private:
-  enum class Turn : std::uint8_t { Wait, Read, Write, Probe };
-  struct Job {
-    Turn turn = Turn::Wait;
-    std::size_t unit = 0;
-    Clock::time_point at = Clock::time_point::max();  // since when it is due, or how long to wait
-  };
-
   void run();
   void wait_until(Clock::time_point at);
   void take_outputs();
@@ -65,8 +57,6 @@ class ConnectionWorker {
   bool used_up() const;
   // The connection was lost in a request, which comes again on another one.
   bool repeats(const master::Outcome& outcome) const;
-  Job next_job(Clock::time_point now);
-  bool others_first(std::size_t unit, Clock::time_point now);
   void read_group(std::size_t unit, GroupPoll& group);
   void write_next(std::size_t unit);
   void probe(std::size_t unit);
@@ -80,8 +70,7 @@ class ConnectionWorker {
   TagBoard board_;
   master::Master master_;
   ClientSettings settings_;
-  bool serial_;
-  std::vector<Unit> units_;
+  PollSchedule schedule_;
   std::vector<std::uint16_t> words_;
   std::vector<std::uint8_t> bits_;
 
@@ -92,10 +81,6 @@ class ConnectionWorker {
   bool goes_on_ = false;        // the next one goes on where this one ends
   Clock::time_point connect_at_{};
   std::chrono::milliseconds pause_{0};  // before the next attempt but one
-  Clock::time_point probe_at_{};        // no dead unit is tried before
-  std::vector<std::size_t> silent_;     // units since the newest answer of any
-  Clock::time_point silence_at_{};      // the newest of any
-  bool wrote_last_ = false;
 
   std::mutex mutex_;  // of what follows
   std::condition_variable news_;

@@ -41,14 +41,14 @@ test('Lines_WhenOneIsChanged_ThenNoOtherIsShownAsDifferent', () => {
   ]);
 });
 
-test('Lines_WhenTheyHaveNothingInCommon_ThenTheComparisonEndsAllTheSame', () => {
-  const old = Array.from({ length: 20_000 }, (_, index) => `old ${index}`);
-  const fresh = old.map((text) => `new ${text}`);
-  const started = performance.now();
+// The shortest way from one to the other would keep the line that both have. It is not looked for to its end: that takes a time
+// that grows with the square of the length.
+test('Lines_WhenTheyHaveNextToNothingInCommon_ThenOneGoesAndTheOtherComes', () => {
+  const old = Array.from({ length: 20_000 }, (_, index) => `line ${index}`);
+  const fresh = old.map((text, index) => (index === 10_000 ? text : `new ${text}`));
   const rows = compareLines(lines(old), lines(fresh));
-  assert.equal(rows.length, 40_000);
   assert.deepEqual([before(rows).length, after(rows).length], [20_000, 20_000]);
-  assert.ok(performance.now() - started < 20_000, 'in seconds, not in minutes');
+  assert.ok(rows.every(({ kind }) => kind !== 'same'));
 });
 
 test('Lines_WhenOnlyBlanksAtTheEndDiffer_ThenTheyAreTheSame', () => {

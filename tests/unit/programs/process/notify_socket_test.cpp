@@ -9,6 +9,8 @@
 #include <cstddef>
 #include <cstdlib>
 #include <cstring>
+#include <string>
+#include <vector>
 
 namespace stepwright::process {
 namespace {
@@ -60,6 +62,24 @@ TEST_F(NotifySocketTest, WhenThereIsAPath_ThenMessagesArriveThere) {
 TEST_F(NotifySocketTest, WhenTheNameIsAbstract_ThenMessagesArriveThereToo) {
   listen("@stepwright-notify-" + std::to_string(getpid()));
   NotifySocket init;
+  init.watchdog();
+  EXPECT_EQ(take(), "WATCHDOG=1");
+}
+
+// It reads nothing until there is no room for more.
+TEST_F(NotifySocketTest, WhenTheInitSystemIsBusy_ThenWhatItDidNotTakeComesLater) {
+  listen(testing::TempDir() + "busy." + std::to_string(getpid()));
+  NotifySocket init;
+  for (int i = 0; i < 10'000; ++i) init.watchdog();
+  init.ready("first");
+  init.status("second");
+  init.status("third");
+  std::vector<std::string> heard;
+  for (std::string text = take(); text != "nothing"; text = take()) {
+    if (text != "WATCHDOG=1") heard.push_back(text);
+    init.flush();
+  }
+  EXPECT_EQ(heard, (std::vector<std::string>{"READY=1\nSTATUS=first", "STATUS=third"}));
   init.watchdog();
   EXPECT_EQ(take(), "WATCHDOG=1");
 }

@@ -154,8 +154,8 @@ TEST(CrewRecording, WhenTasksHaveThreads_ThenTheReplayOfTheLeadingOneIsEqual) {
   const std::string file = (folder / "run").string();
   Crew crew(two_tasks(""));
   ASSERT_EQ(crew.harness.record({.file = file, .keyframe_every = 16}), Outcome::Done);
-  ASSERT_TRUE(crew.slow_ran(40));
-  ASSERT_TRUE(crew.harness.wait([&] { return crew.harness.runtime->status().scan > 150; }));
+  ASSERT_TRUE(crew.slow_ran(crew.cycles(1) + 40));
+  ASSERT_TRUE(crew.harness.wait([&] { return crew.harness.runtime->recording().scans > 150; }));
   crew.harness.stop();
   ASSERT_EQ(crew.harness.command(CommandKind::RecordEnd), Outcome::Done);
   ASSERT_TRUE(crew.harness.wait(

@@ -154,7 +154,7 @@ TEST(Monitor, WhenADriverBlocks_ThenTheRuntimeIsNotHealthyAndTheHeartbeatStops) 
   config.safety.stall_ns = 200 * kMs;
   Machine machine(config);
   ASSERT_TRUE(machine.wait([&] { return machine.driver.beats.load() > 2; }));
-  EXPECT_TRUE(machine.runtime->monitor().healthy());
+  ASSERT_TRUE(machine.wait([&] { return machine.runtime->monitor().healthy(); }));
   machine.driver.block(true);
   ASSERT_TRUE(machine.wait([&] { return !machine.runtime->monitor().healthy(); }));
   EXPECT_NE(machine.runtime->status().detail.find("has not come back for"), std::string::npos);

@@ -147,7 +147,7 @@ TEST(Fairness, WhenAClientHas200CommandsUnderWay_ThenThoseOfOthersAreTakenAndASt
 class BusyObserver final : public ServiceObserver {
  public:
   void on_event(const host::StepEvent& event) override {
-    if (event.kind == host::EventKind::Started) std::this_thread::sleep_for(1s);
+    if (event.kind == host::EventKind::Started) std::this_thread::sleep_for(4s);
   }
   void on_supervisor(bool alive) override { supervised = alive; }
   std::atomic<bool> supervised{false};
@@ -158,7 +158,7 @@ TEST(Fairness, WhenTheServiceWasBusy_ThenTheSupervisorIsJudgedByWhatItSaidMeanwh
   config.clock = host::ClockMode::Real;
   config.on_lost_supervisor = host::LostSupervisor::Safe;
   BusyObserver busy;
-  ServiceHarness harness(config, 300ms, {.observer = &busy});
+  ServiceHarness harness(config, 2s, {.observer = &busy});
   const auto client = harness.connect();
   ASSERT_TRUE(client->download(step_program({.interval_us = 1'000}), kPatience));
   std::atomic<bool> ends{false};

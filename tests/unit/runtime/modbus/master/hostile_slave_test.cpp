@@ -26,7 +26,7 @@ Bytes right(const Bytes& request) {
   return {request[0], request[1], 0, 0, 0, 7, request[6], 3, 4, 0, 1, 0, 2};
 }
 
-Outcome ask(const RawSlave& slave, std::chrono::milliseconds timeout = 200ms) {
+Outcome ask(const RawSlave& slave, std::chrono::milliseconds timeout = 30s) {
   auto master = Master::create(TcpEndpoint{"127.0.0.1", slave.port()}, {.timeout = timeout});
   EXPECT_TRUE(master->connect().good());
   std::array<std::uint16_t, 2> words{77, 77};
@@ -81,6 +81,7 @@ TEST(HostileSlave, WhenOneThingOfTheAnswerIsWrong_ThenItIsABadAnswer) {
   }
 }
 
+// Each byte comes within the timeout, so that a wait for each of them would end with the right answer.
 TEST(HostileSlave, WhenTheAnswerDrips_ThenTheTimeoutHoldsForTheWhole) {
   RawSlave slave([](int client, const Bytes& request) {
     for (const std::uint8_t byte : right(request)) {
@@ -88,9 +89,7 @@ TEST(HostileSlave, WhenTheAnswerDrips_ThenTheTimeoutHoldsForTheWhole) {
       std::this_thread::sleep_for(60ms);
     }
   });
-  const auto begin = std::chrono::steady_clock::now();
-  EXPECT_EQ(ask(slave).fault, Fault::Timeout);
-  EXPECT_LT(std::chrono::steady_clock::now() - begin, 600ms);  // byte by byte it would take 780 ms
+  EXPECT_EQ(ask(slave, 200ms).fault, Fault::Timeout);
 }
 
 TEST(HostileSlave, WhenItClosesInTheMiddle_ThenTheConnectionIsLost) {
@@ -115,7 +114,7 @@ TEST(HostileSlave, WhenItSendsWithoutEnd_ThenTheNextRequestGivesUp) {
 // Its echo of "input 700, one register" looks like an answer with the register 16#BC00, but for its length.
 TEST(HostileSlave, WhenItEchoes_ThenNoReadTakesThatForAnAnswer) {
   RawSlave slave([](int client, const Bytes& request) { say(client, request); });
-  auto master = Master::create(TcpEndpoint{"127.0.0.1", slave.port()}, {.timeout = 200ms});
+  auto master = Master::create(TcpEndpoint{"127.0.0.1", slave.port()}, {.timeout = 30s});
   for (const std::size_t count : {1, 2, 3, 125}) {
     ASSERT_TRUE(master->connect().good());
     std::vector<std::uint16_t> words(count, 7);
@@ -134,7 +133,7 @@ TEST(HostileSlave, WhenItAnswersTwiceOrAddsBytes_ThenTheNextRequestHasItsOwnAnsw
       bytes.insert(bytes.end(), more.begin(), more.end());
       say(client, bytes);
     });
-    auto master = Master::create(TcpEndpoint{"127.0.0.1", slave.port()}, {.timeout = 1s});
+    auto master = Master::create(TcpEndpoint{"127.0.0.1", slave.port()}, {.timeout = 30s});
     ASSERT_TRUE(master->connect().good());
     for (std::uint16_t i = 1; i <= 50; ++i) {
       std::array<std::uint16_t, 2> words{};
@@ -163,7 +162,7 @@ TEST(HostileSlave, WhenAnAnswerComesWithTheNextOne_ThenItIsPassedOver) {
   ASSERT_TRUE(master->connect().good());
   std::array<std::uint16_t, 2> words{};
   EXPECT_EQ(master->read_registers(RegisterTable::Holding, 0, words).fault, Fault::Timeout);
-  master->set_timeout(5s);
+  master->set_timeout(30s);
   EXPECT_TRUE(master->read_registers(RegisterTable::Holding, 0, words).good());
   EXPECT_EQ(words[1], 2) << "the second transaction's";
 }
@@ -192,7 +191,8 @@ TEST(HostileSlave, WhenFramesAreThoseOfALine_ThenChecksumUnitAndLengthAreLookedA
       bytes.push_back(static_cast<std::uint8_t>(crc >> 8));
       say(client, bytes);
     });
-    auto master = Master::create(TcpEndpoint{"127.0.0.1", slave.port(), Framing::Rtu}, {.timeout = 200ms});
+    const auto timeout = cases[i].second == Fault::Timeout ? 200ms : 30'000ms;
+    auto master = Master::create(TcpEndpoint{"127.0.0.1", slave.port(), Framing::Rtu}, {.timeout = timeout});
     ASSERT_TRUE(master->connect().good());
     std::array<std::uint16_t, 2> words{};
     EXPECT_EQ(master->read_registers(RegisterTable::Holding, 0, words).fault, cases[i].second) << i;

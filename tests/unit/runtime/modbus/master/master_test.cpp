@@ -15,7 +15,7 @@ namespace {
 using namespace std::chrono_literals;
 using support::ModbusSlave;
 
-Master connected(const ModbusSlave& slave, std::chrono::milliseconds timeout = 1s) {
+Master connected(const ModbusSlave& slave, std::chrono::milliseconds timeout = 30s) {
   auto master = Master::create(TcpEndpoint{"127.0.0.1", slave.port()}, {.timeout = timeout});
   EXPECT_TRUE(master);
   EXPECT_TRUE(master->connect().good());
@@ -112,7 +112,7 @@ TEST(Master, WhenAnAnswerIsLate_ThenItIsATimeoutAndNotTheAnswerOfTheNextRequest)
   EXPECT_EQ(master.read_registers(RegisterTable::Holding, 0, word).fault, Fault::Timeout);
   EXPECT_TRUE(master.connected());
   slave.answer_after_ms(0);
-  std::this_thread::sleep_for(150ms);
+  master.set_timeout(30s);
   ASSERT_TRUE(master.read_registers(RegisterTable::Holding, 1, word).good());
   EXPECT_EQ(word[0], 22);
 }

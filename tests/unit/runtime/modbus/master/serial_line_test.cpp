@@ -1,6 +1,9 @@
 // The master on a serial line: a pair of ptys of socat, a slave of libmodbus at the other end.
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <thread>
@@ -24,15 +27,26 @@ class SerialLine : public ::testing::Test {
         std::vector<std::string>{"/usr/bin/socat", "pty,raw,echo=0,link=" + end("a"),
                                  "pty,raw,echo=0,link=" + end("b")},
         folder_ / "socat.log");
-    for (int i = 0; i < 500 && !std::filesystem::exists(end("b")); ++i) std::this_thread::sleep_for(10ms);
+    for (int i = 0; i < 6'000 && !std::filesystem::exists(end("b")); ++i) std::this_thread::sleep_for(10ms);
     ASSERT_TRUE(std::filesystem::exists(end("b")));
   }
   void TearDown() override { socat_.reset(); }
   std::string end(const char* name) const { return (folder_ / name).string(); }
-  Master master(std::chrono::milliseconds timeout = 1s) const {
+  Master master(std::chrono::milliseconds timeout = 30s) const {
     auto made = Master::create(SerialEndpoint{.device = end("a")}, {.timeout = timeout});
     EXPECT_TRUE(made);
     return std::move(*made);
+  }
+  // Bytes have come to the master's end that nobody has read.
+  bool something_waits() const {
+    const int descriptor = ::open(end("a").c_str(), O_RDONLY | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+    int bytes = 0;
+    for (int i = 0; i < 6'000 && bytes == 0; ++i) {
+      ::ioctl(descriptor, FIONREAD, &bytes);
+      std::this_thread::sleep_for(10ms);
+    }
+    ::close(descriptor);
+    return bytes > 0;
   }
 
   support::TemporaryFolder folder_;
@@ -56,8 +70,9 @@ TEST_F(SerialLine, WhenASlaveIsThere_ThenItAnswersAndOtherUnitsDoNot) {
   // A slave of libmodbus takes what follows a request to another unit for that unit's answer, for half a
   // second.
   ASSERT_TRUE(line.select_unit(5).good());
+  line.set_timeout(600ms);
   Outcome outcome{Fault::Timeout, 0, 0};
-  for (int i = 0; i < 10 && !outcome.good(); ++i)
+  for (int i = 0; i < 100 && !outcome.good(); ++i)
     outcome = line.read_registers(RegisterTable::Holding, 10, words);
   EXPECT_TRUE(outcome.good());
   EXPECT_EQ(line.select_unit(0).fault, Fault::BadRequest);
@@ -74,16 +89,16 @@ TEST_F(SerialLine, WhenNoiseIsOnTheLine_ThenItIsThrownAway) {
   slave.silence(1, false);
   slave.answer_after_ms(100);
   EXPECT_EQ(line.read_registers(RegisterTable::Holding, 0, word).fault, Fault::Timeout);
-  std::this_thread::sleep_for(150ms);  // the late answer is on the line
+  ASSERT_TRUE(something_waits()) << "the late answer is on the line";
   slave.answer_after_ms(0);
   slave.set_holding(1, 9);
-  line.set_timeout(1s);
+  line.set_timeout(30s);
   ASSERT_TRUE(line.read_registers(RegisterTable::Holding, 1, word).good());
   EXPECT_EQ(word[0], 9);
 }
 
 TEST_F(SerialLine, WhenTheDeviceGoes_ThenTheConnectionIsLostUntilItIsBack) {
-  Master line = master(200ms);
+  Master line = master();
   {
     ModbusSlave slave({.device = end("b")});
     ASSERT_TRUE(line.connect().good());

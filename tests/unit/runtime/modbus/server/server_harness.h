@@ -102,7 +102,7 @@ class Client {
     ASSERT_EQ(::send(socket_, data.data(), data.size(), MSG_NOSIGNAL), static_cast<ssize_t>(data.size()));
   }
   // As many bytes as arrive, up to `size`; "closed" at the end of the stream.
-  std::string receive(std::size_t size, std::chrono::milliseconds patience = 5s) const {
+  std::string receive(std::size_t size, std::chrono::milliseconds patience = 60s) const {
     Bytes data(size);
     std::size_t got = 0;
     while (got < size) {

@@ -62,6 +62,7 @@ TEST(IoClient, WhenOutputsChange_ThenTheyAreWrittenOnceAndAtOnce) {
   Device device =
       device_at(slave.port(), {group_of({}, {word_tag(50, 0), bit_tag(Table::Coils, 6, 100)}, 10s)});
   device.refresh = 0ms;
+  device.timeout = 30s;  // no request is repeated
   RemoteIo io({device});
   io.out(0, 5);
   ASSERT_TRUE(wait_for([&] { return io.client->written(); }));

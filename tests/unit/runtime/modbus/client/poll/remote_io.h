@@ -94,7 +94,7 @@ class RemoteIo {
   std::vector<std::byte> outputs_;
 };
 
-inline bool wait_for(const std::function<bool()>& condition, std::chrono::milliseconds patience = 10s,
+inline bool wait_for(const std::function<bool()>& condition, std::chrono::milliseconds patience = 60s,
                      std::chrono::microseconds pause = 2ms) {
   const auto deadline = Clock::now() + patience;
   while (!condition()) {
