@@ -78,8 +78,16 @@ TEST_P(ModbusLine_WhenAControllerIsBehindIt, ThenItRunsByItsOwnClockToo) {
   driver.load(support::step_program({.steps = 2, .scans_per_step = 30, .interval_us = 2'000}));
   EXPECT_EQ(driver.start().outcome, host::Outcome::Done);
   EXPECT_EQ(driver.event().kind, host::EventKind::Started);
-  EXPECT_EQ(driver.event().scan, 1u);
-  EXPECT_EQ(driver.event().scan, 31u);
+  // The controller waits for nobody: of steps that follow each other faster than the line only the newest is
+  // told.
+  const host::StepEvent first = driver.event();
+  EXPECT_EQ(first.kind, host::EventKind::StepChange);
+  if (first.scan == 1u) {
+    EXPECT_EQ(driver.event().scan, 31u);
+  } else {
+    EXPECT_EQ(first.scan, 31u);
+    EXPECT_EQ(runtime->status().process.lost_events, 1u);
+  }
   EXPECT_TRUE(driver.await([&] { return plant.output.load() == std::byte{2}; }));
   EXPECT_EQ(driver.stop().outcome, host::Outcome::Done);
   EXPECT_EQ(plant.output.load(), std::byte{0});
