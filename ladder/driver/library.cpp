@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "ladder/driver/library_texts.h"
+#include "ladder/semantics/model.h"
 #include "ladder/source/codes.h"
 
 namespace stepwright::driver {
@@ -71,7 +72,10 @@ void add_library(syntax::SyntaxContext& context, syntax::Unit& unit) {
   for (bool found = true; found;) {
     found = false;
     std::erase_if(open, [&](const LibraryDeclaration& each) {
-      const auto id = context.names.find(each.name);
+      auto id = context.names.find(each.name);
+      // What tells whether a function has a value comes with the function.
+      if (!id && each.name.starts_with(semantics::kConditionPrefix))
+        id = context.names.find(each.name.substr(semantics::kConditionPrefix.size()));
       if (!id) return false;
       if (const auto user = taken.find(id->value); user != taken.end()) {
         if (each.reserved)

@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "ladder/exchange/duration.h"
+#include "ladder/exchange/plcopen_configurations.h"
 #include "ladder/exchange/plcopen_parts.h"
 #include "ladder/exchange/plcopen_read.h"
 #include "ladder/exchange/plcopen_schema.h"
@@ -85,15 +86,10 @@ std::optional<VariableSection> section_of(std::string_view list) {
   return std::nullopt;
 }
 
-// Whether a configuration has an instance of a program.
-bool runs_program(pugi::xml_node configuration) {
-  return !configuration.find_node([](pugi::xml_node each) { return local_name(each) == "pouInstance"; })
-              .empty();
-}
-
 class ProjectReader {
  public:
-  ProjectReader(ReadContext& context, Project& project) : context_(context), project_(project) {}
+  ProjectReader(ReadContext& context, Project& project, std::string_view configuration)
+      : context_(context), project_(project), chosen_(configuration) {}
 
   void read(pugi::xml_node root) {
     if (local_name(root) != "project") {
@@ -202,20 +198,21 @@ class ProjectReader {
   }
 
   void instances(pugi::xml_node node) {
-    std::vector<pugi::xml_node> found;
-    for (const pugi::xml_node each : child(node, "configurations").children())
-      if (local_name(each) == "configuration") found.push_back(each);
-    // Devices without a program are configurations, too, where these exports come from.
-    std::vector<pugi::xml_node> running;
-    std::ranges::copy_if(found, std::back_inserter(running), runs_program);
-    if (context_.dialect().exported_tasks && !running.empty()) found = running;
-    if (!found.empty()) configuration(found.front());
-    for (std::size_t i = 1; i < found.size(); ++i)
-      context_.error(found[i], code::kExchangeUnsupported, "the project has several configurations",
-                     running.size() == 1 ? source::with_dialects("keep the one that is to run",
-                                                                 &source::Dialect::exported_tasks)
-                                         : "keep the one that is to run");
+    const pugi::xml_node chosen = chosen_configuration(context_, node, chosen_);
+    if (chosen) {
+      configuration(chosen);
+      leave_out(programs_of_others(node, chosen));
+    }
     project_.parts.instances = extra_of(node, {}, {"configurations"});
+  }
+
+  // What only another device runs may name what only that device has.
+  void leave_out(const std::vector<std::string>& programs) {
+    std::erase_if(project_.pous, [&](const Pou& pou) {
+      return pou.kind == graphic::PouKind::Program && std::ranges::any_of(programs, [&](const auto& each) {
+               return graphic::same_name(each, pou.name);
+             });
+    });
   }
 
   void configuration(pugi::xml_node node) {
@@ -308,18 +305,20 @@ class ProjectReader {
 
   ReadContext& context_;
   Project& project_;
+  std::string_view chosen_;
 };
 
 }  // namespace
 }  // namespace plcopen
 
 result::Result<graphic::Project> read_plcopen(std::string name, std::string text,
-                                              const source::Dialect& dialect) {
+                                              const source::Dialect& dialect,
+                                              std::string_view configuration) {
   auto file = XmlFile::parse(std::move(name), std::move(text));
   if (!file) return result::forward(file);
   graphic::Project project;
   plcopen::ReadContext context(*file, dialect);
-  plcopen::ProjectReader(context, project).read(file->root());
+  plcopen::ProjectReader(context, project, configuration).read(file->root());
   if (context.failed()) return tl::unexpected(context.take());
   project.file_name = file->name();
   project.file_text = file->text();

@@ -91,6 +91,15 @@ class Layouter {
             m_.symbol_half + m_.note};
   }
 
+  // Its line begins with one that ended in a connector, taken as it is: nothing leads there from the rail.
+  static bool begins_anew(const Condition& condition) {
+    const auto& children = condition.children;
+    if (condition.kind == ConditionKind::All) return !children.empty() && begins_anew(children.front());
+    if (condition.kind == ConditionKind::Any) return std::ranges::all_of(children, begins_anew);
+    return condition.kind == ConditionKind::Contact && is_connector(condition.name) && !condition.negated &&
+           condition.edge == Edge::None;
+  }
+
   static std::string box_text(const Condition& condition) {
     if (condition.kind == ConditionKind::Expression)
       return condition.negated ? to_st(condition) : condition.name;
@@ -221,7 +230,7 @@ class Layouter {
     if (index > 0) x += mark(SymbolKind::WentOn, index, x, y);
     for (const Condition* part : parts) {
       const int width = measure(*part).width;
-      place(*part, x, y, width);
+      place(*part, x, y, width, index == 0 && part == parts.front());
       x += width;
     }
     const int end = out_.right_rail - (last ? outputs(rung).width : mark_width());
@@ -292,18 +301,31 @@ class Layouter {
     wire(symbol.x + m_.symbol, symbol.y, std::max(end, right), symbol.y);
   }
 
-  // Fills the wire from `x` to `x + width` at `y`.
-  void place(const Condition& condition, int x, int y, int width) {
+  void place_connector(const Condition& condition, int x, int y, int width) {
+    PlacedSymbol symbol;
+    symbol.kind = SymbolKind::Connector;
+    symbol.x = x + m_.wire;
+    symbol.y = y;
+    symbol.width = text_width(condition.name) + m_.padding / 2;
+    symbol.text = condition.name;
+    wire(symbol.x + symbol.width, y, x + width, y);
+    out_.rungs.back().symbols.push_back(std::move(symbol));
+  }
+
+  // Fills the wire from `x` to `x + width` at `y`. `begins`: nothing stands between it and the rail.
+  void place(const Condition& condition, int x, int y, int width, bool begins) {
+    const bool is_contact = condition.kind == ConditionKind::Contact;
+    if (is_contact && begins && begins_anew(condition)) return place_connector(condition, x, y, width);
     if (condition.kind == ConditionKind::True) wire(x, y, x + width, y);
-    if (condition.kind == ConditionKind::All) place_series(condition, x, y, width);
-    if (condition.kind == ConditionKind::Any) place_parallel(condition, x, y, width);
+    if (condition.kind == ConditionKind::All) place_series(condition, x, y, width, begins);
+    if (condition.kind == ConditionKind::Any) place_parallel(condition, x, y, width, begins);
     const int own = measure(condition).width;
     PlacedSymbol symbol;
     symbol.x = x;
     symbol.y = y;
     symbol.width = own;
     symbol.condition = &condition;
-    if (condition.kind == ConditionKind::Contact) {
+    if (is_contact) {
       centre(symbol, x, x + width);
       out_.rungs.back().symbols.push_back(symbol);
     }
@@ -318,33 +340,35 @@ class Layouter {
     }
   }
 
-  void place_series(const Condition& condition, int x, int y, int width) {
+  void place_series(const Condition& condition, int x, int y, int width, bool begins) {
     const int end = x + width;
     for (const Condition& child : condition.children) {
       const int own = measure(child).width;
-      place(child, x, y, own);
+      place(child, x, y, own, begins && &child == &condition.children.front());
       x += own;
     }
     wire(x, y, end, y);
   }
 
-  void place_parallel(const Condition& condition, int x, int y, int width) {
+  void place_parallel(const Condition& condition, int x, int y, int width, bool begins) {
     const int left = x + m_.wire;
     const int right = x + measure(condition).width - m_.wire;
     int at = y;
     int bottom = y;
+    std::size_t fed = condition.children.size();  // the branches down to the last one that is led to
+    while (begins && fed > 0 && begins_anew(condition.children[fed - 1])) --fed;
     for (std::size_t i = 0; i < condition.children.size(); ++i) {
       const Size part = measure(condition.children[i]);
       if (i > 0) {
         const int next = bottom + m_.branch_gap + part.up + 1;
-        wire(left, at, left, next);
+        if (i < fed) wire(left, at, left, next);
         wire(right, at, right, next);
         at = next;
       }
-      place(condition.children[i], left, at, right - left);
+      place(condition.children[i], left, at, right - left, begins);
       bottom = at + part.down;
     }
-    wire(x, y, left, y);
+    if (fed > 0) wire(x, y, left, y);
     wire(right, y, x + width, y);
   }
 

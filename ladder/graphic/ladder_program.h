@@ -20,7 +20,8 @@ struct Coil {
 };
 
 // ">1>": where a line ends that goes on wherever the same stands again (IEC 61131-3, 8.1.3). It is no
-// variable; programs that are shown have them (lowering/shown_ladder.h).
+// variable; programs that are shown have them (lowering/shown_ladder.h). A line that begins with one has its
+// symbol in drawings; behind other symbols, negated or with an edge it is a contact.
 inline bool is_connector(std::string_view name) {
   return name.size() > 2 && name.front() == '>' && name.back() == '>';
 }

@@ -167,7 +167,10 @@ ValuePtr ExpressionAnalyzer::truncated(ValuePtr value, const Type* type, const s
 // REAL_TO_WORD rounds to a UINT, whose bits the WORD has; WORD_TO_REAL the other way.
 ValuePtr ExpressionAnalyzer::through_unsigned(ValuePtr value, const Type* to) {
   const std::uint32_t bytes = to->is_bits() ? to->size : value->type->size;
-  return convert_exactly(convert_exactly(std::move(value), whole_type(bytes, false)), to);
+  ValuePtr whole = convert_exactly(std::move(value), whole_type(bytes, false));
+  whole = convert_exactly(std::move(whole), to);
+  whole->converts_part = true;
+  return whole;
 }
 
 // An elementary type, or a string of any length; null if the name is none of them.

@@ -26,9 +26,16 @@ bool counts_characters(StringOpId op) {
   return op >= StringOpId::LeftS && op <= StringOpId::ReplaceW;
 }
 
+// STRING_TO_INT and its like.
+bool reads_literal(StringOpId op) {
+  return op >= StringOpId::ToBoolS && !bytecode::is_test(op) &&
+         bytecode::tested_by(bytecode::test_of(op)) == op;
+}
+
 ErrorTest text_test(const Value& called) {
   if (called.text_op == StringOpId::CharAtS || called.text_op == StringOpId::CharAtW)
     return ErrorTest::FirstCharacter;
+  if (reads_literal(called.text_op)) return ErrorTest::Literal;
   if (!counts_characters(called.text_op)) return ErrorTest::None;
   const bool counts = std::ranges::any_of(called.operands, [](const ValuePtr& each) {
     return each->type->is_integer() && may_be_negative(*each);
@@ -68,6 +75,8 @@ ErrorTest error_test(const Value& called) {
     case ValueKind::Truncate:
       if (!called.operands[0]->type->is_real()) return ErrorTest::None;
       if (called.type->is_integer()) return ErrorTest::Range;
+      if (called.type->is_real())
+        return called.type->size < called.operands[0]->type->size ? ErrorTest::Single : ErrorTest::None;
       return called.type->is_time() || called.type->is_date() ? ErrorTest::Duration : ErrorTest::None;
     case ValueKind::Multiplex:
       return ErrorTest::Choice;
@@ -77,6 +86,8 @@ ErrorTest error_test(const Value& called) {
       return function_test(called.function);
     case ValueKind::Text:
       return text_test(called);
+    case ValueKind::Call:
+      return ErrorTest::Arguments;
     default:
       return ErrorTest::None;
   }
@@ -90,10 +101,20 @@ bool is_kept_aside(ErrorTest test, const Value& called, std::size_t operand) {
     case ErrorTest::Places:
     case ErrorTest::Power:
     case ErrorTest::Counts:
+    case ErrorTest::Arguments:
       return true;
     default:
       return operand == 0;
   }
+}
+
+// The function of the library that tells whether another one of it has a value; null if there is none.
+const Pou* ExpressionAnalyzer::condition_of(const Pou& function) const {
+  const auto of_library = [&](const Pou& pou) { return a_.sink.sources().is_library(pou.where.file); };
+  if (!of_library(function)) return nullptr;
+  const auto name = a_.names.find(std::string(kConditionPrefix) + a_.names.folded(function.name));
+  const auto found = name ? a_.pous.find(name->value) : a_.pous.end();
+  return found != a_.pous.end() && of_library(*found->second) ? found->second : nullptr;
 }
 
 // A value that can be read again, in a slot; of a text the address.
@@ -114,19 +135,21 @@ ValuePtr ExpressionAnalyzer::kept_aside(ValuePtr value, std::vector<CopyBefore>&
   return load(std::move(slot), where);
 }
 
-// TIME / real is a division inside of a conversion, and each may fail: `enabled` says so of both.
+// Where the function is made of two parts, each may fail: `enabled` says so of both.
 ValuePtr ExpressionAnalyzer::unless_error(ValuePtr called, const Place& enabled) {
+  const bool in_parts = called->kind == ValueKind::Convert && called->converts_part;
+  if (in_parts) called->operands[0] = unless_error(std::move(called->operands[0]), enabled);
+  if (in_parts && !called->operands[0]) return nullptr;
   const ErrorTest test = error_test(*called);
+  if (test == ErrorTest::Arguments && condition_of(*called->pou) == nullptr) return called;
   if (test == ErrorTest::None) return called;
   ValuePtr result = make(ValueKind::Enabled, called->type, called->where);
-  const bool divides = test == ErrorTest::Duration && called->op == Operator::Divide;
-  if (divides) called->operands[0] = unless_error(std::move(called->operands[0]), enabled);
   for (std::size_t i = 0; i < called->operands.size(); ++i) {
     ValuePtr& operand = called->operands[i];
-    if (operand && is_kept_aside(test, *called, i)) operand = kept_aside(std::move(operand), result->before);
+    if (is_kept_aside(test, *called, i)) operand = kept_aside(std::move(operand), result->before);
   }
-  ValuePtr good = called->operands[0] ? has_value(*called, test) : nullptr;
-  if (good && divides)
+  ValuePtr good = has_value(*called, test);
+  if (good && in_parts)
     good = combine(Operator::And, load(copy_direct(enabled), called->where), std::move(good), called->where);
   if (!good) return nullptr;
   result->before.push_back({copy_direct(enabled), std::move(good)});

@@ -52,6 +52,10 @@ struct Variable {
   bool is_referred() const { return open_address && type != nullptr && !type->is_bool(); }
 };
 
+// Before the name of a function of the library: the function of the same inputs that tells whether that one
+// has a value. A call with ENO connected asks it (error_guard.cpp).
+inline constexpr std::string_view kConditionPrefix = "__CAN_";
+
 struct Pou {
   source::NameId name;
   std::string spelling;

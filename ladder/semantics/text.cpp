@@ -55,7 +55,7 @@ ValuePtr ExpressionAnalyzer::text_operation(StringOpId narrow, const Type* type,
     if (auto folded = evaluate_text(narrow, values, *type))
       return make_constant(std::move(*folded), type, where);
   }
-  const bool between = narrow >= StringOpId::StringToWstring;
+  const bool between = narrow == StringOpId::StringToWstring || narrow == StringOpId::WstringToString;
   const bool wide = width_of(type->is_string() ? *type : *operands[0]->type) == ElementaryType::Wstring;
   ValuePtr result = make(ValueKind::Text, type, where);
   result->text_op =

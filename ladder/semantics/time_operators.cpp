@@ -75,7 +75,7 @@ ValuePtr ExpressionAnalyzer::scale_time(Operator op, ValuePtr left, ValuePtr rig
   if (with_real) {
     ValuePtr scaled = combine(op, convert_exactly(std::move(left), factor), std::move(right), where);
     scaled = scaled ? convert_exactly(std::move(scaled), time) : nullptr;
-    if (scaled) scaled->op = op;
+    if (scaled) scaled->converts_part = true;
     return scaled;
   }
   ValuePtr result = make(ValueKind::Binary, time, where);

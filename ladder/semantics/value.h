@@ -84,8 +84,7 @@ enum class ValueKind : std::uint8_t {
   Reference,  // the address of `place`
   Unary,      // Negate, Not
   Binary,     // chain of `op` over operands of type operands[0]->type
-  Convert,    // operands[0] to `type`, exactly if it widens, else as the standard's X_TO_Y; `op`: of TIME
-              // and a real, of which this is the result, else Add
+  Convert,    // operands[0] to `type`, exactly if it widens, else as the standard's X_TO_Y
   Check,      // operands[0], which must lie in the subrange `type`
   Truncate,   // operands[0], a real, to the integer `type`, towards zero
   Standard,   // `function` of operands of one type
@@ -141,6 +140,9 @@ struct Value {
   // Truncate: of TRUNC, whose integer type is that of the place where it stands; DINT if that says nothing.
   // Of a power of an integer, LREAL: where a REAL stands it is one.
   bool adapts = false;
+  // Convert: operands[0] is a part of the same function: the quotient of DIV_TIME, the integer of
+  // REAL_TO_WORD.
+  bool converts_part = false;
   Constant constant;
   Place place;
   const Pou* pou = nullptr;

@@ -69,6 +69,8 @@ ValuePtr ExpressionAnalyzer::has_value(const Value& called, ErrorTest test) {
     }
     case ErrorTest::Range:
       return is_in_range(called);
+    case ErrorTest::Single:
+      return fits_real(first);
     case ErrorTest::Duration:
       return is_duration(called);
     case ErrorTest::Domain:
@@ -79,6 +81,10 @@ ValuePtr ExpressionAnalyzer::has_value(const Value& called, ErrorTest test) {
       return is_code(first, *called.type);
     case ErrorTest::Digits:
       return has_digits(first, *called.type);
+    case ErrorTest::Literal:
+      return is_literal(called);
+    case ErrorTest::Arguments:
+      return takes_arguments(called);
     case ErrorTest::FirstCharacter: {
       const Type* dint = a_.type_table().elementary(ElementaryType::Dint);
       return combine(Operator::Greater, text_operation(StringOpId::LengthS, dint, again(first), first.where),
@@ -98,19 +104,31 @@ ValuePtr ExpressionAnalyzer::has_value(const Value& called, ErrorTest test) {
   return good;
 }
 
-// Rounded to the nearest, ties to even; or cut towards zero. The lower bound of a wide type has no neighbour
-// below among the reals.
+// Rounded to the nearest, ties to even; or cut towards zero. The lower bound of a wide signed type has no
+// neighbour below among the reals.
 ValuePtr ExpressionAnalyzer::is_in_range(const Value& called) {
   const Value& first = *called.operands[0];
   const IntegerRange range = range_of(called.type->elementary);
   const bool cuts = called.kind == ValueKind::Truncate;
-  const bool is_dense = first.type->size == 8 ? called.type->size < 8 : called.type->size < 4;
+  const bool is_narrow = first.type->size == 8 ? called.type->size < 8 : called.type->size < 4;
+  const bool is_dense = is_narrow || range.low == 0;
   const double low = static_cast<double>(range.low);
   const double high = static_cast<double>(range.high) + (cuts ? 1.0 : 0.5);
   const Operator above = cuts && is_dense ? Operator::Greater : Operator::GreaterEqual;
   const double below = cuts ? 1.0 : 0.5;
   return both(compare(first, above, {0, is_dense ? low - below : low}),
               compare(first, Operator::Less, {0, high}));
+}
+
+// Rounds to a REAL: is below the middle of the largest one and 2**128, or infinite, or NaN.
+ValuePtr ExpressionAnalyzer::fits_real(const Value& number) {
+  constexpr double kBeyond = 0x1.ffffffp127;
+  ValuePtr held =
+      both(compare(number, Operator::Less, {0, kBeyond}), compare(number, Operator::Greater, {0, -kBeyond}));
+  ValuePtr finite = make(ValueKind::Standard, a_.type_table().boolean(), number.where);
+  finite->function = StandardFunction::IsValid;
+  finite->operands.push_back(again(number));
+  return neither(both(std::move(finite), neither(std::move(held))));
 }
 
 // Its nanoseconds are an LINT.
@@ -158,6 +176,36 @@ ValuePtr ExpressionAnalyzer::is_power(const Value& base, const Value& exponent) 
   if (!has_root || !whole) return nullptr;
   return both(neither(std::move(pole)),
               combine(Operator::OrElse, std::move(has_root), std::move(whole), where));
+}
+
+ValuePtr ExpressionAnalyzer::takes_arguments(const Value& called) {
+  const Pou* condition = condition_of(*called.pou);
+  note_callee(*condition);
+  ValuePtr asked = make(ValueKind::Call, a_.type_table().boolean(), called.where);
+  asked->pou = condition;
+  for (const ValuePtr& each : called.operands) asked->operands.push_back(again(*each));
+  return asked;
+}
+
+// Integers are read as 64 bits, which the type must hold.
+ValuePtr ExpressionAnalyzer::is_literal(const Value& called) {
+  const auto number = static_cast<std::uint8_t>(called.text_op);
+  const auto read = static_cast<StringOpId>(number - number % 2);
+  const Value& text = *called.operands[0];
+  const Type& type = *called.type;
+  const TypeTable& types = a_.type_table();
+  ValuePtr good = text_operation(bytecode::test_of(read), types.boolean(), again(text), text.where);
+  const bool narrow = (type.is_integer() || type.is_bits()) && type.size < 8;
+  if (!narrow) return good;
+  const Type* whole = types.elementary(type.is_unsigned() ? ElementaryType::Ulint : ElementaryType::Lint);
+  const IntegerRange range = range_of(type.elementary);
+  const auto bounded = [&](Operator op, __int128 bound) {
+    return combine(op, text_operation(read, whole, again(text), text.where),
+                   make_constant({bound}, whole, text.where), text.where);
+  };
+  ValuePtr held = bounded(Operator::LessEqual, range.high);
+  if (!type.is_unsigned()) held = both(bounded(Operator::GreaterEqual, range.low), std::move(held));
+  return combine(Operator::AndThen, std::move(good), std::move(held), text.where);
 }
 
 // BCD compares as what it stands for.

@@ -45,7 +45,7 @@ void apply(const WarningOptions& options, result::Diagnostics& diagnostics) {
 
 std::vector<std::byte> compile(const CompileArguments& arguments, sources::SourceFiles& files,
                                result::Diagnostics& diagnostics) {
-  files = sources::load(arguments.sources, diagnostics, *arguments.dialect);
+  files = sources::load(arguments.sources, diagnostics, arguments.options);
   if (!diagnostics.empty()) return {};
   const WarningOptions options = warning_options(arguments.warnings);
   driver::CompileInput input = files.input();

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ladder/source/dialect.h"
+#include "programs/sources/source_options.h"
 #include "runtime/result/exit_code.h"
 
 namespace stepwright::compile_program {
@@ -16,7 +16,7 @@ struct CompileArguments {
   bool check = false;  // instead of writing an image
   std::string json_file;
   bool bare = false;  // without the sources for viewers
-  const source::Dialect* dialect = &source::standard_dialect();
+  sources::SourceOptions options;
   std::vector<std::string> warnings;  // "none", "default", "all"; "error": warnings are errors
 };
 

@@ -5,7 +5,7 @@
 #include "programs/compile/compile_command.h"
 #include "programs/compile/explain_command.h"
 #include "programs/process/command_line.h"
-#include "programs/sources/dialect_option.h"
+#include "programs/sources/source_options.h"
 
 namespace {
 
@@ -18,7 +18,7 @@ void describe_compile(CLI::App& app, compile_program::CompileArguments& argument
   result->add_flag("--check", arguments.check,
                    "write no image: the sources may be a library without a PROGRAM");
   result->require_option(1);
-  sources::add_dialect_option(app, arguments.dialect);
+  sources::add_source_options(app, arguments.options);
   app.add_option("--json", arguments.json_file, "file for the report, - for standard output");
   app.add_flag("--bare", arguments.bare,
                "leave out the sources, which the page in the browser shows: smaller");

@@ -8,7 +8,7 @@ namespace stepwright::hmi {
 
 result::Result<api::Compiled> compile_sources(const api::SourceTexts& texts, const source::Dialect& dialect) {
   sources::SourceFiles files;
-  files.dialect = &dialect;
+  files.options.dialect = &dialect;
   result::Diagnostics problems;
   for (const auto& [name, text] : texts) files.add(name, text, problems);
   if (!problems.empty()) return tl::unexpected(std::move(problems));

@@ -12,8 +12,8 @@
 #include "ladder/source/suggestion.h"
 #include "programs/process/command_line.h"
 #include "programs/process/files.h"
-#include "programs/sources/dialect_option.h"
 #include "programs/sources/source_files.h"
+#include "programs/sources/source_options.h"
 #include "runtime/result/exit_code.h"
 
 namespace stepwright::show {
@@ -28,7 +28,7 @@ struct Arguments {
   std::string format = "text";
   std::string paper = "a4";
   std::string output;
-  const source::Dialect* dialect = &source::standard_dialect();
+  sources::SourceOptions options;
 };
 
 ExitCode fail(const result::Diagnostics& diagnostics, const sources::SourceFiles& sources) {
@@ -54,7 +54,7 @@ std::string project_name(const Arguments& arguments, const sources::SourceFiles&
 
 ExitCode show(const Arguments& arguments) {
   result::Diagnostics unread;
-  const sources::SourceFiles sources = sources::load(arguments.files, unread, *arguments.dialect);
+  const sources::SourceFiles sources = sources::load(arguments.files, unread, arguments.options);
   if (!unread.empty()) return fail(unread, sources);
   auto sheets = driver::sheets_of(sources.input());
   if (sheets && !arguments.pou.empty()) sheets = only(arguments.pou, std::move(*sheets));
@@ -78,7 +78,7 @@ int run_show(int argc, char** argv) {
                "stepwright show");
   Arguments arguments;
   app.add_option("files", arguments.files, "ST files (.st) and PLCopen projects (.xml)")->required();
-  sources::add_dialect_option(app, arguments.dialect);
+  sources::add_source_options(app, arguments.options);
   app.add_option("--pou", arguments.pou, "print this POU only");
   app.add_option("--to", arguments.format, "text for a terminal, svg for pages")
       ->check(CLI::IsMember({"text", "svg"}));

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "ladder/exchange/plcopen_reader.h"
+#include "ladder/source/codes.h"
 #include "programs/process/files.h"
 
 namespace stepwright::sources {
@@ -39,7 +40,7 @@ source::RenderStyle style_of(int descriptor) {
 driver::CompileInput SourceFiles::input() const {
   driver::CompileInput input;
   input.texts = texts;
-  input.dialect = dialect;
+  input.dialect = options.dialect;
   std::error_code unknown;  // a folder that is gone: names stay as they are given
   input.folder = std::filesystem::current_path(unknown).string();
   for (const graphic::Project& each : projects) input.projects.push_back(&each);
@@ -52,7 +53,7 @@ void SourceFiles::add(const std::string& name, std::string text, result::Diagnos
     texts.push_back({name, std::move(text)});
     return;
   }
-  auto project = exchange::read_plcopen(name, std::move(text), *dialect);
+  auto project = exchange::read_plcopen(name, std::move(text), *options.dialect, options.configuration);
   if (project) {
     projects.push_back(std::move(*project));
   } else {
@@ -61,9 +62,9 @@ void SourceFiles::add(const std::string& name, std::string text, result::Diagnos
 }
 
 SourceFiles load(const std::vector<std::string>& paths, result::Diagnostics& diagnostics,
-                 const source::Dialect& dialect) {
+                 const SourceOptions& options) {
   SourceFiles sources;
-  sources.dialect = &dialect;
+  sources.options = options;
   for (const std::string& path : paths) {
     auto text = process::read_file(path);
     if (text) {
@@ -72,6 +73,12 @@ SourceFiles load(const std::vector<std::string>& paths, result::Diagnostics& dia
       diagnostics.insert(diagnostics.end(), text.error().begin(), text.error().end());
     }
   }
+  if (!options.configuration.empty() && std::ranges::none_of(paths, process::is_xml))
+    diagnostics.push_back({source::code::kExchangeUnsupported,
+                           result::Severity::Error,
+                           {},
+                           "there is no configuration '" + options.configuration + "' to choose",
+                           "--configuration chooses one of a PLCopen file (.xml)"});
   return sources;
 }
 

@@ -15,6 +15,7 @@
 
 #include "ladder/driver/compile.h"
 #include "ladder/source/render.h"
+#include "programs/sources/source_options.h"
 
 namespace stepwright::sources {
 
@@ -22,7 +23,7 @@ struct SourceFiles {
   std::vector<source::NamedText> files;   // as they were written, for the lines of diagnostics
   std::vector<source::NamedText> texts;   // the ST files among them
   std::deque<graphic::Project> projects;  // the PLCopen files
-  const source::Dialect* dialect = &source::standard_dialect();
+  SourceOptions options;
 
   // One more: ST, or PLCopen if its name ends in .xml, of which E08xx is appended.
   void add(const std::string& name, std::string text, result::Diagnostics& diagnostics);
@@ -31,9 +32,10 @@ struct SourceFiles {
 };
 
 // Reads .st (and everything else that is not .xml) as ST, .xml as PLCopen. Appends what is wrong with all of
-// them to `diagnostics`: E0001 for a file that cannot be read, E08xx for an XML file.
+// them to `diagnostics`: E0001 for a file that cannot be read, E08xx for an XML file, and for a configuration
+// that is chosen where there is no such file.
 SourceFiles load(const std::vector<std::string>& paths, result::Diagnostics& diagnostics,
-                 const source::Dialect& dialect = source::standard_dialect());
+                 const SourceOptions& options = {});
 
 // How diagnostics look on a descriptor: in colour and as wide as it is if it is a terminal.
 source::RenderStyle style_of(int descriptor);

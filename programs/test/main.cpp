@@ -4,7 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "programs/process/command_line.h"
-#include "programs/sources/dialect_option.h"
+#include "programs/sources/source_options.h"
 #include "programs/test/test_command.h"
 
 int main(int argc, char** argv) {
@@ -14,7 +14,7 @@ int main(int argc, char** argv) {
   app.add_option("sources", arguments.sources,
                  "ST files (.st) with programs and tests, PLCopen projects (.xml)")
       ->required();
-  sources::add_dialect_option(app, arguments.dialect);
+  sources::add_source_options(app, arguments.source_options);
   app.add_option("--filter", arguments.filter, "run the tests whose names match, e.g. '*pump*'");
   app.add_option("--engine", arguments.engine, "engine to run them with (default auto)")
       ->check(CLI::IsMember({"auto", "native", "vm"}));

@@ -61,7 +61,7 @@ result::Diagnostics run_chosen(const std::vector<driver::TestSuite>& suites,
 // Compiles and runs; what kept it from that is returned.
 result::Diagnostics run_all(const TestArguments& arguments, sources::SourceFiles& files, TestReport& report) {
   result::Diagnostics problems;
-  files = sources::load(arguments.sources, problems, *arguments.dialect);
+  files = sources::load(arguments.sources, problems, arguments.source_options);
   if (!problems.empty()) return problems;
   auto output = driver::compile_tests(files.input());
   if (!output) return output.error();

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ladder/source/dialect.h"
+#include "programs/sources/source_options.h"
 #include "programs/test/suite_runner.h"
 #include "runtime/result/exit_code.h"
 
@@ -13,7 +13,7 @@ namespace stepwright::test_program {
 
 struct TestArguments {
   std::vector<std::string> sources;
-  const source::Dialect* dialect = &source::standard_dialect();
+  sources::SourceOptions source_options;
   std::string filter;  // glob over the names of tests; empty: all
   std::string json_file;
   std::string junit_file;

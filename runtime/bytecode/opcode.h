@@ -75,6 +75,21 @@ inline constexpr auto kStringOps = std::to_array<OperationInfo>({
 #undef STEPWRIGHT_X
 });
 
+// The test of a text before a To... reads it, and back; of the same width.
+constexpr StringOpId test_of(StringOpId to) {
+  const int distance = static_cast<int>(to) - static_cast<int>(StringOpId::ToBoolS);
+  return static_cast<StringOpId>(static_cast<int>(StringOpId::IsBoolS) + distance / 4 * 2 + distance % 2);
+}
+constexpr StringOpId tested_by(StringOpId test) {
+  const int distance = static_cast<int>(test) - static_cast<int>(StringOpId::IsBoolS);
+  return static_cast<StringOpId>(static_cast<int>(StringOpId::ToBoolS) + distance / 2 * 4 + distance % 2);
+}
+constexpr bool is_test(StringOpId id) {
+  return id >= StringOpId::IsBoolS;
+}
+static_assert(test_of(StringOpId::ToDtW) == StringOpId::IsDtW &&
+              tested_by(StringOpId::IsDtW) == StringOpId::ToDtW);
+
 inline constexpr std::uint32_t kOpcodeCount = kOpcodes.size();
 inline constexpr std::uint32_t kIntrinsicCount = kIntrinsics.size();
 inline constexpr std::uint32_t kStringOpCount = kStringOps.size();

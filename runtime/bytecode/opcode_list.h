@@ -302,6 +302,19 @@
   X(StringToWstring, "rr", "")               \
   X(WstringToString, "rr", "")
 
-#define STEPWRIGHT_STRING_OPS(X) \
-  STEPWRIGHT_STRING_EDITS(X)     \
-  STEPWRIGHT_STRING_CONVERSIONS(X)
+// Whether To... of the text has a value. In the order of the conversions.
+#define STEPWRIGHT_STRING_TESTS(X)             \
+  STEPWRIGHT_BOTH_STRINGS(X, IsBool, "r", "b") \
+  STEPWRIGHT_BOTH_STRINGS(X, IsI64, "r", "b")  \
+  STEPWRIGHT_BOTH_STRINGS(X, IsU64, "r", "b")  \
+  STEPWRIGHT_BOTH_STRINGS(X, IsF32, "r", "b")  \
+  STEPWRIGHT_BOTH_STRINGS(X, IsF64, "r", "b")  \
+  STEPWRIGHT_BOTH_STRINGS(X, IsTime, "r", "b") \
+  STEPWRIGHT_BOTH_STRINGS(X, IsDate, "r", "b") \
+  STEPWRIGHT_BOTH_STRINGS(X, IsTod, "r", "b")  \
+  STEPWRIGHT_BOTH_STRINGS(X, IsDt, "r", "b")
+
+#define STEPWRIGHT_STRING_OPS(X)   \
+  STEPWRIGHT_STRING_EDITS(X)       \
+  STEPWRIGHT_STRING_CONVERSIONS(X) \
+  STEPWRIGHT_STRING_TESTS(X)

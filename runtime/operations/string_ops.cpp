@@ -348,18 +348,28 @@ TrapCode run(StringOpId id, StringOperation<Char>& op) {
   }
 }
 
-// The two widths of an operation are neighbours; a conversion belongs to the width of its destination.
+// Between the widths: belongs to that of its destination.
+constexpr bool converts(StringOpId id) {
+  return id == StringOpId::StringToWstring || id == StringOpId::WstringToString;
+}
+
+// The two widths of an operation are neighbours. A test reads as the conversion does of which it tells.
 template <typename Char>
 TrapCode run_as(StringOpId id, Slot*& sp, std::span<std::byte> memory, std::uint64_t& budget) {
   const auto number = static_cast<std::uint8_t>(id);
   Slot* const args = sp - kOperandCounts[number];
   StringOperation<Char> op(args, memory, budget);
-  const bool converts = id >= StringOpId::StringToWstring;
+  const bool tests = bytecode::is_test(id);
   const auto narrow = static_cast<StringOpId>(number - number % 2);
-  const TrapCode code = run(converts ? StringOpId::WstringToString : narrow, op);
-  if (code != TrapCode::None) return code;
+  const StringOpId same = tests ? bytecode::tested_by(narrow) : narrow;
+  const TrapCode code = run(converts(id) ? StringOpId::WstringToString : same, op);
+  if (code != TrapCode::None && !(tests && code == TrapCode::BadArgument)) return code;
   sp = args;
-  if (*bytecode::kStringOps[number].pushes != '\0') *sp++ = op.result();
+  if (tests) {
+    *sp++ = code == TrapCode::None ? 1 : 0;
+  } else if (*bytecode::kStringOps[number].pushes != '\0') {
+    *sp++ = op.result();
+  }
   return TrapCode::None;
 }
 

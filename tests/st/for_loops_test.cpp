@@ -7,13 +7,14 @@
 #include <string>
 #include <vector>
 
-#include "ladder/driver/compile.h"
 #include "runtime/bytecode/reader/loaded_program.h"
+#include "tests/st/compiled_text.h"
 #include "tests/st/machine.h"
 
 namespace {
 
 using namespace stepwright;
+using st_test::compiled;
 using Wide = __int128;
 
 constexpr int kMostTurns = 20;  // a loop that has not ended by then is left by EXIT
@@ -100,16 +101,6 @@ std::vector<Case> cases_of(const IntegerType& type) {
     for (const Wide limit : edges_of(type))
       for (const Wide step : steps_of(type)) cases.push_back({first, limit, step});
   return cases;
-}
-
-reader::LoadedProgram compiled(const std::string& text) {
-  driver::CompileInput input;
-  input.texts.push_back({"loops.st", text});
-  auto output = driver::compile(input);
-  if (!output) throw std::runtime_error(result::to_string(output.error()));
-  auto loaded = reader::LoadedProgram::load(std::move(output->container), "loops.st");
-  if (!loaded) throw std::runtime_error(result::to_string(loaded.error()));
-  return std::move(*loaded);
 }
 
 std::string shown(const Case& loop) {

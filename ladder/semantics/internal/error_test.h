@@ -15,6 +15,7 @@ enum class ErrorTest : std::uint8_t {
   Places,          // a negative number of places of a shift
   Choice,          // MUX: K names no input
   Range,           // a real that the integer type does not hold
+  Single,          // an LREAL that is beyond REAL
   Duration,        // a real that is no time or date
   Domain,          // SQRT, LN, LOG, ASIN, ACOS
   Power,           // 0 to a negative power, a negative number to one that is no integer
@@ -22,6 +23,8 @@ enum class ErrorTest : std::uint8_t {
   Digits,          // a number with more digits than the BCD type has
   Counts,          // texts: a negative number of characters or position
   FirstCharacter,  // of a text without characters
+  Literal,         // a text that is no literal of the type
+  Arguments,       // of a function of the library, which another one tells of
 };
 
 ErrorTest error_test(const Value& called);

@@ -233,6 +233,7 @@ class ExpressionAnalyzer {
   // error_guard.cpp
   // The call, whose value is the first of its type where it would be an error; `enabled` says which.
   ValuePtr unless_error(ValuePtr called, const Place& enabled);
+  const Pou* condition_of(const Pou& function) const;
   ValuePtr kept_aside(ValuePtr value, std::vector<CopyBefore>& before);
   void add_or_first(Value& enabled, ValuePtr called);
   static Constant first_value(const Type& scalar);
@@ -242,9 +243,12 @@ class ExpressionAnalyzer {
   ValuePtr both(ValuePtr left, ValuePtr right);
   ValuePtr neither(ValuePtr wrong);
   ValuePtr is_in_range(const Value& called);
+  ValuePtr fits_real(const Value& number);
   ValuePtr is_duration(const Value& called);
   ValuePtr is_in_domain(const Value& called);
   ValuePtr is_power(const Value& base, const Value& exponent);
+  ValuePtr is_literal(const Value& called);
+  ValuePtr takes_arguments(const Value& called);
   ValuePtr is_code(const Value& code, const Type& number);
   ValuePtr has_digits(const Value& number, const Type& code);
   Statement enabled_block(Statement called, const syntax::Expression& call);

@@ -1,6 +1,7 @@
 // Where the symbols and wires of a ladder network stand. Geometry only, in px: what has power is looked up when it is drawn.
 
 import type { Box, Coil, Condition, Rung } from './document';
+import { isConnector } from './power';
 
 const LETTER = 7.3;
 const GAP = 14; // of wire between neighbours
@@ -19,7 +20,7 @@ export type Symbol =
   | { kind: 'contact' | 'test'; x: number; y: number; width: number; condition: Condition }
   | { kind: 'coil'; x: number; y: number; width: number; coil: Coil; index: number }
   | { kind: 'box'; x: number; y: number; width: number; height: number; box: Box; index: number; rows: BoxRow[]; textLines: string[] }
-  | { kind: 'connector'; x: number; y: number; width: number; name: string }
+  | { kind: 'connector'; x: number; y: number; width: number; name: string; of?: Condition } // of: the line begins here
   | { kind: 'jump'; x: number; y: number; width: number; label: string };
 
 export interface BoxRow {
@@ -70,6 +71,17 @@ function sizeOf(condition: Condition): Size {
   }
 }
 
+// The state of the line that ended there, as it is.
+const continues = (condition: Condition): boolean =>
+  condition.kind === 'contact' && isConnector(condition.name) && !condition.negated && condition.edge === '';
+
+// Whether the line begins with a connector: nothing leads there.
+function beginsAnew(condition: Condition): boolean {
+  if (condition.kind === 'any') return condition.of.length > 0 && condition.of.every(beginsAnew);
+  const first = condition.kind === 'all' ? condition.of[0] : undefined;
+  return first ? beginsAnew(first) : continues(condition);
+}
+
 class Drawing {
   readonly symbols: Symbol[] = [];
   readonly wires: Wire[] = [];
@@ -78,11 +90,12 @@ class Drawing {
     this.wires.push({ points: points.map(([x, y]) => `${x},${y}`).join(' '), ...(of ? { of } : {}), side });
   }
 
-  // From x on, with the wire at y; ends at x + its width.
-  place(condition: Condition, x: number, y: number): void {
+  // From x on, with the wire at y; ends at x + its width. `begins`: nothing stands between it and the rail.
+  place(condition: Condition, x: number, y: number, begins: boolean): void {
     const { width } = sizeOf(condition);
-    if (condition.kind === 'all' && condition.of.length > 0) return this.series(condition.of, x, y);
-    if (condition.kind === 'any' && condition.of.length > 0) return this.parallel(condition, x, y, width);
+    if (condition.kind === 'all' && condition.of.length > 0) return this.series(condition.of, x, y, begins);
+    if (condition.kind === 'any' && condition.of.length > 0) return this.parallel(condition, x, y, width, begins);
+    if (begins && condition.kind === 'contact' && continues(condition)) return this.connector(condition, condition.name, x, y, width);
     if (condition.kind === 'contact' || condition.kind === 'test') {
       const half = condition.kind === 'contact' ? 8 : (width - 8) / 2;
       const middle = x + width / 2;
@@ -94,30 +107,40 @@ class Drawing {
     this.wire([[x, y], [x + width, y]], condition, 'out');
   }
 
-  private series(of: Condition[], x: number, y: number): void {
+  private connector(of: Condition, name: string, x: number, y: number, width: number): void {
+    const end = textWidth(name) + 8;
+    this.wire([[x + end, y], [x + width, y]], of, 'out');
+    this.symbols.push({ kind: 'connector', x, y, width: end, name, of });
+  }
+
+  private series(of: Condition[], x: number, y: number, begins: boolean): void {
     of.forEach((one, i) => {
-      this.place(one, x, y);
+      this.place(one, x, y, begins && i === 0);
       x += sizeOf(one).width;
       if (i + 1 < of.length) this.wire([[x, y], [x + GAP, y]], one, 'out');
       x += GAP;
     });
   }
 
-  private parallel(condition: Extract<Condition, { of: Condition[] }>, x: number, y: number, width: number): void {
+  private parallel(condition: Extract<Condition, { of: Condition[] }>, x: number, y: number, width: number, begins: boolean): void {
     let at = y;
     const end = x + width;
+    let fed = y; // the lowest branch that the line in front leads to
     const ends = condition.of.map((one, i) => {
       const size = sizeOf(one);
       if (i > 0) at += size.up;
-      this.wire([[x, at], [x + BRANCH, at]], condition, 'in');
-      this.place(one, x + BRANCH, at);
+      if (!begins || !beginsAnew(one)) {
+        this.wire([[x, at], [x + BRANCH, at]], condition, 'in');
+        fed = at;
+      }
+      this.place(one, x + BRANCH, at, begins);
       this.wire([[x + BRANCH + size.width, at], [end, at]], one, 'out');
       const here = at;
       at += size.down;
       return here;
     });
     const last = ends.at(-1) ?? y;
-    this.wire([[x, y], [x, last]], condition, 'in');
+    this.wire([[x, y], [x, fed]], condition, 'in');
     this.wire([[end, y], [end, last]], condition, 'out');
   }
 }
@@ -212,8 +235,8 @@ export function layOutRung(rung: Rung, outputsOf: (box: Box) => string[], minimu
   const left = MARGIN;
   const right = Math.max(minimum - MARGIN, left + GAP + condition.width + 2 * BRANCH + widest + GAP);
   const y = Math.max(condition.up, outputs[0]?.up ?? 0);
-  drawing.wire([[left, y], [left + GAP, y]], rung.condition, 'in');
-  drawing.place(rung.condition, left + GAP, y);
+  if (!beginsAnew(rung.condition)) drawing.wire([[left, y], [left + GAP, y]], rung.condition, 'in');
+  drawing.place(rung.condition, left + GAP, y, true);
   const from = right - GAP - widest;
   const knee = from - BRANCH;
   drawing.wire([[left + GAP + condition.width, y], [knee, y]], undefined, 'out');

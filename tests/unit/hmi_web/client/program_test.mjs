@@ -192,6 +192,22 @@ test('Drawing_WhenALineEndsInAConnector_ThenItHasItsSymbolAndNoWireToTheRail', (
   assert.ok(Math.max(...ends) <= symbol.x && symbol.x + symbol.width < layout.right);
 });
 
+test('Drawing_WhenALineBeginsWithAConnector_ThenItHasItsSymbolAndNoWireFromTheRail', () => {
+  const condition = { kind: 'all', of: [{ kind: 'any', of: [{ kind: 'all', of: [contact('>1>'), contact('a')] }, contact('>2>'), contact('>1>', { negated: true })] }, contact('>1>')] };
+  const { read } = flowsOf([rungOf(condition), rungOf(contact('>1>'))], {});
+  const named = (layout, kind) => layout.symbols.filter((symbol) => symbol.kind === kind).map((symbol) => symbol.name ?? symbol.condition.name);
+  const branches = program.layOutRung(read[0], () => [], 500);
+  assert.deepEqual(named(branches, 'connector'), ['>1>', '>2>']);
+  assert.deepEqual(named(branches, 'contact'), ['a', '>1>', '>1>']);
+  const alone = program.layOutRung(read[1], () => [], 500);
+  const [symbol] = alone.symbols.filter(({ kind }) => kind === 'connector');
+  assert.equal(symbol.of, read[1].condition);
+  const begins = alone.wires.flatMap(({ points }) => points.split(' ').map((point) => Number(point.split(',')[0])));
+  assert.ok(Math.min(...begins) >= symbol.x + symbol.width);
+  for (const { y, x } of branches.symbols.filter(({ kind }) => kind === 'connector'))
+    assert.ok(!branches.wires.some(({ points }) => points.endsWith(` ${x},${y}`)));
+});
+
 test('Drawing_WhenRungsAreOfAnySize_ThenNothingSticksOut', () => {
   const wide = { kind: 'all', of: Array.from({ length: 40 }, (_, i) => contact(`a_rather_long_name_${i}`)) };
   const deep = { kind: 'any', of: [wide, { kind: 'all', of: [] }, { kind: 'test', text: 'x > 1' }, { kind: 'any', of: [contact('y'), contact('z', { negated: true })] }] };

@@ -54,6 +54,28 @@ TEST(LadderDrawing, WhenALineEndsInAConnector_ThenItHasTheSymbolOfOne) {
   EXPECT_EQ(document.select_nodes("//text[.='>1>']").size(), 1U);
 }
 
+// A line that goes on begins with it, in every branch at the rail; elsewhere it is a contact of the line.
+TEST(LadderDrawing, WhenALineBeginsWithAConnector_ThenItHasTheSymbolOfOne) {
+  LadderProgram program;
+  program.rungs.emplace_back().condition =
+      all({any({all({contact(">1>"), contact("a")}), contact(">2>")}), contact(">1>")});
+  program.rungs.back().coils = {{CoilKind::Normal, "q"}};
+  program.rungs.emplace_back().condition = contact(">1>", true);
+  program.rungs.back().coils = {{CoilKind::Normal, "r"}};
+  program.rungs.emplace_back().condition = contact(">1>");
+  program.rungs.back().coils = {{CoilKind::Normal, "s"}};
+  const std::string text = draw_ladder_text(program);
+  EXPECT_NE(text.find(" >1>─"), std::string::npos) << text;
+  EXPECT_NE(text.find(" >2>─"), std::string::npos) << text;
+  EXPECT_NE(text.find("┤/├"), std::string::npos) << text;
+  EXPECT_EQ(text.find("─>"), std::string::npos) << text;
+  pugi::xml_document document;
+  const std::string svg = draw_ladder_svg(program);
+  ASSERT_TRUE(document.load_string(svg.c_str())) << svg;
+  EXPECT_EQ(document.select_nodes("//g[@class='sw-contact']").size(), 3U) << svg;
+  EXPECT_EQ(document.select_nodes("//text[@class='sw-jump']").size(), 3U) << svg;
+}
+
 TEST(LadderDrawing, WhenAContactIsNegatedAndSensesAnEdge_ThenBothAreSeen) {
   LadderProgram program;
   Condition edge = contact("a", true);

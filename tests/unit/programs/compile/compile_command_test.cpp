@@ -61,5 +61,42 @@ TEST_F(CompileCommand, WhenADialectIsNamed_ThenItsSourcesAreTaken) {
   EXPECT_EQ(run("compile --dialect basic " + source + " -o " + path("main.swb")), 2);
 }
 
+TEST_F(CompileCommand, WhenAConfigurationIsChosen_ThenAPlcopenFileMustHaveIt) {
+  const auto program = [](const std::string& name) {
+    return "<pou name=\"" + name +
+           "\" pouType=\"program\"><interface><localVars><variable name=\"n\"><type><INT/>" +
+           "</type></variable></localVars></interface><body><ST><xhtml "
+           "xmlns=\"http://www.w3.org/1999/xhtml\">" +
+           "n := n + 1;</xhtml></ST></body></pou>";
+  };
+  const auto device = [](const std::string& name, const std::string& runs) {
+    return "<configuration name=\"" + name + "\"><resource name=\"r\"><task name=\"t\" priority=\"0\" " +
+           "interval=\"T#20ms\"><pouInstance name=\"p\" typeName=\"" + runs +
+           "\"/></task></resource></configuration>";
+  };
+  const std::string plant = write(
+      "plant.xml",
+      "<project xmlns=\"http://www.plcopen.org/xml/tc6_0201\"><fileHeader companyName=\"c\" "
+      "productName=\"p\" "
+      "productVersion=\"1\" creationDateTime=\"2026-01-01T00:00:00\"/><contentHeader "
+      "name=\"plant\"><coordinateInfo>"
+      "<fbd><scaling x=\"1\" y=\"1\"/></fbd><ld><scaling x=\"1\" y=\"1\"/></ld><sfc><scaling x=\"1\" "
+      "y=\"1\"/></sfc>"
+      "</coordinateInfo></contentHeader><types><dataTypes/><pous>" +
+          program("mix") + program("pack") + "</pous></types><instances><configurations>" +
+          device("Mixer", "mix") + device("Packer", "pack") + "</configurations></instances></project>");
+  const std::string result = " -o " + path("plant.swb");
+  EXPECT_EQ(run("compile " + plant + result), 1);
+  EXPECT_THAT(errors, HasSubstr("'Mixer' and 'Packer'"));
+  EXPECT_THAT(errors, HasSubstr("--configuration NAME"));
+  EXPECT_EQ(run("compile --configuration packer " + plant + result), 0) << errors;
+  EXPECT_EQ(run_program("stepwright-exec", "--scans 2 --trace p.n " + path("plant.swb")), 0) << errors;
+  EXPECT_EQ(run("compile --configuration Press " + plant + result), 1);
+  EXPECT_THAT(errors, HasSubstr("the file has 'Mixer' and 'Packer'"));
+  const std::string text = write("main.st", kMain);
+  EXPECT_EQ(run("compile --configuration Packer " + text + result), 1);
+  EXPECT_THAT(errors, HasSubstr("PLCopen file"));
+}
+
 }  // namespace
 }  // namespace stepwright::compile_test

@@ -108,6 +108,19 @@ TrapCode read_as(StringOpId id, MemType type, const std::string& text) {
   return code;
 }
 
+// Whether the text has a value, by the test of `id`; it never traps.
+bool is_value(StringOpId id, const std::string& text) {
+  TestProgram program(one_program(kBytes, [&](FunctionBuilder& f) {
+    f.addr_this(kText);
+    f.string_op(bytecode::test_of(id));
+    f.store(MemType::Bool, AddressMode::This, kBack);
+  }));
+  program.write<std::uint16_t>(kText, 40);
+  put_text(program, kText, text);
+  EXPECT_FALSE(program.run()) << text;
+  return program.read<bool>(kBack);
+}
+
 TEST(StringConversion, Values_WhenWrittenAsTextAndRead_ThenComeBack) {
   expect_text(kBool, true, "TRUE");
   expect_text(kBool, false, "FALSE");
@@ -132,6 +145,22 @@ TEST(StringConversion, Texts_WhenTheyAreNoSuchLiteral_ThenTrap) {
   EXPECT_EQ(read_as(StringOpId::ToU64S, MemType::I64, "-1"), TrapCode::BadArgument);
   EXPECT_EQ(read_as(StringOpId::ToF32S, MemType::F32, "1E39"), TrapCode::BadArgument);
   EXPECT_EQ(read_as(StringOpId::ToF32S, MemType::F32, "1E38"), TrapCode::None);
+}
+
+TEST(StringConversion, Texts_WhenTheyAreTested_ThenIsWhetherTheyCanBeRead) {
+  const Conversion all[] = {kBool, kI64, kU64, kF32, kF64, kTime, kDate, kTod, kDt};
+  const char* texts[] = {
+      "",     "abc",  "TRUE", "-1",           "18446744073709551615", "1E38",
+      "1E39", "T#1s", "\xB2", "D#2024-02-29", "TOD#12:00:00",         "DT#2024-02-29-12:00:00"};
+  for (const Conversion& each : all) {
+    int good = 0;
+    for (const char* text : texts) {
+      const bool reads = read_as(each.to, each.type, text) == TrapCode::None;
+      EXPECT_EQ(is_value(each.to, text), reads) << text;
+      good += reads ? 1 : 0;
+    }
+    EXPECT_GT(good, 0);
+  }
 }
 
 TEST(StringConversion, Text_WhenLongerThanTheTarget_ThenIsCut) {
