@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "hmi_web/access/secrets.h"
+#include "hmi_web/api/cell_codes.h"
 #include "runtime/bytecode/reader/loaded_program.h"
 
 namespace stepwright::api {
@@ -173,7 +174,7 @@ result::Result<void> ChangeDesk::write_down(const ChangeOrder& order, const Load
 void ChangeDesk::take_back(const ChangeOrder& order, const Known& next, const std::string& running,
                            const std::optional<Version>& before, bool was_known,
                            const result::Diagnostics& problems) {
-  if (!problems.empty() && problems.front().code == "D0001") {
+  if (nobody_answers(problems)) {
     (void)versions_.settle(order.program, Outcome::Unknown, problems.front().message);
     return;
   }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "hmi_web/access/durable_file.h"
+#include "hmi_web/api/cell_codes.h"
 
 namespace stepwright::api {
 namespace {
@@ -66,12 +67,6 @@ std::optional<std::vector<StandingForce>> from_json(const std::string& text) {
   return standing;
 }
 
-// Nobody answers, or another program has just come: to be asked again.
-bool tried_again(const result::Diagnostics& problems) {
-  const std::string& code = problems.front().code;
-  return code == "D0001" || code == "D0002" || code == "R0009";
-}
-
 void leave_out(std::vector<StandingForce>& standing, const std::string& name) {
   std::erase_if(standing, [&](const StandingForce& each) { return each.name == name; });
 }
@@ -124,7 +119,7 @@ result::Result<StandingForce> ForceDesk::force(const ForceOrder& order) {
   auto after = before;
   leave_out(after, order.name);
   if (after.size() >= kMostForces)
-    return result::fail("D0002", {}, "too much is forced already", "release something first");
+    return result::fail("H0068", {}, "too much is forced already", "release something first");
   after.push_back(fresh);
   // Listed before it is done: who has forced what a crash leaves is known.
   if (auto kept = keep(after); !kept) return result::forward(kept);
@@ -166,7 +161,7 @@ void ForceDesk::ask_runtime() {
   }
   const auto forced = control_.forced();
   if (forced) return compare(*forced);
-  if (forced.error().front().code == "D0008") pause_ = kRoundsOfPause;
+  if (forced.error().front().code == kLinkOfAnotherVersion) pause_ = kRoundsOfPause;
 }
 
 // What the runtime has beside ours is of somebody else. What it has not, or with another value, has ended.
@@ -177,7 +172,7 @@ void ForceDesk::compare(const std::vector<ForcedPlace>& forced) {
     const auto place = control_.as_forced(each.name, each.value);
     // Nobody answers, or another program has just come: nothing is known. Any other refusal: the program has
     // no such variable any more.
-    if (!place && tried_again(place.error())) return;
+    if (!place && is_asked_again(place.error())) return;
     if (place && std::erase(others, *place) > 0) continue;
     if (!missing_.contains(each.name)) {
       missing.insert(each.name);
@@ -221,7 +216,7 @@ void ForceDesk::end_what_is_due() {
     // Tried again in a second. A refusal means that there is nothing to release any more: another program
     // runs.
     const auto released = control_.unforce(each.name);
-    if (!released && tried_again(released.error())) return;
+    if (!released && is_asked_again(released.error())) return;
     take_off(each, "timer", "the time is over that " + each.user + " had set",
              released ? "done" : "refused: " + released.error().front().message);
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "hmi_web/api/cell_codes.h"
 #include "hmi_web/recipes/recipe_check.h"
 #include "runtime/naming/ascii_names.h"
 
@@ -20,10 +21,6 @@ std::optional<std::string> value_in(const Recipe& recipe, const RecipeTag& tag) 
   if (found == recipe.values.end()) return std::nullopt;
   auto spelt = recipes::check_value(tag, found->second);
   return spelt ? *std::move(spelt) : found->second;
-}
-
-bool nobody_answers(const result::Diagnostics& problems) {
-  return problems.front().code == "D0001";
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "hmi_web/api/cell_codes.h"
+
 namespace stepwright::api {
 namespace {
 
@@ -14,11 +16,12 @@ unsigned status_of(const std::string& code) {
       code == "H0098")
     return 409;  // programs that cannot take over now
   if (code == "H0073" || code == "H0078" || code == "H0079" || code == "H0080") return 409;  // recipes
-  if (code == "H0025" || code == "H0029" || code == "D0002" || code == "D0003" || code == "R0009" ||
-      code == "X0008" || code == "C0606")
-    return 409;                                                           // not in this state
-  if (code == "D0007") return 504;                                        // somebody has not answered
-  if (code == "H0021" || code == "D0001" || code == "H0020") return 503;  // somebody or something is missing
+  if (code == "H0025" || code == "H0029" || code == "H0068" || code == kProgramJustChanged ||
+      code == "D0003" || code == kAnotherProgram || code == "X0008" || code == "C0606")
+    return 409;                     // not in this state
+  if (code == "D0007") return 504;  // somebody has not answered
+  if (code == "H0021" || code == kNobodyAnswers || code == "H0020")
+    return 503;                              // somebody or something is missing
   if (code.starts_with("S000")) return 503;  // the file of a history or a journal
   return 400;
 }

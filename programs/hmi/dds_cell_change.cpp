@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "hmi_web/api/cell_codes.h"
 #include "programs/hmi/compile_sources.h"
 #include "programs/hmi/program_desk.h"
 #include "programs/hmi/supervisor_word.h"
@@ -76,10 +77,11 @@ Result<api::LoadedNow> DdsCellChange::loaded() {
   const auto program = source_.running().get();
   const auto status = source_.client().status();
   if (!program || !status || !source_.client().runtime_alive())
-    return result::fail("D0001", {}, "no runtime answers with a program",
+    return result::fail(api::kNobodyAnswers, {}, "no runtime answers with a program",
                         "is the runtime of the cell running?");
   if (status->program_digest != program->digest)
-    return result::fail("D0002", {}, "the program has just changed", "try again in a moment");
+    return result::fail(api::kProgramJustChanged, {}, "the program has just changed",
+                        "try again in a moment");
   api::LoadedNow now{program->digest, program->container, status->state == dds::RuntimeState::Running, {}};
   auto snapshot = source_.client().snapshot();
   if (snapshot && snapshot->program_digest == now.digest) now.image = std::move(snapshot->image);
@@ -99,7 +101,8 @@ std::vector<std::byte> DdsCellChange::fitted(std::vector<std::byte> container) {
 
 Result<api::Takeover> DdsCellChange::change(std::span<const std::byte> container, bool restart_charts) {
   const auto before = source_.client().status();
-  if (!before) return result::fail("D0001", {}, "no runtime answers", "is the runtime of the cell running?");
+  if (!before)
+    return result::fail(api::kNobodyAnswers, {}, "no runtime answers", "is the runtime of the cell running?");
   {
     const std::lock_guard lock(mutex_);
     change_ = Change{before->program_digest,

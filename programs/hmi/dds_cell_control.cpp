@@ -2,6 +2,7 @@
 
 #include <cstring>
 
+#include "hmi_web/api/cell_codes.h"
 #include "runtime/bytecode/reader/parse_value.h"
 #include "runtime/bytecode/reader/read_value.h"
 #include "runtime/bytecode/reader/resolve_name.h"
@@ -32,7 +33,7 @@ struct Place {
 };
 
 tl::unexpected<result::Diagnostics> just_changed() {
-  return result::fail("D0002", {}, "the program has just changed", "try again in a moment");
+  return result::fail(api::kProgramJustChanged, {}, "the program has just changed", "try again in a moment");
 }
 
 // Of the program that runs at this moment, as far as is known here.
@@ -40,7 +41,7 @@ Result<Place> place_of(DdsCellSource& source, const std::string& name) {
   auto program = source.running().get();
   const auto status = source.client().status();
   if (!program || !status)
-    return result::fail("D0001", {}, "no runtime answers with a program",
+    return result::fail(api::kNobodyAnswers, {}, "no runtime answers with a program",
                         "is the runtime of the cell running?");
   if (status->program_digest != program->digest) return just_changed();
   auto found = reader::resolve_name(program->info, name);
@@ -101,7 +102,7 @@ Result<std::string> DdsCellControl::read(const std::string& name) {
   if (!place) return result::forward(place);
   const auto snapshot = source_.client().snapshot();
   if (!snapshot || snapshot->program_digest != place->program->digest)
-    return result::fail("D0001", {}, "no values of this program have arrived");
+    return result::fail(api::kNobodyAnswers, {}, "no values of this program have arrived");
   return reader::read_text(place->found.variable, snapshot->image);
 }
 
@@ -150,7 +151,7 @@ Result<void> DdsCellControl::write_together(const std::map<std::string, std::str
 
 Result<std::vector<api::ForcedPlace>> DdsCellControl::forced() {
   // Asked often, from where nobody waits for a runtime to come.
-  if (!source_.client().runtime_alive()) return result::fail("D0001", {}, "no runtime answers");
+  if (!source_.client().runtime_alive()) return result::fail(api::kNobodyAnswers, {}, "no runtime answers");
   auto forces = source_.client().forces();
   if (!forces) return result::forward(forces);
   std::vector<api::ForcedPlace> places;

@@ -5,6 +5,7 @@
 #include "programs/config/dds_options.h"
 #include "programs/hmi/runtime_word.h"
 #include "programs/hmi/sensor_tare.h"
+#include "programs/log/refused_samples.h"
 #include "runtime/bytecode/reader/document_text.h"
 #include "runtime/service/digest.h"
 
@@ -33,7 +34,8 @@ server::ImageSnapshot snapshot_of(dds::Snapshot snapshot) {
 
 result::Result<std::unique_ptr<DdsCellSource>> DdsCellSource::connect(const config::CellConfig& config,
                                                                       log::Logger& log) {
-  const dds::ParticipantConfig participant = config::participant_of(config.dds, "hmi");
+  dds::ParticipantConfig participant = config::participant_of(config.dds, "hmi");
+  participant.on_trouble = log::refused_samples(log);
   auto runtime = dds::RuntimeClient::connect(participant, dds::ClientRole::Viewer);
   if (!runtime) return result::forward(runtime);
   auto plans = dds::PlanSubscriber::create(participant);

@@ -68,7 +68,7 @@ int run(const config::CellConfig& config) {
 
   auto records = hmi::Recording::open(config, picture->synoptic, **log);
   if (!records) return fail(records.error(), ExitCode::BadInput);
-  auto watch = hmi::RuntimeWatch::connect(config, (*source)->runtime());
+  auto watch = hmi::RuntimeWatch::connect(config, (*source)->runtime(), **log);
   if (!watch) return fail(watch.error(), ExitCode::RuntimeFault);
   hmi::DdsCellControl control(**source);
   hmi::ProgramDesk program((*source)->running());

@@ -5,19 +5,22 @@
 
 #include "programs/config/dds_options.h"
 #include "programs/hmi/scan_report.h"
+#include "programs/log/refused_samples.h"
 
 namespace stepwright::hmi {
 
 result::Result<std::unique_ptr<RuntimeWatch>> RuntimeWatch::connect(const config::CellConfig& config,
-                                                                    const dds::RuntimeClient& own) {
+                                                                    const dds::RuntimeClient& own,
+                                                                    log::Logger& log) {
   auto self = std::make_unique<RuntimeWatch>();
   self->watched_.push_back({config.dds.runtime_id, &own});
   for (const std::string& id : config.hmi.metrics_of) {
     const bool known = std::any_of(self->watched_.begin(), self->watched_.end(),
                                    [&](const Watched& each) { return each.runtime == id; });
     if (known) continue;
-    auto client = dds::RuntimeClient::connect(config::participant_of(config.dds, "metrics", id),
-                                              dds::ClientRole::Viewer);
+    dds::ParticipantConfig participant = config::participant_of(config.dds, "metrics", id);
+    participant.on_trouble = log::refused_samples(log);
+    auto client = dds::RuntimeClient::connect(participant, dds::ClientRole::Viewer);
     if (!client) return result::forward(client);
     self->others_.push_back(std::move(*client));
     self->watched_.push_back({id, self->others_.back().get()});

@@ -11,6 +11,7 @@
 
 #include "hmi_web/api/cell_figures.h"
 #include "programs/config/cell_config.h"
+#include "programs/log/logger.h"
 #include "programs/metrics/metrics_text.h"
 #include "runtime/dds/runtime_client.h"
 #include "runtime/result/result.h"
@@ -19,10 +20,11 @@ namespace stepwright::hmi {
 
 class RuntimeWatch final : public api::CellFigures {
  public:
-  // Joins the domain once for each other runtime; nobody needs to be there yet. `own` outlives it. Fails with
-  // D0004 to D0006.
+  // Joins the domain once for each other runtime; nobody needs to be there yet. `own` and the log outlive it.
+  // Fails with D0004 to D0006.
   [[nodiscard]] static result::Result<std::unique_ptr<RuntimeWatch>> connect(const config::CellConfig& config,
-                                                                             const dds::RuntimeClient& own);
+                                                                             const dds::RuntimeClient& own,
+                                                                             log::Logger& log);
 
   std::string metrics() const;
   api::Answer scan() const override;

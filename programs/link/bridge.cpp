@@ -73,7 +73,7 @@ void Bridge::pass(const service::Message& message) {
   if (const auto* reply = std::get_if<service::Reply>(&message)) {
     endpoint_->publish_reply(*reply);
   } else if (const auto* event = std::get_if<host::StepEvent>(&message)) {
-    endpoint_->publish_event(status_.incarnation, *event);
+    endpoint_->publish_event(*event);
   } else if (const auto* status = std::get_if<host::RuntimeStatus>(&message)) {
     status_ = *status;
     heard_ = Clock::now();
@@ -107,9 +107,13 @@ void Bridge::publish_status() {
 
 void Bridge::publish_snapshot() {
   if (!connection_ || Clock::now() - snapshot_at_ < kSnapshotPeriod || !endpoint_->snapshot_wanted()) return;
+  if (heard_ == Clock::time_point{}) return;  // nothing says yet of which process it would be
   snapshot_at_ = Clock::now();
   // Repeated even when nothing moved: samples are best effort, and a viewer may just have come.
-  if (auto snapshot = connection_->snapshot()) endpoint_->publish_snapshot(*snapshot);
+  auto snapshot = connection_->snapshot();
+  if (!snapshot) return;
+  snapshot->incarnation = status_.incarnation;
+  endpoint_->publish_snapshot(std::move(*snapshot));
 }
 
 // Also without a runtime: its I/O may be there.

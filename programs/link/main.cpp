@@ -9,6 +9,7 @@
 #include "programs/link/bridge.h"
 #include "programs/link/device_watch.h"
 #include "programs/log/logger.h"
+#include "programs/log/refused_samples.h"
 #include "programs/log/reload_log.h"
 #include "programs/process/command_line.h"
 #include "programs/process/notify_socket.h"
@@ -28,7 +29,9 @@ int run(const config::CellConfig& config) {
   auto log = log::Logger::open("link", config.log);
   if (!log) return process::fail(log.error(), ExitCode::BadInput);
   config::CellConfig running = config;
-  auto endpoint = dds::LinkEndpoint::create(config::participant_of(config.dds, "link"));
+  dds::ParticipantConfig participant = config::participant_of(config.dds, "link");
+  participant.on_trouble = log::refused_samples(**log);
+  auto endpoint = dds::LinkEndpoint::create(participant);
   if (!endpoint) return process::fail(endpoint.error(), ExitCode::BadInput);
   const std::string between = "link of '" + config.name + "' between " + config.socket_path().string() +
                               " and Fast DDS domain " + std::to_string(config.dds.domain_id);

@@ -17,6 +17,7 @@
 #include "programs/config/dds_options.h"
 #include "programs/config/state_dir.h"
 #include "programs/log/logger.h"
+#include "programs/log/refused_samples.h"
 #include "programs/log/reload_log.h"
 #include "programs/process/command_line.h"
 #include "programs/process/notify_socket.h"
@@ -99,7 +100,8 @@ int attend(const config::CellConfig& config, bool once, Shared& shared) {
   if (auto made = config::claim_state_dir(config); !made) return fail(made.error(), ExitCode::BadInput);
   auto mission = supervisor_program::CellMission::open(config);
   if (!mission) return fail(mission.error(), ExitCode::BadInput);
-  const dds::ParticipantConfig participant = config::participant_of(config.dds, "supervisor");
+  dds::ParticipantConfig participant = config::participant_of(config.dds, "supervisor");
+  participant.on_trouble = log::refused_samples(shared.log);
   std::unique_lock joining(shared.joining);
   auto controller = run::DdsController::connect(participant);
   if (!controller) return fail(controller.error(), ExitCode::RuntimeFault);

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "programs/config/dds_options.h"
+#include "programs/log/refused_samples.h"
 #include "runtime/service/digest.h"
 
 namespace stepwright::vda5050_link {
@@ -30,7 +31,8 @@ std::string why_not_running(const std::optional<dds::RuntimeStatus>& status) {
 
 result::Result<std::unique_ptr<CellWatch>> CellWatch::connect(const config::CellConfig& config,
                                                               log::Logger& log) {
-  const dds::ParticipantConfig participant = config::participant_of(config.dds, "vda5050");
+  dds::ParticipantConfig participant = config::participant_of(config.dds, "vda5050");
+  participant.on_trouble = log::refused_samples(log);
   auto runtime = dds::RuntimeClient::connect(participant, dds::ClientRole::Viewer);
   if (!runtime) return result::forward(runtime);
   auto plans = dds::PlanSubscriber::create(participant);

@@ -7,20 +7,25 @@
 #include <utility>
 
 #include "runtime/dds/internal/claim.h"
-#include "runtime/dds/internal/convert.h"
+#include "runtime/dds/internal/message_endpoints.h"
 #include "runtime/dds/internal/namesakes.h"
-#include "runtime/dds/internal/participant.h"
 #include "runtime/dds/internal/request_queue.h"
+#include "runtime/dds/internal/socket_only.h"
 #include "runtime/dds/internal/topics.h"
 #include "runtime/dds/runtime_client.h"
-#include "runtime_typesPubSubTypes.h"
 
 namespace stepwright::dds {
 namespace {
 
 using namespace internal;
 
-constexpr std::size_t kMostProcessBytes = 256;
+service::Reply refusal_of(const service::Request& request, result::Diagnostics problems) {
+  service::Reply reply;
+  reply.client = request.client;
+  reply.id = request.id;
+  reply.problems = std::move(problems);
+  return reply;
+}
 
 }  // namespace
 
@@ -36,15 +41,11 @@ struct LinkEndpoint::State {
         health(*participant, kHealthTopic, Profile::Picture),
         beacon(*participant, kBeaconTopic, Profile::Picture, Scope::Domain),
         namesakes(*participant),
-        presence(
-            *participant, kPresenceTopic, Profile::Heartbeat, [this](idl::Presence& sample) { hear(sample); },
-            [this](bool) { notify(); }),
-        commands(*participant, kCommandTopic, Profile::Queue,
-                 [this](idl::Command& sample) { push(from_command(sample), sample.supervisor()); }),
-        chunks(*participant, kChunkTopic, Profile::Queue,
-               [this](idl::ProgramChunk& sample) { push(from_chunk(sample), sample.supervisor()); }),
-        extras(*participant, kExtraTopic, Profile::Queue,
-               [this](idl::ExtraCommand& sample) { push(from_extra(sample), sample.supervisor()); }) {}
+        presence(*participant, kPresenceTopic, Profile::Heartbeat,
+                 {.on_message = [this](const service::Presence& who) { hear(who); },
+                  .on_alive = [this](bool) { notify(); }}),
+        requests(*participant, kRequestTopic, Profile::Queue,
+                 {.on_message = [this](service::SentRequest sent) { push(std::move(sent)); }}) {}
 
   ~State() {
     if (wake >= 0) close(wake);
@@ -52,7 +53,7 @@ struct LinkEndpoint::State {
 
   bool ok() const {
     return wake >= 0 && replies.ok() && events.ok() && statuses.ok() && snapshots.ok() && health.ok() &&
-           beacon.ok() && namesakes.ok() && presence.ok() && commands.ok() && chunks.ok() && extras.ok();
+           beacon.ok() && namesakes.ok() && presence.ok() && requests.ok();
   }
 
   void notify() const {
@@ -61,35 +62,30 @@ struct LinkEndpoint::State {
     [[maybe_unused]] const ssize_t written = ::write(wake, &one, sizeof one);
   }
 
-  void push(std::optional<service::Request> request, bool supervisor) {
-    if (!request) return;
+  void push(service::SentRequest sent) {
     {
       const std::scoped_lock lock(mutex);
-      if (supervisor && !claim.admits(request->client, Claim::Clock::now())) {
-        if (refused.size() < kMaxQueuedRequests) refused.push_back(held_by_another(*request));
-      } else if (!queue.push(std::move(*request))) {
+      if (auto admitted = admit(sent); !admitted) {
+        if (refused.size() < kMaxQueuedRequests)
+          refused.push_back(refusal_of(sent.request, std::move(admitted.error())));
+      } else if (!queue.push(std::move(sent.request))) {
         return;
       }
     }
     notify();
   }
 
-  service::Reply held_by_another(const service::Request& request) const {
+  result::Result<void> admit(const service::SentRequest& sent) {
+    if (service::is_for_the_socket_only(sent.request.body)) return ask_on_the_socket();
+    if (!sent.supervisor || claim.admits(sent.request.client, Claim::Clock::now())) return {};
     const std::string holder = claim.holder().empty() ? "another supervisor" : claim.holder();
-    auto failed =
-        result::fail(kHeldByAnother, {}, "the runtime is driven by " + holder + ": nothing was changed",
-                     "one supervisor at a time: end that one first");
-    service::Reply reply;
-    reply.client = request.client;
-    reply.id = request.id;
-    reply.problems = std::move(failed.value());
-    return reply;
+    return result::fail(kHeldByAnother, {}, "the runtime is driven by " + holder + ": nothing was changed",
+                        "one supervisor at a time: end that one first");
   }
 
-  void hear(const idl::Presence& sample) {
-    if (sample.process().size() > kMostProcessBytes) return;
+  void hear(const service::Presence& who) {
     const std::scoped_lock lock(mutex);
-    claim.heard(sample.client(), sample.process(), Claim::Clock::now());
+    claim.heard(who.client, who.process, Claim::Clock::now());
   }
 
   std::unique_ptr<Participant> participant;
@@ -98,19 +94,17 @@ struct LinkEndpoint::State {
   std::mutex mutex;
   RequestQueue queue;
   Claim claim;
-  std::vector<service::Reply> refused;  // to supervisors that do not hold the runtime, until they are sent
-  Writer<idl::ReplyPubSubType> replies;
-  Writer<idl::EventPubSubType> events;
-  Writer<idl::StatusPubSubType> statuses;
-  Writer<idl::SnapshotPubSubType> snapshots;
-  Writer<idl::HealthPubSubType> health;
-  Writer<idl::BeaconPubSubType> beacon;
+  std::vector<service::Reply> refused;  // answers to what is refused here, until they are sent
+  MessageWriter<service::Reply> replies;
+  MessageWriter<StepEvent> events;
+  MessageWriter<service::LinkStatus> statuses;
+  MessageWriter<Snapshot> snapshots;
+  MessageWriter<RuntimeHealth> health;
+  MessageWriter<service::Beacon> beacon;
   Namesakes namesakes;
   // Last, so that they are silent before what their handlers use is gone.
-  Reader<idl::PresencePubSubType> presence;
-  Reader<idl::CommandPubSubType> commands;
-  Reader<idl::ProgramChunkPubSubType> chunks;
-  Reader<idl::ExtraCommandPubSubType> extras;
+  MessageReader<service::Presence> presence;
+  MessageReader<service::SentRequest> requests;
 };
 
 LinkEndpoint::LinkEndpoint(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -155,38 +149,32 @@ std::vector<std::string> LinkEndpoint::namesakes() const {
   return state_->namesakes.places(state_->place);
 }
 
-bool LinkEndpoint::publish_event(std::uint64_t incarnation, const StepEvent& event) {
-  auto sample = to_event(state_->participant->runtime_id(), incarnation, event);
-  return state_->events.write(sample);
+bool LinkEndpoint::publish_event(const StepEvent& event) {
+  return state_->events.write(event);
 }
 
 void LinkEndpoint::publish_reply(const service::Reply& reply) {
-  auto sample = to_reply(state_->participant->runtime_id(), reply);
-  state_->replies.write(sample);
+  state_->replies.write(reply);
 }
 
-void LinkEndpoint::publish_status(const RuntimeStatus& status, bool runtime_connected) {
-  auto sample = to_status(state_->participant->runtime_id(), status, runtime_connected);
-  state_->statuses.write(sample);
+// The details of the tasks travel with the health.
+void LinkEndpoint::publish_status(RuntimeStatus status, bool runtime_connected) {
+  status.task_details.clear();
+  state_->statuses.write({std::move(status), runtime_connected});
 }
 
-void LinkEndpoint::publish_snapshot(const Snapshot& snapshot) {
-  auto sample = to_snapshot(state_->participant->runtime_id(), snapshot);
-  state_->snapshots.write(sample);
+void LinkEndpoint::publish_snapshot(Snapshot snapshot) {
+  state_->snapshots.write(std::move(snapshot));
 }
 
 void LinkEndpoint::announce() {
-  idl::Beacon beacon;
-  beacon.runtime_id(state_->participant->runtime_id());
-  beacon.place(state_->place);
-  state_->beacon.write(beacon);
+  state_->beacon.write({state_->participant->runtime_id(), state_->place});
 }
 
 void LinkEndpoint::publish_health(RuntimeHealth health) {
   if (!state_->health.matched()) return;
   health.readers = state_->statuses.readers();
-  auto sample = to_health(state_->participant->runtime_id(), health);
-  state_->health.write(sample);
+  state_->health.write(std::move(health));
 }
 
 bool LinkEndpoint::snapshot_wanted() const {

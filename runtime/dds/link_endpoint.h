@@ -39,11 +39,11 @@ class LinkEndpoint {
   std::vector<std::string> namesakes() const;
 
   // False if the queue towards slow readers is full: then they fetch the event again.
-  bool publish_event(std::uint64_t incarnation, const StepEvent& event);
+  bool publish_event(const StepEvent& event);
   void publish_reply(const service::Reply& reply);
   // Also the heartbeat of the link: call it at least every 80 ms, or clients take the link for dead.
-  void publish_status(const RuntimeStatus& status, bool runtime_connected);
-  void publish_snapshot(const Snapshot& snapshot);
+  void publish_status(RuntimeStatus status, bool runtime_connected);
+  void publish_snapshot(Snapshot snapshot);
   // To all of the domain: this runtime is there, and where. Once a second is enough.
   void announce();
   // For people who look closely: once a second is enough. It adds who follows the runtime.

@@ -11,11 +11,11 @@
 // Threads: every function may be called from any thread; wait_event and wait_snapshot from one at a time
 // each. Requests block until the runtime answered or `kRequestTimeout` passed, downloads up to
 // `kDownloadTimeout`; they are resent meanwhile and carry ids, so that a link or a runtime that dies in
-// between never performs one twice. Diagnostics: D0001 no runtime answers, D0002 refused by the runtime in
-// its present state, D0003 the container was refused (the verifier's own diagnostics follow), D0004 request
-// out of bounds, D0005 Fast DDS could not start, D0006 an address that is none of this machine, D0008 the
-// link is of another version and does not carry this, D0009 another supervisor drives the runtime; R0009 of
-// the runtime (runtime/service/requests.h).
+// between never performs one twice. Diagnostics: D0001 no runtime answers, D0003 the runtime's program
+// arrived damaged, D0004 request out of bounds, D0005 Fast DDS could not start, D0006 an address that is none
+// of this machine, D0008 the link is of another version: nothing was sent, D0009 another supervisor drives
+// the runtime. What the runtime refuses has its codes (runtime/service/requests.h), a container those of the
+// verifier.
 
 #include <chrono>
 #include <cstddef>
@@ -77,14 +77,13 @@ class RuntimeClient {
   // Lets the simulated clock go on past the barrier of this and every earlier event.
   [[nodiscard]] result::Result<void> acknowledge(std::uint64_t event_sequence);
   // What names memory of a program goes to no other one: R0009 if another is loaded when it is carried out.
-  // D0008 if the link is of another version: nothing was sent then.
   [[nodiscard]] result::Result<void> force(const ForceRequest& request);
   [[nodiscard]] result::Result<void> unforce(const ProgramBits& place);
   [[nodiscard]] result::Result<void> write(const ProgramBits& place);
   // All parts between the same two scans, or none of them. D0004 with no part or more than
-  // host::kMaxBlockWrites, D0008 as above.
+  // host::kMaxBlockWrites.
   [[nodiscard]] result::Result<void> write(const BlockWrite& block);
-  // What is forced in the runtime now, whoever has forced it. D0008 as above.
+  // What is forced in the runtime now, whoever has forced it.
   [[nodiscard]] result::Result<Forces> forces();
   // A fault of the simulated plant, by the name that its plant model gives it.
   [[nodiscard]] result::Result<void> inject_fault(const std::string& name, double value);

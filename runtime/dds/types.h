@@ -4,10 +4,12 @@
 // field stands in runtime/host/messages.h: Fast DDS carries it unchanged.
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "runtime/host/messages.h"
+#include "runtime/result/diagnostic.h"
 
 namespace stepwright::dds {
 
@@ -25,6 +27,10 @@ using host::Snapshot;
 using host::StartOptions;
 using host::StepEvent;
 
+// A sample that was refused: of another version (D0008), malformed (R0005). Told from threads of Fast DDS, of
+// one topic at most once a minute each.
+using OnTrouble = std::function<void(const result::Diagnostic&)>;
+
 // Where a process meets the others of its cell.
 struct ParticipantConfig {
   std::uint32_t domain_id = 0;       // 0 to 232; every test its own
@@ -37,6 +43,8 @@ struct ParticipantConfig {
   // Where the runtime lives (machine and state folder): two of one name in a domain never meet, and are told
   // of each other. Empty: wherever it is.
   std::string place = {};
+  // For the log of the process; what it uses outlives the participant.
+  OnTrouble on_trouble = {};
 };
 
 enum class ClientRole : std::uint8_t {

@@ -1,8 +1,7 @@
 #pragma once
 
-// The bounds of everything that enters a runtime from outside. They hold on the service socket and on Fast
-// DDS alike (runtime/dds/idl/runtime_types.idl repeats them), and what exceeds one is refused before it is
-// copied.
+// The bounds of everything that enters a runtime from outside or leaves it. They hold on the service socket
+// and on Fast DDS alike.
 
 #include <cstddef>
 #include <cstdint>
@@ -15,6 +14,10 @@ inline constexpr std::size_t kMaxChunkBytes = 32u << 10;      // of a program in
 inline constexpr std::size_t kMaxPlantValues = 128;           // truth values of a simulated plant
 inline constexpr std::size_t kMaxNameBytes = 64;              // plant values, faults, runtime ids
 inline constexpr std::size_t kMaxPathBytes = 4'096;           // of a file that a runtime is to write
+inline constexpr std::size_t kMaxTextBytes = 4'096;           // a text of a diagnostic, detail of a status
+inline constexpr std::size_t kMaxProblems = 64;               // diagnostics in one reply
+inline constexpr std::size_t kMaxDevices = 64;                // devices of one cell
+inline constexpr std::size_t kMaxProcessBytes = 256;          // as a supervisor calls itself
 inline constexpr std::size_t kMaxReasonBytes = 200;           // why a runtime is stopped
 inline constexpr std::size_t kMaxBlockWrites = 2'048;         // parts of one write
 inline constexpr std::size_t kDigestLetters = 64;             // of a program's SHA-256 in hexadecimal

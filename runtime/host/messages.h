@@ -34,7 +34,7 @@ struct StepEvent {
   std::string detail;             // why it stopped or trapped; empty for a step change
   std::vector<std::byte> image;   // the complete image after that scan
   std::vector<NamedValue> plant;  // truth of the simulated plant at that instant, for reports only
-  std::uint64_t incarnation = 0;  // of the process it is of; 0 where it travels apart from the event
+  std::uint64_t incarnation = 0;  // of the process it is of; filled in by the service
 
   friend bool operator==(const StepEvent&, const StepEvent&) = default;
 };
@@ -135,7 +135,7 @@ struct Snapshot {
   std::string program_digest;
   std::vector<std::byte> image;
   std::vector<NamedValue> plant;
-  std::uint64_t incarnation = 0;  // as of an event
+  std::uint64_t incarnation = 0;  // of the process it is of; filled in by the link
 
   friend bool operator==(const Snapshot&, const Snapshot&) = default;
 };

@@ -1,7 +1,10 @@
 #pragma once
 
-// Messages as bytes: little-endian numbers, texts and lists behind their length. A frame is the length of the
-// message (32 bits), then the message: its kind (8 bits), then its fields in the order of their declaration.
+// Messages as bytes: the kind (8 bits), then its fields in the order of internal/message_fields.h. Numbers
+// are little-endian, texts and lists stand behind their length. A sample of Fast DDS holds one message; on
+// the socket a message is in a frame, behind its length (32 bits).
+//
+// Too long texts and lists are cut where that does no harm, as message_fields.h says.
 //
 // Whatever bytes come in, decode returns a message or a diagnostic; it never reads beyond them and never
 // takes more memory than they can stand for. Any thread.
@@ -16,10 +19,13 @@
 
 namespace stepwright::service {
 
-// Appends the frame of `message` to `out`. False, and nothing is appended, if it exceeds kMaxMessageBytes.
+// Appends `message` to `out`. False, and nothing is appended, if it exceeds kMaxMessageBytes or another
+// bound.
+[[nodiscard]] bool encode(const Message& message, std::vector<std::byte>& out);
+// The same with its frame.
 [[nodiscard]] bool encode_frame(const Message& message, std::vector<std::byte>& out);
 
-// The message of a frame's body. Fails with R0005.
+// The message that these bytes are. Fails with R0005.
 [[nodiscard]] result::Result<Message> decode(std::span<const std::byte> body);
 
 // Cuts a stream of bytes into frame bodies.

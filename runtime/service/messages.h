@@ -1,11 +1,13 @@
 #pragma once
 
-// Messages of the service socket, in either direction, one per frame. Plain values; any thread.
+// Every message that is exchanged with a runtime: on the service socket, in either direction, one per frame,
+// and between its link and the clients on Fast DDS, one per sample (link_messages.h). Plain values; any
+// thread.
 //
-// A client begins with Hello and is answered with Welcome (which brings the descriptor of the snapshot
-// memory). Whoever speaks another version is told that of the service by the Welcome, and nothing more. Then
-// it sends requests, and SupervisorLife if it stands for a supervisor; the service sends replies, every event
-// from the sequence on that Hello named, and the status at least every kStatusPeriod.
+// On the socket a client begins with Hello and is answered with Welcome (which brings the descriptor of the
+// snapshot memory). Whoever speaks another version is told that of the service by the Welcome, and nothing
+// more. Then it sends requests, and SupervisorLife if it stands for a supervisor; the service sends replies,
+// every event from the sequence on that Hello named, and the status at least every kStatusPeriod.
 
 #include <chrono>
 #include <cstddef>
@@ -15,11 +17,15 @@
 
 #include "runtime/host/limits.h"
 #include "runtime/host/messages.h"
+#include "runtime/service/health.h"
+#include "runtime/service/link_messages.h"
 #include "runtime/service/requests.h"
 
 namespace stepwright::service {
 
-inline constexpr std::uint32_t kProtocolVersion = 7;
+// Of the messages, wherever they travel: it changes with every change of a list of fields (codec.h) and of
+// what a field means. Nobody reads a message of another version.
+inline constexpr std::uint32_t kProtocolVersion = 8;
 // Of one message without its frame: the largest event, or a reply full of diagnostics.
 inline constexpr std::size_t kMaxMessageBytes = host::kMaxImageBytes + (64u << 10);
 inline constexpr std::chrono::milliseconds kStatusPeriod{100};
@@ -47,7 +53,9 @@ struct SupervisorLife {
   bool alive = false;
 };
 
+// In the order of their kinds on the wire. Those of the socket first; the others have no place there.
 using Message =
-    std::variant<Hello, Welcome, SupervisorLife, Request, Reply, host::StepEvent, host::RuntimeStatus>;
+    std::variant<Hello, Welcome, SupervisorLife, Request, Reply, host::StepEvent, host::RuntimeStatus,
+                 SentRequest, LinkStatus, host::Snapshot, RuntimeHealth, Presence, Beacon>;
 
 }  // namespace stepwright::service

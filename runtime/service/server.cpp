@@ -55,6 +55,7 @@ struct Server::State {
         supervisor(config.supervisor_lost_after),
         greeting_within(config.greeting_within),
         keeper(config.keeper),
+        incarnation(p.status().incarnation),
         program(p.status().program_digest),
         process(config.version),
         observer(config.observer == nullptr ? nobody : *config.observer) {}
@@ -86,6 +87,7 @@ struct Server::State {
   SupervisorWatch supervisor;
   milliseconds greeting_within;
   ProgramKeeper* keeper;
+  const std::uint64_t incarnation;
   std::string program;  // its digest, as it was last looked at
   ProcessWatch process;
   ServiceObserver nobody;
@@ -197,6 +199,7 @@ void Server::State::take_news() try {
   port.clear();
   bool completed = false;
   while (auto event = port.take_event()) {
+    event->incarnation = incarnation;
     observer.on_event(*event);
     // A rollback brings a program that no command has loaded.
     completed = completed || event->kind == host::EventKind::RolledBack;

@@ -58,10 +58,10 @@ async function showsDevicesAndTopics(page) {
     const text = document.querySelector('[data-device=pumps]')?.innerText ?? '';
     return /\blost\b/.test(text) && text.includes('never') && text.includes('newest: ');
   });
-  const received = () => page.locator('[data-topic="stepwright/status/2"] [data-figure=received]').innerText();
+  const received = () => page.locator('[data-topic="stepwright/status/3"] [data-figure=received]').innerText();
   const before = Number((await received()).replaceAll(',', ''));
   await waitFor(page, 'samples are counted', (least) =>
-    Number(document.querySelector('[data-topic="stepwright/status/2"] [data-figure=received]').innerText.replaceAll(',', '')) > least, before);
+    Number(document.querySelector('[data-topic="stepwright/status/3"] [data-figure=received]').innerText.replaceAll(',', '')) > least, before);
   check(Number(await page.getByTestId('followers').innerText()) >= 1, 'the link knows that it is followed');
 }
 

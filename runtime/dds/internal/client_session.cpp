@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "runtime/dds/internal/convert.h"
+#include "runtime/dds/internal/socket_only.h"
 #include "runtime/dds/internal/topics.h"
 
 namespace stepwright::dds::internal {
@@ -14,9 +14,6 @@ using namespace std::chrono_literals;
 constexpr std::chrono::milliseconds kResendPeriod{200};
 // An event that the status already names is usually on its way: give it this long before asking for it.
 constexpr std::chrono::milliseconds kEventGrace{30};
-// Within which the endpoints of a link that has just come are all found.
-constexpr std::chrono::milliseconds kExtraGrace{1'000};
-constexpr std::chrono::milliseconds kExtraLook{5};
 // Within which a supervisor that was killed is known to be gone, and how often its successor asks.
 constexpr std::chrono::milliseconds kClaimPatience{2'000};
 constexpr std::chrono::milliseconds kClaimPause{100};
@@ -30,49 +27,40 @@ ClientSession::ClientSession(std::unique_ptr<Participant> participant, ClientRol
       supervises_(role == ClientRole::Supervisor),
       requests_(client),
       namesakes_(*participant_),
-      commands_(*participant_, kCommandTopic, Profile::Queue),
-      chunks_(*participant_, kChunkTopic, Profile::Queue),
-      extras_(*participant_, kExtraTopic, Profile::Queue),
+      sent_requests_(*participant_, kRequestTopic, Profile::Queue),
       reply_reader_(*participant_, kReplyTopic, Profile::Queue,
-                    [this](idl::Reply& sample) {
-                      auto reply = from_reply(sample);
-                      if (!reply) return reply_reader_.refuse();
-                      requests_.answer(std::move(*reply));
-                    }),
+                    {.on_message = [this](service::Reply reply) { requests_.answer(std::move(reply)); }}),
       event_reader_(*participant_, kEventTopic, Profile::Queue,
-                    [this](idl::Event& sample) { on_event(sample); }),
+                    {.on_message = [this](StepEvent event) { on_event(std::move(event)); }}),
       snapshot_reader_(*participant_, kSnapshotTopic, Profile::Picture,
-                       [this](idl::Snapshot& sample) { on_snapshot(sample); }),
+                       {.on_message = [this](Snapshot snapshot) { on_snapshot(std::move(snapshot)); }}),
       health_reader_(*participant_, kHealthTopic, Profile::Picture,
-                     [this](idl::Health& sample) { on_health(sample); }),
-      status_reader_(
-          *participant_, kStatusTopic, Profile::Heartbeat, [this](idl::Status& sample) { on_status(sample); },
-          [this](bool) { news_.notify_all(); }) {
+                     {.on_message = [this](RuntimeHealth health) { on_health(std::move(health)); }}),
+      status_reader_(*participant_, kStatusTopic, Profile::Heartbeat,
+                     {.on_message = [this](service::LinkStatus news) { on_status(std::move(news)); },
+                      .on_alive = [this](bool) { news_.notify_all(); },
+                      .on_other_version = [this](std::uint32_t version) { on_other_version(version); }}) {
   if (role != ClientRole::Supervisor) return;
   presence_ =
-      std::make_unique<Writer<idl::PresencePubSubType>>(*participant_, kPresenceTopic, Profile::Heartbeat);
+      std::make_unique<MessageWriter<service::Presence>>(*participant_, kPresenceTopic, Profile::Heartbeat);
   if (!presence_->ok()) return;
   heart_ =
       std::jthread([this, process, client](const std::stop_token& stop) { beat(stop, process, client); });
 }
 
 void ClientSession::beat(const std::stop_token& stop, const std::string& process, std::uint64_t client) {
-  idl::Presence sample;
-  sample.runtime_id(participant_->runtime_id());
-  sample.process(process);
-  sample.client(client);
   std::mutex mutex;
   std::condition_variable_any never;
   std::unique_lock lock(mutex);
   while (!stop.stop_requested()) {
-    presence_->write(sample);
+    presence_->write({process, client});
     never.wait_for(lock, stop, kHeartbeatPeriod, [] { return false; });
   }
 }
 
 bool ClientSession::ok() const {
-  return namesakes_.ok() && commands_.ok() && chunks_.ok() && extras_.ok() && reply_reader_.ok() &&
-         event_reader_.ok() && snapshot_reader_.ok() && health_reader_.ok() && status_reader_.ok() &&
+  return namesakes_.ok() && sent_requests_.ok() && reply_reader_.ok() && event_reader_.ok() &&
+         snapshot_reader_.ok() && health_reader_.ok() && status_reader_.ok() &&
          (presence_ == nullptr || presence_->ok());
 }
 
@@ -83,14 +71,16 @@ bool ClientSession::runtime_alive() const {
 
 bool ClientSession::wait_for_runtime(std::chrono::milliseconds timeout) {
   std::unique_lock lock(mutex_);
-  return news_.wait_for(lock, timeout, [this] {
-    return runtime_connected_ && events_.started() && status_reader_.alive() && commands_.matched();
-  });
+  return news_.wait_for(lock, timeout, [this] { return reachable(); });
+}
+
+bool ClientSession::reachable() const {
+  return runtime_connected_ && events_.started() && status_reader_.alive() && sent_requests_.matched();
 }
 
 // A supervisor that is gone is noticed a moment later: whoever comes in its place asks again.
 result::Result<service::Reply> ClientSession::ask(service::RequestBody body) {
-  if (!travels(body)) return result::fail("R0002", {}, "this is asked on the socket of the runtime only");
+  if (service::is_for_the_socket_only(body)) return ask_on_the_socket();
   const auto deadline = Clock::now() + kClaimPatience;
   while (true) {
     auto reply = ask_once(body);
@@ -98,6 +88,15 @@ result::Result<service::Reply> ClientSession::ask(service::RequestBody body) {
     if (!held || Clock::now() >= deadline) return reply;
     std::this_thread::sleep_for(kClaimPause);
   }
+}
+
+tl::unexpected<result::Diagnostics> ClientSession::other_version() const {
+  return result::fail(kOtherVersion, {},
+                      "the link of '" + participant_->runtime_id() + "' speaks version " +
+                          std::to_string(other_version_.value_or(0)) +
+                          " of the protocol, and this program version " +
+                          std::to_string(service::kProtocolVersion) + ": nothing was sent",
+                      "start both with the same version of Stepwright");
 }
 
 tl::unexpected<result::Diagnostics> ClientSession::nobody_answers() const {
@@ -113,11 +112,11 @@ tl::unexpected<result::Diagnostics> ClientSession::nobody_answers() const {
 result::Result<service::Reply> ClientSession::ask_once(const service::RequestBody& body) {
   const auto deadline = Clock::now() + kRequestTimeout;
   // Where this client's events start must be known before it causes any.
-  if (!wait_for_runtime(kRequestTimeout)) return nobody_answers();
-  if (link_is_older(body)) {
-    return result::fail("D0008", {},
-                        "the link of '" + participant_->runtime_id() + "' does not carry this request",
-                        "it is of another version: start both with the same one");
+  {
+    std::unique_lock lock(mutex_);
+    news_.wait_for(lock, kRequestTimeout, [this] { return reachable() || link_is_of_another_version(); });
+    if (link_is_of_another_version()) return other_version();
+    if (!reachable()) return nobody_answers();
   }
   const auto longest =
       std::holds_alternative<service::DownloadCommit>(body) ? Clock::now() + kDownloadTimeout : deadline;
@@ -136,29 +135,8 @@ result::Result<service::Reply> ClientSession::ask_once(const service::RequestBod
   return std::move(*reply);
 }
 
-// Endpoints of one process are found one after another: that the extra one is missing means something only
-// some time after the others were found.
-bool ClientSession::link_is_older(const service::RequestBody& body) const {
-  if (!is_extra(body)) return false;
-  const auto deadline = Clock::now() + kExtraGrace;
-  while (!extras_.matched() && Clock::now() < deadline) std::this_thread::sleep_for(kExtraLook);
-  return !extras_.matched();
-}
-
 bool ClientSession::send(const service::Request& request) {
-  if (is_extra(request.body)) {
-    auto sample = to_extra(participant_->runtime_id(), request);
-    sample.supervisor(supervises_);
-    return extras_.write(sample);
-  }
-  if (std::holds_alternative<service::DownloadChunk>(request.body)) {
-    auto sample = to_chunk(participant_->runtime_id(), request);
-    sample.supervisor(supervises_);
-    return chunks_.write(sample);
-  }
-  auto sample = to_command(participant_->runtime_id(), request);
-  sample.supervisor(supervises_);
-  return commands_.write(sample);
+  return sent_requests_.write({request, supervises_});
 }
 
 std::optional<StepEvent> ClientSession::wait_event(std::chrono::milliseconds timeout) {
@@ -198,46 +176,46 @@ void ClientSession::fetch_missing(std::unique_lock<std::mutex>& lock) {
   if (reply && reply->accepted()) events_.skip_to(reply->offset);
 }
 
-void ClientSession::on_status(const idl::Status& sample) {
-  auto status = from_status(sample);
-  if (!status) return status_reader_.refuse();
+void ClientSession::on_status(service::LinkStatus news) {
   {
     const std::scoped_lock lock(mutex_);
-    runtime_connected_ = sample.runtime_connected();
+    other_version_.reset();
+    runtime_connected_ = news.runtime_connected;
     if (runtime_connected_) {
-      events_.observe(*status);
-      status_ = std::move(status);
+      events_.observe(news.status);
+      status_ = std::move(news.status);
     }
   }
   news_.notify_all();
 }
 
-void ClientSession::on_event(const idl::Event& sample) {
-  auto event = from_event(sample);
-  if (!event) return event_reader_.refuse();
-  event->incarnation = sample.incarnation();
+void ClientSession::on_other_version(std::uint32_t version) {
   {
     const std::scoped_lock lock(mutex_);
-    events_.add(sample.incarnation(), std::move(*event));
+    other_version_ = version;
+    runtime_connected_ = false;
   }
   news_.notify_all();
 }
 
-void ClientSession::on_snapshot(const idl::Snapshot& sample) {
-  auto snapshot = from_snapshot(sample);
-  if (!snapshot) return snapshot_reader_.refuse();
+void ClientSession::on_event(StepEvent event) {
   {
     const std::scoped_lock lock(mutex_);
-    if (status_) snapshot->incarnation = status_->incarnation;
+    events_.add(std::move(event));
+  }
+  news_.notify_all();
+}
+
+void ClientSession::on_snapshot(Snapshot snapshot) {
+  {
+    const std::scoped_lock lock(mutex_);
     snapshot_ = std::move(snapshot);
     snapshot_is_new_ = true;
   }
   snapshot_news_.notify_all();
 }
 
-void ClientSession::on_health(const idl::Health& sample) {
-  auto health = from_health(sample);
-  if (!health) return health_reader_.refuse();
+void ClientSession::on_health(RuntimeHealth health) {
   const std::scoped_lock lock(mutex_);
   health_ = std::move(health);
 }

@@ -16,13 +16,11 @@
 #include <thread>
 #include <vector>
 
-#include "runtime/dds/internal/convert.h"
 #include "runtime/dds/internal/event_order.h"
+#include "runtime/dds/internal/message_endpoints.h"
 #include "runtime/dds/internal/namesakes.h"
-#include "runtime/dds/internal/participant.h"
 #include "runtime/dds/internal/request_table.h"
 #include "runtime/dds/runtime_client.h"
-#include "runtime_typesPubSubTypes.h"
 
 namespace stepwright::dds::internal {
 
@@ -48,14 +46,18 @@ class ClientSession {
  private:
   using Clock = std::chrono::steady_clock;
 
-  void on_status(const idl::Status& sample);
-  void on_event(const idl::Event& sample);
-  void on_snapshot(const idl::Snapshot& sample);
-  void on_health(const idl::Health& sample);
+  void on_status(service::LinkStatus news);
+  void on_other_version(std::uint32_t version);
+  void on_event(StepEvent event);
+  void on_snapshot(Snapshot snapshot);
+  void on_health(RuntimeHealth health);
   bool send(const service::Request& request);
+  // These two with the lock held.
+  bool reachable() const;
+  bool link_is_of_another_version() const { return other_version_ && status_reader_.alive(); }
   [[nodiscard]] result::Result<service::Reply> ask_once(const service::RequestBody& body);
   tl::unexpected<result::Diagnostics> nobody_answers() const;
-  bool link_is_older(const service::RequestBody& body) const;
+  tl::unexpected<result::Diagnostics> other_version() const;
   // Says until it is stopped that this supervisor lives.
   void beat(const std::stop_token& stop, const std::string& process, std::uint64_t client);
   // Asks for missing events, at most every `kResendPeriod`, and learns what the runtime has forgotten.
@@ -70,6 +72,7 @@ class ClientSession {
   mutable std::mutex mutex_;
   std::condition_variable news_;
   bool runtime_connected_ = false;
+  std::optional<std::uint32_t> other_version_;  // of the newest status, if it could not be read
   std::optional<RuntimeStatus> status_;
   std::optional<Snapshot> snapshot_;
   bool snapshot_is_new_ = false;  // nobody has waited for it
@@ -79,17 +82,15 @@ class ClientSession {
   std::uint64_t fetch_id_ = 0;  // the open ResendEvents request, 0 = none
   Clock::time_point fetch_at_{};
 
-  Writer<idl::CommandPubSubType> commands_;
-  Writer<idl::ProgramChunkPubSubType> chunks_;
-  Writer<idl::ExtraCommandPubSubType> extras_;
-  std::unique_ptr<Writer<idl::PresencePubSubType>> presence_;  // a supervisor only
-  std::jthread heart_;                                         // writes it
+  MessageWriter<service::SentRequest> sent_requests_;
+  std::unique_ptr<MessageWriter<service::Presence>> presence_;  // a supervisor only
+  std::jthread heart_;                                          // writes it
   // Last, so that they are silent before what their handlers use is gone.
-  Reader<idl::ReplyPubSubType> reply_reader_;
-  Reader<idl::EventPubSubType> event_reader_;
-  Reader<idl::SnapshotPubSubType> snapshot_reader_;
-  Reader<idl::HealthPubSubType> health_reader_;
-  Reader<idl::StatusPubSubType> status_reader_;
+  MessageReader<service::Reply> reply_reader_;
+  MessageReader<StepEvent> event_reader_;
+  MessageReader<Snapshot> snapshot_reader_;
+  MessageReader<RuntimeHealth> health_reader_;
+  MessageReader<service::LinkStatus> status_reader_;
 };
 
 }  // namespace stepwright::dds::internal

@@ -17,8 +17,8 @@ void EventOrder::observe(const RuntimeStatus& status) {
   newest_ = std::max(newest_, status.last_event);
 }
 
-void EventOrder::add(std::uint64_t incarnation, StepEvent event) {
-  if (!started_ || incarnation != incarnation_ || event.sequence < next_) return;
+void EventOrder::add(StepEvent event) {
+  if (!started_ || event.incarnation != incarnation_ || event.sequence < next_) return;
   newest_ = std::max(newest_, event.sequence);
   if (held_.size() < kMaxHeld || event.sequence == next_) held_.emplace(event.sequence, std::move(event));
 }

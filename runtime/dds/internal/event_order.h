@@ -25,7 +25,7 @@ class EventOrder {
   // event.
   void observe(const RuntimeStatus& status);
   // An event that arrived; one of another incarnation than the status named is dropped.
-  void add(std::uint64_t incarnation, StepEvent event);
+  void add(StepEvent event);
   // The next event in order.
   std::optional<StepEvent> take();
   // The first sequence that is known to exist and has not arrived.

@@ -10,8 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/dds/internal/participant.h"
-#include "runtime_typesPubSubTypes.h"
+#include "runtime/dds/internal/message_endpoints.h"
 
 namespace stepwright::dds::internal {
 
@@ -26,12 +25,12 @@ class Namesakes {
 
  private:
   using Clock = std::chrono::steady_clock;
-  void on_beacon(const idl::Beacon& sample);
+  void on_beacon(const service::Beacon& beacon);
 
   const std::string runtime_id_;
   mutable std::mutex mutex_;
   std::map<std::string, Clock::time_point> heard_;
-  Reader<idl::BeaconPubSubType> beacons_;  // last: silent before what it writes to is gone
+  MessageReader<service::Beacon> beacons_;  // last: silent before what it writes to is gone
 };
 
 }  // namespace stepwright::dds::internal

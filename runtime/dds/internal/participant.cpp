@@ -96,7 +96,7 @@ result::Result<std::unique_ptr<Participant>> Participant::create(const Participa
                         "1 to 64 letters, digits, '_', '-' and '.'");
   }
   if (auto usable = check_addresses(config); !usable) return result::forward(usable);
-  std::unique_ptr<Participant> self(new Participant());
+  std::unique_ptr<Participant> self(new Participant(config.on_trouble));
   self->runtime_id_ = config.runtime_id;
   // A profile file in the working folder must not change how a cell communicates.
   self->participant_ = create_lowest(config);

@@ -26,6 +26,7 @@
 
 #include "runtime/dds/health.h"
 #include "runtime/dds/internal/qos.h"
+#include "runtime/dds/internal/trouble.h"
 #include "runtime/dds/types.h"
 #include "runtime/result/result.h"
 
@@ -45,17 +46,20 @@ class Participant {
   Participant& operator=(const Participant&) = delete;
 
   const std::string& runtime_id() const { return runtime_id_; }
+  // Whom readers tell of samples that they refuse.
+  Trouble& trouble() { return trouble_; }
   // The topic, created on first use; null if Fast DDS refuses.
   fdds::Topic* topic(const char* name, const fdds::TypeSupport& type);
   fdds::Publisher* publisher(Scope scope) const { return publishers_[static_cast<std::size_t>(scope)]; }
   fdds::Subscriber* subscriber(Scope scope) const { return subscribers_[static_cast<std::size_t>(scope)]; }
 
  private:
-  Participant() = default;
+  explicit Participant(OnTrouble on_trouble) : trouble_(std::move(on_trouble)) {}
   fdds::DomainParticipant* participant_ = nullptr;
   std::array<fdds::Publisher*, 2> publishers_{};  // by scope
   std::array<fdds::Subscriber*, 2> subscribers_{};
   std::string runtime_id_;
+  Trouble trouble_;
 };
 
 // A writer of samples of the generated type `PubSubType::type`.

@@ -20,9 +20,9 @@ inline constexpr std::chrono::milliseconds kHeartbeatPeriod{80};
 inline constexpr std::chrono::milliseconds kHeartbeatLease{300};
 
 enum class Profile {
-  Queue,  // Command, ProgramChunk, Reply, Event, OperatorRequest, OperatorAnswer: reliable, a bounded queue
-  Heartbeat,  // Status, Presence: best effort, newest only; each sample says that its writer lives
-  Picture,    // Snapshot: best effort, newest only, large
+  Queue,      // requests, replies, events, OperatorRequest, OperatorAnswer: reliable, a bounded queue
+  Heartbeat,  // status, presence: best effort, newest only; each sample says that its writer lives
+  Picture,    // snapshot, health, beacon: best effort, newest only, large
   Document,   // PlanDocument, on three topics: reliable, the newest one also for those who join late
 };
 

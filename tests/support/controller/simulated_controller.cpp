@@ -129,7 +129,7 @@ result::Result<std::string> SimulatedController::change(std::span<const std::byt
 }
 
 result::Result<void> SimulatedController::start(bool) {
-  if (!loaded_ || killed_) return result::fail("D0002", {}, "there is no program");
+  if (!loaded_ || killed_) return result::fail("R0002", {}, "no program is loaded");
   loaded_->cycle().start(next_start_);
   loaded_->last_steps = loaded_->steps();
   push_event(host::EventKind::Started, {});
@@ -153,7 +153,7 @@ result::Result<void> SimulatedController::acknowledge(std::uint64_t event_sequen
 }
 
 result::Result<std::vector<std::byte>> SimulatedController::program() {
-  if (!loaded_) return result::fail("D0002", {}, "there is no program");
+  if (!loaded_) return result::fail("R0002", {}, "no program is loaded");
   const auto bytes = loaded_->program->loaded().bytes();
   return std::vector<std::byte>(bytes.begin(), bytes.end());
 }

@@ -126,6 +126,16 @@ TEST_F(ForceDeskTest, WhenTheProgramHasNoSuchVariableAnyMore_ThenTheEntryGoes) {
   EXPECT_EQ(listed(), 0u);
 }
 
+// Not that of a program that has just changed, after which one asks again at once.
+TEST_F(ForceDeskTest, WhenAsMuchIsForcedAsARuntimeTakes_ThenThatHasACodeOfItsOwn) {
+  for (std::size_t i = 0; i < kMostForces; ++i)
+    ASSERT_TRUE(desk_->force({"V" + std::to_string(i), "TRUE", 1min, "ada", "test"}));
+  const auto refused = desk_->force({"A", "TRUE", 1min, "ada", "test"});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().front().code, "H0068");
+  EXPECT_EQ(listed(), kMostForces);
+}
+
 TEST_F(ForceDeskTest, WhenForcingFails_ThenNothingIsListed) {
   cell_.fail_with("D0002");
   EXPECT_FALSE(desk_->force({"A", "TRUE", 1min, "ada", "test"}));
@@ -180,6 +190,19 @@ TEST_F(ForceDeskTest, WhenTheLinkCannotTell_ThenOursStayAndEndInTime) {
   for (int i = 0; i < 3; ++i) desk_->look();
   EXPECT_EQ(listed(), 1u);
   now_ = 1'120s;
+  desk_->look();
+  EXPECT_EQ(listed(), 0u);
+  EXPECT_EQ(cell_.asked().back(), "unforce A");
+}
+
+// Nothing was sent to it, so the force stands.
+TEST_F(ForceDeskTest, WhenTheLinkIsOfAnotherVersionAtTheEnd_ThenTheForceIsReleasedOnceOneOfOursIsThere) {
+  ASSERT_TRUE(desk_->force({"A", "TRUE", 2min, "ada", "test"}));
+  now_ = 1'120s;
+  cell_.fail_with("D0008");
+  desk_->look();
+  EXPECT_EQ(listed(), 1u);
+  cell_.fail_with("");
   desk_->look();
   EXPECT_EQ(listed(), 0u);
   EXPECT_EQ(cell_.asked().back(), "unforce A");

@@ -76,7 +76,7 @@ TEST(ScanReport, WhenDevicesAndTopicsAreKnown_ThenTheyAreTold) {
   runtime.health->devices = {
       {"valves", "10.0.0.2:502", 7, true, false, "", 100, 2, 0, 0, 1, 1.5, 2.5, 3.5, 40},
       {"pumps", "10.0.0.3:502", 8, false, true, "timed out", 9, 9, 0, 0, 1, 0, 0, 0, -1}};
-  runtime.traffic = {{"stepwright/status/2", 1, 50, 0, 2, 0.05}, {"stepwright/event/1", 0, 0, 0, 0, -1.0}};
+  runtime.traffic = {{"stepwright/status/3", 1, 50, 0, 2, 0.05}, {"stepwright/event/3", 0, 0, 0, 0, -1.0}};
   const json said = report(runtime);
   EXPECT_EQ(said["io"]["kind"], "modbus");
   EXPECT_EQ(said["io"]["devices"][0]["answer_age_ms"], 40);

@@ -13,8 +13,9 @@ RuntimeStatus status(std::uint64_t incarnation, std::uint64_t last_event, bool w
   return status;
 }
 
-StepEvent event(std::uint64_t sequence) {
+StepEvent event(std::uint64_t sequence, std::uint64_t incarnation = 1) {
   StepEvent event;
+  event.incarnation = incarnation;
   event.sequence = sequence;
   return event;
 }
@@ -22,7 +23,7 @@ StepEvent event(std::uint64_t sequence) {
 TEST(EventOrder, WhenEventsComeOutOfOrderAndTwice_ThenTheyLeaveInOrderOnce) {
   EventOrder order;
   order.observe(status(1, 0));
-  for (const std::uint64_t sequence : {2u, 1u, 2u, 3u, 1u}) order.add(1, event(sequence));
+  for (const std::uint64_t sequence : {2u, 1u, 2u, 3u, 1u}) order.add(event(sequence));
   for (const std::uint64_t sequence : {1u, 2u, 3u}) {
     const auto next = order.take();
     ASSERT_TRUE(next);
@@ -34,10 +35,10 @@ TEST(EventOrder, WhenEventsComeOutOfOrderAndTwice_ThenTheyLeaveInOrderOnce) {
 TEST(EventOrder, WhenClientJoinsLate_ThenItStartsAfterTheNewestEvent) {
   EventOrder order;
   order.observe(status(1, 10));
-  order.add(1, event(10));
+  order.add(event(10));
   EXPECT_FALSE(order.take());
   EXPECT_FALSE(order.missing());
-  order.add(1, event(11));
+  order.add(event(11));
   EXPECT_EQ(order.take()->sequence, 11u);
 }
 
@@ -50,22 +51,22 @@ TEST(EventOrder, WhenClientJoinsWhileRuntimeWaits_ThenItStartsWithThePendingEven
 TEST(EventOrder, WhenStatusNamesAnEventThatNeverCame_ThenItIsMissing) {
   EventOrder order;
   order.observe(status(1, 0));
-  order.add(1, event(1));
+  order.add(event(1));
   order.observe(status(1, 3));
   EXPECT_FALSE(order.missing());
   order.take();
   EXPECT_EQ(order.missing(), 2u);
-  order.add(1, event(3));
+  order.add(event(3));
   EXPECT_EQ(order.missing(), 2u);
 }
 
 TEST(EventOrder, WhenRuntimeForgotEvents_ThenTheyAreSkipped) {
   EventOrder order;
   order.observe(status(1, 0));
-  order.add(1, event(9));
+  order.add(event(9));
   order.skip_to(8);
   EXPECT_EQ(order.missing(), 8u);
-  order.add(1, event(8));
+  order.add(event(8));
   EXPECT_EQ(order.take()->sequence, 8u);
   EXPECT_EQ(order.take()->sequence, 9u);
 }
@@ -73,11 +74,11 @@ TEST(EventOrder, WhenRuntimeForgotEvents_ThenTheyAreSkipped) {
 TEST(EventOrder, WhenRuntimeRestarts_ThenItsEventsStartAnewAndOldOnesAreDropped) {
   EventOrder order;
   order.observe(status(1, 5));
-  order.add(1, event(6));
+  order.add(event(6));
   order.observe(status(2, 1));
-  order.add(1, event(7));
+  order.add(event(7));
   EXPECT_EQ(order.missing(), 1u);
-  order.add(2, event(1));
+  order.add(event(1, 2));
   EXPECT_EQ(order.take()->sequence, 1u);
   EXPECT_FALSE(order.take());
 }
@@ -85,8 +86,8 @@ TEST(EventOrder, WhenRuntimeRestarts_ThenItsEventsStartAnewAndOldOnesAreDropped)
 TEST(EventOrder, WhenNobodyTakesEvents_ThenTheNumberHeldIsBounded) {
   EventOrder order;
   order.observe(status(1, 0));
-  for (std::uint64_t i = 2; i < 3 * EventOrder::kMaxHeld; ++i) order.add(1, event(i));
-  order.add(1, event(1));
+  for (std::uint64_t i = 2; i < 3 * EventOrder::kMaxHeld; ++i) order.add(event(i));
+  order.add(event(1));
   std::size_t taken = 0;
   while (order.take()) ++taken;
   EXPECT_EQ(taken, EventOrder::kMaxHeld + 1);

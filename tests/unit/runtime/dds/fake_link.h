@@ -21,9 +21,10 @@ class FakeLink {
   using Handler = std::function<std::optional<service::Reply>(const service::Request&)>;
 
   FakeLink(std::uint32_t domain, Handler handler, const std::string& runtime_id = test_runtime_id(),
-           const std::string& place = {})
+           const std::string& place = {}, const OnTrouble& on_trouble = {})
       : handler_(std::move(handler)),
-        endpoint_(*LinkEndpoint::create({domain, "fake_link", runtime_id, {"127.0.0.1"}, {}, place})) {
+        endpoint_(
+            *LinkEndpoint::create({domain, "fake_link", runtime_id, {"127.0.0.1"}, {}, place, on_trouble})) {
     status_.incarnation = 7;
     thread_ = std::thread([this] { run(); });
   }

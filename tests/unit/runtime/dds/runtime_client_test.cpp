@@ -46,7 +46,7 @@ StepEvent event(std::uint64_t sequence) {
   event.detail = "why";
   event.image = {std::byte{1}, std::byte{2}};
   event.plant = {{"level", 0.5}};
-  event.incarnation = 7;  // of the fake link's runtime, which is told beside it
+  event.incarnation = 7;  // of the fake link's runtime
   return event;
 }
 
@@ -166,15 +166,15 @@ TEST(RuntimeClient, WhenAnEventIsLost_ThenItIsFetchedAgainAndOrderIsKept) {
     Reply reply;
     if (const auto* resend = std::get_if<service::ResendEvents>(&request.body)) {
       reply.offset = resend->first;
-      for (std::uint64_t i = resend->first; i <= 4; ++i) link_pointer->endpoint().publish_event(7, event(i));
+      for (std::uint64_t i = resend->first; i <= 4; ++i) link_pointer->endpoint().publish_event(event(i));
     }
     return reply;
   });
   link_pointer = &link;
   auto client = client_of(36);
   ASSERT_TRUE(client->wait_for_runtime(kPatience));
-  link.endpoint().publish_event(7, event(1));
-  link.endpoint().publish_event(7, event(4));
+  link.endpoint().publish_event(event(1));
+  link.endpoint().publish_event(event(4));
   link.change_status([](RuntimeStatus& status) { status.last_event = 4; });
   for (std::uint64_t i = 1; i <= 4; ++i) {
     const auto received = client->wait_event(kPatience);
@@ -191,7 +191,7 @@ TEST(RuntimeClient, WhenImagesAreAsLargeAsTheyCanBe_ThenEventsArriveWhole) {
     StepEvent large = event(i);
     large.image.resize(host::kMaxImageBytes);
     large.image.back() = static_cast<std::byte>(i);
-    EXPECT_TRUE(link.endpoint().publish_event(7, large));
+    EXPECT_TRUE(link.endpoint().publish_event(large));
     const auto received = client->wait_event(kPatience);
     ASSERT_TRUE(received);
     EXPECT_EQ(*received, large);
@@ -203,7 +203,7 @@ TEST(RuntimeClient, WhenTheRuntimeHasForgottenEvents_ThenTheNextOneItHoldsIsDeli
   FakeLink link(37, [&](const Request&) -> std::optional<Reply> {
     Reply reply;
     reply.offset = 3;
-    link_pointer->endpoint().publish_event(7, event(3));
+    link_pointer->endpoint().publish_event(event(3));
     return reply;
   });
   link_pointer = &link;

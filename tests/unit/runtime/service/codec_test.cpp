@@ -4,6 +4,9 @@
 
 #include <cstring>
 #include <random>
+#include <variant>
+
+#include "runtime/service/digest.h"
 
 namespace stepwright::service {
 namespace {
@@ -59,15 +62,30 @@ std::vector<Message> every_kind() {
   reply.change = {5, 6, 7, 8, 9, 10.5};
   reply.problems.push_back(diagnostic());
   messages.emplace_back(reply);
-  messages.emplace_back(
-      host::StepEvent{1, 2, -3, host::EventKind::Trap, "cd", "detail", bytes, {{"level", 0.25}, {"", -1.0}}});
+  messages.emplace_back(host::StepEvent{
+      1, 2, -3, host::EventKind::Trap, "cd", "detail", bytes, {{"level", 0.25}, {"", -1.0}}, 9});
   host::RuntimeStatus status;
   status.state = host::RuntimeState::Fault;
   status.scan_max_us = 1e9;
   status.waiting_for_supervisor = true;
   status.plant = {{"x", 1.0}};
+  status.tasks = {{"fast", 1, 2, 3, 4, 5, {1, 2, 3, 4, 5}, {6, 7, 8, 9, 10}, {11, 12, 13, 14, 15}}};
   status.task_details = {{"fast", 5'000, 2, 1, 4, {3, {1, 0, 2}}, {0, {5}}, {}}};
+  status.process = {"1.0", 2.5, 3, 4, 5, 6, 7};
   messages.emplace_back(status);
+  messages.emplace_back(SentRequest{{11, 12, Start{true, false}}, true});
+  messages.emplace_back(LinkStatus{status, true});
+  messages.emplace_back(host::Snapshot{3, -4, "cd", bytes, {{"level", 1.5}}, 9});
+  RuntimeHealth health;
+  health.readers = 3;
+  health.tasks = status.task_details;
+  health.io = IoKind::Nothing;
+  health.devices_known = true;
+  health.devices_problem = "not asked";
+  health.devices = {{"valves", "10.0.0.2:502", 7, true, false, "timeout", 1, 2, 3, 4, 5, 1.5, 2.5, 3.5, 40}};
+  messages.emplace_back(health);
+  messages.emplace_back(Presence{"process 7", 8});
+  messages.emplace_back(Beacon{"bench", "host:/here"});
   return messages;
 }
 
@@ -78,6 +96,23 @@ TEST(Codec, WhenAMessageIsEncodedAndDecoded_ThenNothingIsLost) {
     ASSERT_TRUE(decoded) << message.index();
     EXPECT_EQ(decoded->index(), message.index());
     EXPECT_EQ(frame_of(*decoded), frame);
+  }
+}
+
+// A message of one version is never read as one of another.
+TEST(Codec, WhenTheBytesOfAMessageChange_ThenTheVersionHasToChangeWithThem) {
+  std::vector<std::byte> all;
+  for (const Message& message : every_kind()) ASSERT_TRUE(encode_frame(message, all));
+  EXPECT_EQ(kProtocolVersion, 8u);
+  EXPECT_EQ(to_hex(sha256(all)), "f09255fd7dc49f20fa801b90aeee740a1eb1d388c18c86fafa0ec0600bf0489d")
+      << "raise kProtocolVersion, then put both in here";
+}
+
+TEST(Codec, WhenHealthIsReadBack_ThenItIsTheSame) {
+  for (const Message& message : every_kind()) {
+    const auto* health = std::get_if<RuntimeHealth>(&message);
+    if (health == nullptr) continue;
+    EXPECT_EQ(std::get<RuntimeHealth>(*decode(body_of(frame_of(message)))), *health);
   }
 }
 
@@ -100,7 +135,7 @@ TEST(Codec, WhenBytesAreRandom_ThenDecodeReturns) {
   for (int round = 0; round < 20'000; ++round) {
     std::vector<std::byte> bytes(random() % 200);
     for (std::byte& byte : bytes) byte = static_cast<std::byte>(random());
-    if (!bytes.empty()) bytes[0] = static_cast<std::byte>(random() % 8);
+    if (!bytes.empty()) bytes[0] = static_cast<std::byte>(random() % (std::variant_size_v<Message> + 1));
     accepted += decode(bytes).has_value() ? 1 : 0;
   }
   EXPECT_LT(accepted, 20'000);
