@@ -16,7 +16,7 @@
 #include "programs/process/diagnostics_json.h"
 #include "programs/runtime/cell_io.h"
 #include "programs/runtime/host_options.h"
-#include "supervisor/pddl/describe_run.h"
+#include "supervisor/pddl/plan/describe_run.h"
 
 namespace stepwright::check {
 namespace {

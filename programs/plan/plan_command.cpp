@@ -10,9 +10,9 @@
 #include "programs/plan/progress_line.h"
 #include "programs/process/files.h"
 #include "programs/process/interruption.h"
-#include "supervisor/pddl/plan_file.h"
-#include "supervisor/pddl/solve.h"
-#include "supervisor/pddl/validate.h"
+#include "supervisor/pddl/plan/plan_file.h"
+#include "supervisor/pddl/plan/validate.h"
+#include "supervisor/pddl/planner/solve.h"
 
 namespace stepwright::plan {
 namespace {

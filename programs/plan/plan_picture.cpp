@@ -1,8 +1,8 @@
 #include "programs/plan/plan_picture.h"
 
 #include "programs/plan/output.h"
-#include "supervisor/pddl/describe_run.h"
-#include "supervisor/pddl/vocabulary.h"
+#include "supervisor/pddl/plan/describe_run.h"
+#include "supervisor/pddl/task/vocabulary.h"
 #include "supervisor/translate/plan_svg.h"
 
 namespace stepwright::plan {

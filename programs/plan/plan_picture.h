@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "supervisor/model/plan.h"
-#include "supervisor/pddl/task.h"
+#include "supervisor/pddl/task/task.h"
 #include "supervisor/translate/binding.h"
 
 namespace stepwright::plan {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "supervisor/pddl/state.h"
+#include "supervisor/pddl/definition/state.h"
 
 namespace stepwright::plan {
 

@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "supervisor/pddl/solve.h"
+#include "supervisor/pddl/planner/solve.h"
 
 namespace stepwright::plan {
 

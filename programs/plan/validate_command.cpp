@@ -6,7 +6,7 @@
 
 #include "programs/plan/output.h"
 #include "programs/process/diagnostics_json.h"
-#include "supervisor/pddl/validate.h"
+#include "supervisor/pddl/plan/validate.h"
 
 namespace stepwright::plan {
 namespace {

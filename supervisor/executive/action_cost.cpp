@@ -2,9 +2,9 @@
 
 #include <optional>
 
-#include "supervisor/pddl/describe_run.h"
-#include "supervisor/pddl/ground_action.h"
-#include "supervisor/pddl/simulate.h"
+#include "supervisor/pddl/action/ground_action.h"
+#include "supervisor/pddl/plan/describe_run.h"
+#include "supervisor/pddl/plan/simulate.h"
 
 namespace stepwright::executive {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "supervisor/model/planned_run.h"
-#include "supervisor/pddl/task.h"
+#include "supervisor/pddl/task/task.h"
 
 namespace stepwright::executive {
 

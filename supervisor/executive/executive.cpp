@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "supervisor/executive/journal.h"
-#include "supervisor/pddl/describe_run.h"
+#include "supervisor/pddl/plan/describe_run.h"
 
 namespace stepwright::executive {
 namespace {

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "supervisor/executive/executive.h"
-#include "supervisor/pddl/state.h"
+#include "supervisor/pddl/definition/state.h"
 #include "supervisor/translate/monitors.h"
 
 namespace stepwright::executive {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "supervisor/executive/executive.h"
-#include "supervisor/pddl/describe_run.h"
+#include "supervisor/pddl/plan/describe_run.h"
 
 namespace stepwright::executive {
 namespace {

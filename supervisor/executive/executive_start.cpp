@@ -8,7 +8,7 @@
 
 #include "supervisor/executive/executive.h"
 #include "supervisor/executive/journal.h"
-#include "supervisor/pddl/describe_run.h"
+#include "supervisor/pddl/plan/describe_run.h"
 
 namespace stepwright::executive {
 namespace {

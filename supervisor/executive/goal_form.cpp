@@ -4,7 +4,7 @@
 #include <string_view>
 #include <utility>
 
-#include "supervisor/pddl/goal_vocabulary.h"
+#include "supervisor/pddl/task/goal_vocabulary.h"
 #include "supervisor/run/internal/record_json.h"
 
 namespace stepwright::executive {

@@ -6,13 +6,13 @@
 
 #include "ladder/driver/compile.h"
 #include "supervisor/executive/action_cost.h"
-#include "supervisor/pddl/describe_run.h"
-#include "supervisor/pddl/goal_vocabulary.h"
-#include "supervisor/pddl/partial_order.h"
-#include "supervisor/pddl/repair.h"
-#include "supervisor/pddl/simulate.h"
-#include "supervisor/pddl/solve.h"
-#include "supervisor/pddl/vocabulary.h"
+#include "supervisor/pddl/plan/describe_run.h"
+#include "supervisor/pddl/plan/partial_order.h"
+#include "supervisor/pddl/plan/simulate.h"
+#include "supervisor/pddl/planner/repair.h"
+#include "supervisor/pddl/planner/solve.h"
+#include "supervisor/pddl/task/goal_vocabulary.h"
+#include "supervisor/pddl/task/vocabulary.h"
 #include "supervisor/translate/observe_program.h"
 
 namespace stepwright::executive {

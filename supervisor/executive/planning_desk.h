@@ -23,7 +23,7 @@
 #include "supervisor/executive/hand_written.h"
 #include "supervisor/model/plan.h"
 #include "supervisor/model/planned_run.h"
-#include "supervisor/pddl/task.h"
+#include "supervisor/pddl/task/task.h"
 #include "supervisor/run/run_record.h"
 #include "supervisor/translate/binding.h"
 #include "supervisor/translate/schedule.h"

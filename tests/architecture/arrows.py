@@ -2,7 +2,7 @@
 """Proves the arrows between folders: every #include of the tree against the table below.
 
 A file may include its own folder and the folders that its folder points to, directly or through them.
-Prints each include that breaks an arrow as file:line and exits with 1.
+No arrows lead round in a circle. Prints each include that breaks an arrow as file:line and exits with 1.
 """
 
 import pathlib
@@ -54,7 +54,28 @@ ARROWS = {
     "ladder/exchange": ["ladder/graphic", "ladder/lowering"],
     "ladder/driver": ["ladder/lowering", "ladder/codegen", "ladder/lint", "ladder/print"],
     "supervisor/model": ["runtime/base", "runtime/result"],
-    "supervisor/pddl": ["supervisor/model"],
+    "supervisor/pddl/definition": ["runtime/result"],
+    "supervisor/pddl/lifted": ["supervisor/pddl/definition", "supervisor/model"],
+    "supervisor/pddl/syntax": ["supervisor/pddl/definition"],
+    "supervisor/pddl/semantics": ["supervisor/pddl/lifted", "supervisor/pddl/syntax"],
+    "supervisor/pddl/task": ["supervisor/pddl/semantics"],
+    "supervisor/pddl/action": ["supervisor/pddl/task"],
+    "supervisor/pddl/plan": ["supervisor/pddl/action"],
+    "supervisor/pddl/ground_task": ["supervisor/pddl/definition", "supervisor/model"],
+    "supervisor/pddl/grounding": ["supervisor/pddl/lifted", "supervisor/pddl/ground_task"],
+    "supervisor/pddl/search/space": ["supervisor/pddl/ground_task"],
+    "supervisor/pddl/search/control": ["supervisor/pddl/search/space"],
+    "supervisor/pddl/search/relaxation": ["supervisor/pddl/search/space"],
+    "supervisor/pddl/search/landmarks": ["supervisor/pddl/search/control", "supervisor/pddl/search/relaxation"],
+    "supervisor/pddl/search/bounds": ["supervisor/pddl/search/relaxation"],
+    "supervisor/pddl/search/lp": ["supervisor/pddl/search/bounds"],
+    "supervisor/pddl/search/pruning": ["supervisor/pddl/search/space"],
+    "supervisor/pddl/search/engines": [
+        "supervisor/pddl/search/landmarks", "supervisor/pddl/search/lp", "supervisor/pddl/search/pruning",
+    ],
+    "supervisor/pddl/search/improvement": ["supervisor/pddl/search/engines"],
+    "supervisor/pddl/search/portfolio": ["supervisor/pddl/search/improvement"],
+    "supervisor/pddl/planner": ["supervisor/pddl/plan", "supervisor/pddl/grounding", "supervisor/pddl/search/portfolio"],
     "supervisor/geometry": [],
     "supervisor/fleet/map": ["supervisor/geometry", "runtime/result"],
     "supervisor/fleet/lattice": ["supervisor/fleet/map"],
@@ -74,7 +95,7 @@ ARROWS = {
     "supervisor/translate": ["supervisor/model", "ladder/graphic", "runtime/settings"],
     "supervisor/run": ["supervisor/translate", "ladder/graphic", "runtime/bytecode/reader", "runtime/dds", "runtime/record"],
     "supervisor/executive": [
-        "supervisor/run", "supervisor/translate", "supervisor/pddl", "ladder/driver", "ladder/exchange", "runtime/bytecode/reader",
+        "supervisor/run", "supervisor/translate", "supervisor/pddl/planner", "ladder/driver", "ladder/exchange", "runtime/bytecode/reader",
     ],
     "plant_models/core": ["runtime/result", "runtime/base"],
     "plant_models/ode": ["plant_models/core"],
@@ -105,9 +126,11 @@ SOURCES = {".h", ".cpp"}
 
 def folder_of(path: str) -> str:
     """The deepest folder of the table that holds the path: host-side parts of a portable folder are their own."""
-    parts = path.split("/")
-    inner = "/".join(parts[:3])
-    return inner if inner in ARROWS else "/".join(parts[:2])
+    parts = path.split("/")[:-1]
+    for depth in range(len(parts), 2, -1):
+        if (inner := "/".join(parts[:depth])) in ARROWS:
+            return inner
+    return "/".join(parts[:2])
 
 
 def reachable() -> dict[str, set[str]]:
@@ -123,6 +146,15 @@ def reachable() -> dict[str, set[str]]:
     for folder in ARROWS:
         visit(folder)
     return closure
+
+
+def cycles() -> list[str]:
+    """The arrows of the table that lead back to where they begin: they would allow everything among the folders on the way."""
+    allowed = reachable()
+    return [
+        f"the table of arrows has a circle: {folder} -> {target} -> ... -> {folder}"
+        for folder, targets in ARROWS.items() for target in targets if folder in allowed[target]
+    ]
 
 
 def broken(root: pathlib.Path) -> list[str]:
@@ -150,7 +182,7 @@ def broken(root: pathlib.Path) -> list[str]:
 
 
 def main() -> int:
-    problems = broken(pathlib.Path(sys.argv[1]))
+    problems = cycles() + broken(pathlib.Path(sys.argv[1]))
     print("\n".join(problems) or "all includes follow the arrows")
     return 1 if problems else 0
 

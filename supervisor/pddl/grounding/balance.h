@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "supervisor/pddl/grounding/ground_task.h"
+#include "supervisor/pddl/ground_task/ground_task.h"
 
 namespace stepwright::pddl {
 

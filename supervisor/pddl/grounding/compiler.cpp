@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "supervisor/pddl/definition/numeric.h"
 #include "supervisor/pddl/lifted/evaluate.h"
-#include "supervisor/pddl/numeric.h"
 
 namespace stepwright::pddl {
 namespace {

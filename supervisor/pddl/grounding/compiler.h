@@ -11,9 +11,9 @@
 #include <optional>
 #include <vector>
 
-#include "supervisor/pddl/grounding/atom_table.h"
-#include "supervisor/pddl/grounding/ground_task.h"
-#include "supervisor/pddl/syntax/text.h"
+#include "supervisor/pddl/definition/atom_table.h"
+#include "supervisor/pddl/definition/text.h"
+#include "supervisor/pddl/ground_task/ground_task.h"
 
 namespace stepwright::pddl {
 

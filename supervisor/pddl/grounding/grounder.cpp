@@ -107,13 +107,4 @@ GroundTask ground_task(const Definition& definition, const std::function<bool()>
   return Grounder(definition, stop, room_for).run();
 }
 
-model::GroundAction action_of(const GroundTask& task, const GroundOperator& op) {
-  model::GroundAction action;
-  action.name = task.definition->actions[static_cast<std::size_t>(op.action)].name;
-  for (const int object : op.arguments) {
-    action.arguments.push_back(task.definition->objects[static_cast<std::size_t>(object)].name);
-  }
-  return action;
-}
-
 }  // namespace stepwright::pddl

@@ -6,8 +6,8 @@
 
 #include <functional>
 
-#include "supervisor/pddl/grounding/ground_task.h"
-#include "supervisor/pddl/memory_room.h"
+#include "supervisor/pddl/ground_task/ground_task.h"
+#include "supervisor/pddl/ground_task/memory_room.h"
 
 namespace stepwright::pddl {
 

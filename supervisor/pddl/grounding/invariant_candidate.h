@@ -9,7 +9,7 @@
 #include <compare>
 #include <vector>
 
-#include "supervisor/pddl/syntax/ast.h"
+#include "supervisor/pddl/definition/ast.h"
 
 namespace stepwright::pddl {
 

@@ -3,7 +3,7 @@
 #include <deque>
 #include <set>
 
-#include "supervisor/pddl/grounding/atom_table.h"
+#include "supervisor/pddl/definition/atom_table.h"
 #include "supervisor/pddl/grounding/balance.h"
 #include "supervisor/pddl/grounding/invariant_candidate.h"
 

@@ -13,10 +13,10 @@
 #include <functional>
 #include <vector>
 
-#include "supervisor/pddl/grounding/fact_relation.h"
+#include "supervisor/pddl/definition/fact_relation.h"
+#include "supervisor/pddl/definition/text.h"
 #include "supervisor/pddl/grounding/join_rule.h"
 #include "supervisor/pddl/lifted/lifted_state.h"
-#include "supervisor/pddl/syntax/text.h"
 
 namespace stepwright::pddl {
 

@@ -7,7 +7,7 @@
 
 #include <string>
 
-#include "supervisor/pddl/grounding/ground_task.h"
+#include "supervisor/pddl/ground_task/ground_task.h"
 
 namespace stepwright::pddl {
 

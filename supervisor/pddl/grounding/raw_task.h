@@ -6,8 +6,8 @@
 
 #include <vector>
 
-#include "supervisor/pddl/grounding/relaxed_bounds.h"
-#include "supervisor/pddl/memory_room.h"
+#include "supervisor/pddl/ground_task/memory_room.h"
+#include "supervisor/pddl/ground_task/relaxed_bounds.h"
 
 namespace stepwright::pddl {
 

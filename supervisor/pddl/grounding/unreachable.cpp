@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "runtime/result/diagnostic.h"
+#include "supervisor/pddl/definition/text.h"
 #include "supervisor/pddl/lifted/lifted_state.h"
-#include "supervisor/pddl/syntax/text.h"
 
 namespace stepwright::pddl {
 namespace {

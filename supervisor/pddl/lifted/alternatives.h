@@ -10,7 +10,7 @@
 #include <set>
 #include <vector>
 
-#include "supervisor/pddl/syntax/ast.h"
+#include "supervisor/pddl/definition/ast.h"
 
 namespace stepwright::pddl {
 

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "supervisor/pddl/syntax/ast.h"
+#include "supervisor/pddl/definition/ast.h"
 
 namespace stepwright::pddl {
 

@@ -11,10 +11,10 @@
 #include <deque>
 #include <vector>
 
-#include "supervisor/pddl/grounding/fact_relation.h"
+#include "supervisor/pddl/definition/fact_relation.h"
+#include "supervisor/pddl/definition/text.h"
 #include "supervisor/pddl/lifted/axiom_rule.h"
 #include "supervisor/pddl/lifted/lifted_state.h"
-#include "supervisor/pddl/syntax/text.h"
 
 namespace stepwright::pddl {
 

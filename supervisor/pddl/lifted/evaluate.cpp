@@ -1,6 +1,6 @@
 #include "supervisor/pddl/lifted/evaluate.h"
 
-#include "supervisor/pddl/numeric.h"
+#include "supervisor/pddl/definition/numeric.h"
 
 namespace stepwright::pddl {
 namespace {

@@ -8,8 +8,8 @@
 #include <functional>
 #include <optional>
 
+#include "supervisor/pddl/definition/text.h"
 #include "supervisor/pddl/lifted/lifted_state.h"
-#include "supervisor/pddl/syntax/text.h"
 
 namespace stepwright::pddl {
 

@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
+#include "supervisor/pddl/definition/name_hints.h"
+#include "supervisor/pddl/definition/numeric.h"
 #include "supervisor/pddl/lifted/derive.h"
-#include "supervisor/pddl/numeric.h"
-#include "supervisor/pddl/syntax/formula_checker.h"
 
 namespace stepwright::pddl {
 namespace {

@@ -4,8 +4,8 @@
 #include <optional>
 #include <sstream>
 
+#include "supervisor/pddl/definition/name_hints.h"
 #include "supervisor/pddl/lifted/derive.h"
-#include "supervisor/pddl/syntax/formula_checker.h"
 
 namespace stepwright::pddl {
 namespace {

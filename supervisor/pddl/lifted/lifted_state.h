@@ -8,8 +8,8 @@
 #include <set>
 
 #include "runtime/result/result.h"
-#include "supervisor/pddl/state.h"
-#include "supervisor/pddl/syntax/ast.h"
+#include "supervisor/pddl/definition/ast.h"
+#include "supervisor/pddl/definition/state.h"
 
 namespace stepwright::pddl {
 

@@ -6,7 +6,7 @@
 
 #include <set>
 
-#include "supervisor/pddl/syntax/ast.h"
+#include "supervisor/pddl/definition/ast.h"
 
 namespace stepwright::pddl {
 

@@ -5,7 +5,7 @@
 // Thread rule: one parse, one object. Every function takes its text from the stream and returns false after
 // reporting an error.
 
-#include "supervisor/pddl/syntax/ast.h"
+#include "supervisor/pddl/definition/ast.h"
 #include "supervisor/pddl/syntax/token_stream.h"
 
 namespace stepwright::pddl {

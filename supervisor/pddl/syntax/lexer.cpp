@@ -4,7 +4,7 @@
 #include <charconv>
 
 #include "runtime/naming/ascii_names.h"
-#include "supervisor/pddl/numeric.h"
+#include "supervisor/pddl/definition/numeric.h"
 
 namespace stepwright::pddl {
 namespace {

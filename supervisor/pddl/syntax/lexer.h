@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "supervisor/pddl/syntax/ast.h"
+#include "supervisor/pddl/definition/ast.h"
 #include "supervisor/pddl/syntax/reporter.h"
 
 namespace stepwright::pddl {

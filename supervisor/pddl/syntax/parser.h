@@ -6,7 +6,7 @@
 // Thread rule: pure functions. Every error is reported; what could be read is returned all the same, so that
 // the checker can find more.
 
-#include "supervisor/pddl/syntax/ast.h"
+#include "supervisor/pddl/definition/ast.h"
 #include "supervisor/pddl/syntax/lexer.h"
 #include "supervisor/pddl/syntax/reporter.h"
 

@@ -3,13 +3,10 @@
 #include <algorithm>
 #include <tuple>
 
-#include "runtime/result/closest.h"
-
 namespace stepwright::pddl {
 
 namespace {
 
-constexpr std::size_t kLongestName = 200;
 constexpr std::size_t kLongestText = 500;
 
 // A message may name what stands in the file, and that may be a name of a megabyte.
@@ -61,12 +58,6 @@ result::Diagnostics Reporter::take() {
                             "mend the first ones first: others often follow from them"});
   }
   return std::move(diagnostics_);
-}
-
-std::string did_you_mean(std::string_view name, const std::vector<std::string>& candidates) {
-  if (name.size() > kLongestName) return {};
-  const std::string* found = result::closest(name, candidates, std::max<std::size_t>(1, name.size() / 3));
-  return found == nullptr ? std::string() : "did you mean '" + *found + "'?";
 }
 
 }  // namespace stepwright::pddl

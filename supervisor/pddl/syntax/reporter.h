@@ -1,16 +1,15 @@
 #pragma once
 
-// Collects the diagnostics of one reading, with their places; hints for misspelt names.
+// Collects the diagnostics of one reading, with their places.
 //
 // Thread rule: one reading, one reporter.
 
 #include <set>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "runtime/result/diagnostic.h"
-#include "supervisor/pddl/syntax/ast.h"
+#include "supervisor/pddl/definition/ast.h"
 
 namespace stepwright::pddl {
 
@@ -41,9 +40,5 @@ class Reporter {
   std::size_t errors_ = 0;
   std::size_t unsaid_ = 0;  // errors and warnings beyond kMost
 };
-
-// "did you mean 'distance'?" if one of the candidates is close enough to `name`; empty otherwise, and for
-// names longer than anybody writes.
-std::string did_you_mean(std::string_view name, const std::vector<std::string>& candidates);
 
 }  // namespace stepwright::pddl

@@ -1,5 +1,7 @@
 #include "supervisor/pddl/syntax/section_parser.h"
 
+#include "supervisor/pddl/definition/name_hints.h"
+
 namespace stepwright::pddl {
 
 bool SectionParser::define(const std::string& kind, std::string& name, Place& at) {

@@ -15,7 +15,7 @@
 #include "runtime/scan/scan_cycle.h"
 #include "runtime/vm/interpreter.h"
 #include "supervisor/executive/planning_desk.h"
-#include "supervisor/pddl/describe_run.h"
+#include "supervisor/pddl/plan/describe_run.h"
 #include "supervisor/run/image_reader.h"
 #include "supervisor/translate/progress.h"
 #include "tests/support/controller/simulated_controller.h"

@@ -5,7 +5,7 @@
 
 #include <functional>
 
-#include "supervisor/pddl/grounding/ground_task.h"
+#include "supervisor/pddl/ground_task/ground_task.h"
 
 namespace stepwright::pddl::baseline {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "supervisor/pddl/task.h"
+#include "supervisor/pddl/task/task.h"
 
 namespace stepwright::bench::grounding {
 

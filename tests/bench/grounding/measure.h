@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "supervisor/pddl/grounding/ground_task.h"
+#include "supervisor/pddl/ground_task/ground_task.h"
 #include "tests/bench/grounding/generators.h"
 
 namespace stepwright::bench::grounding {

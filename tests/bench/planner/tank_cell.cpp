@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "supervisor/pddl/grounding/grounder.h"
-#include "supervisor/pddl/solve.h"
+#include "supervisor/pddl/planner/solve.h"
 #include "tests/bench/planner/baseline/uniform_cost.h"
 #include "tests/bench/planner/report/domain_figures.h"
 

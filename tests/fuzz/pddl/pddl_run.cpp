@@ -5,8 +5,8 @@
 
 #include "supervisor/pddl/grounding/grounder.h"
 #include "supervisor/pddl/lifted/executor.h"
-#include "supervisor/pddl/search/state_space.h"
-#include "supervisor/pddl/validate.h"
+#include "supervisor/pddl/plan/validate.h"
+#include "supervisor/pddl/search/space/state_space.h"
 
 namespace stepwright::fuzz::pddl {
 namespace {

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "supervisor/pddl/search/state_space.h"
+#include "supervisor/pddl/search/space/state_space.h"
 
 namespace stepwright::bench {
 

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "supervisor/pddl/search/state_space.h"
+#include "supervisor/pddl/search/space/state_space.h"
 
 namespace stepwright::bench {
 

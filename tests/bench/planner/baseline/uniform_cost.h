@@ -7,7 +7,7 @@
 
 #include <cstdint>
 
-#include "supervisor/pddl/task.h"
+#include "supervisor/pddl/task/task.h"
 
 namespace stepwright::bench {
 

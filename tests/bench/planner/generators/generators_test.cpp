@@ -9,8 +9,8 @@
 #include <set>
 #include <stdexcept>
 
-#include "supervisor/pddl/solve.h"
-#include "supervisor/pddl/validate.h"
+#include "supervisor/pddl/plan/validate.h"
+#include "supervisor/pddl/planner/solve.h"
 #include "tests/bench/planner/generators/instance.h"
 
 namespace stepwright::bench {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "supervisor/pddl/task.h"
+#include "supervisor/pddl/task/task.h"
 #include "tests/bench/planner/generators/catalogue.h"
 #include "tests/bench/planner/generators/problem_text.h"
 

@@ -7,7 +7,7 @@
 #include <sstream>
 #include <utility>
 
-#include "supervisor/pddl/validate.h"
+#include "supervisor/pddl/plan/validate.h"
 
 namespace stepwright::bench {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "supervisor/model/plan.h"
-#include "supervisor/pddl/task.h"
+#include "supervisor/pddl/task/task.h"
 
 namespace stepwright::bench {
 

@@ -2,7 +2,7 @@
 #include <fstream>
 #include <string>
 
-#include "supervisor/pddl/plan_file.h"
+#include "supervisor/pddl/plan/plan_file.h"
 #include "tests/bench/planner/measure/child.h"
 #include "tests/bench/planner/measure/judge.h"
 #include "tests/bench/planner/measure/measurement.h"

@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "supervisor/pddl/grounding/grounder.h"
-#include "supervisor/pddl/solve.h"
+#include "supervisor/pddl/planner/solve.h"
 #include "tests/bench/planner/baseline/hill_climbing.h"
 #include "tests/bench/planner/measure/child.h"
 #include "tests/bench/planner/measure/judge.h"

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "supervisor/model/plan.h"
-#include "supervisor/pddl/task.h"
+#include "supervisor/pddl/task/task.h"
 #include "tests/bench/planner/generators/instance.h"
 
 namespace stepwright::bench {

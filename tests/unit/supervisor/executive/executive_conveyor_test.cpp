@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "supervisor/pddl/describe_run.h"
+#include "supervisor/pddl/plan/describe_run.h"
 #include "tests/bench/campaign/line.h"
 #include "tests/support/conveyor_cell.h"
 #include "tests/support/temporary_folder.h"

@@ -9,7 +9,7 @@
 #include <map>
 #include <sstream>
 
-#include "supervisor/pddl/describe_run.h"
+#include "supervisor/pddl/plan/describe_run.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/supervisor/executive/bench_fixture.h"
 

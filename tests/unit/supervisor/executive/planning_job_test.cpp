@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "supervisor/pddl/describe_run.h"
+#include "supervisor/pddl/plan/describe_run.h"
 #include "tests/unit/supervisor/executive/bench_fixture.h"
 
 namespace stepwright::executive {

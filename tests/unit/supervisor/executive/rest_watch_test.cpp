@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "supervisor/pddl/describe_run.h"
+#include "supervisor/pddl/plan/describe_run.h"
 #include "supervisor/run/image_reader.h"
 #include "supervisor/translate/estimate.h"
 #include "supervisor/translate/progress.h"

@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "supervisor/executive/goal_form.h"
-#include "supervisor/pddl/describe_run.h"
+#include "supervisor/pddl/plan/describe_run.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/supervisor/executive/bench_fixture.h"
 
