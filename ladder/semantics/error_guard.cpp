@@ -2,11 +2,13 @@
 // is not run, and the scan goes on. The operands are computed first, once, into slots; what they must hold is
 // tested there (value_condition.cpp).
 
+#include "ladder/semantics/internal/error_guard.h"
+
 #include <algorithm>
 #include <utility>
 
 #include "ladder/semantics/internal/error_test.h"
-#include "ladder/semantics/internal/expression_analyzer.h"
+#include "ladder/semantics/internal/value_condition.h"
 
 namespace stepwright::semantics::internal {
 
@@ -56,6 +58,12 @@ ErrorTest function_test(StandardFunction function) {
   }
 }
 
+Constant first_value(const Type& scalar) {
+  std::vector<std::byte> first = scalar.initial;
+  first.resize(scalar.size);
+  return semantics::load(scalar, first);
+}
+
 }  // namespace
 
 ErrorTest error_test(const Value& called) {
@@ -97,15 +105,15 @@ bool is_kept_aside(ErrorTest test, const Value& called, std::size_t operand) {
 }
 
 // A value that can be read again, in a slot; of a text the address.
-ValuePtr ExpressionAnalyzer::kept_aside(ValuePtr value, std::vector<CopyBefore>& before) {
+ValuePtr ErrorGuard::kept_aside(ValuePtr value, std::vector<CopyBefore>& before) {
   const Position where = value->where;
   const Type* type = value->type;
   const bool is_text = type->is_string();
   Place slot;
   slot.base = Base::Slot;
   slot.type = is_text ? a_.type_table().reference(type) : type;
-  pou_->slots.push_back(slot_type(*slot.type));
-  slot.slot = static_cast<std::uint32_t>(pou_->slots.size() - 1);
+  pou_.slots.push_back(slot_type(*slot.type));
+  slot.slot = static_cast<std::uint32_t>(pou_.slots.size() - 1);
   before.push_back({copy_direct(slot), std::move(value)});
   if (is_text) {
     slot.base = Base::SlotRef;
@@ -115,7 +123,7 @@ ValuePtr ExpressionAnalyzer::kept_aside(ValuePtr value, std::vector<CopyBefore>&
 }
 
 // TIME / real is a division inside of a conversion, and each may fail: `enabled` says so of both.
-ValuePtr ExpressionAnalyzer::unless_error(ValuePtr called, const Place& enabled) {
+ValuePtr ErrorGuard::unless_error(ValuePtr called, const Place& enabled) {
   const ErrorTest test = error_test(*called);
   if (test == ErrorTest::None) return called;
   ValuePtr result = make(ValueKind::Enabled, called->type, called->where);
@@ -125,9 +133,10 @@ ValuePtr ExpressionAnalyzer::unless_error(ValuePtr called, const Place& enabled)
     ValuePtr& operand = called->operands[i];
     if (operand && is_kept_aside(test, *called, i)) operand = kept_aside(std::move(operand), result->before);
   }
-  ValuePtr good = called->operands[0] ? has_value(*called, test) : nullptr;
+  ValuePtr good = called->operands[0] ? ValueCondition(a_, e_).has_value(*called, test) : nullptr;
   if (good && divides)
-    good = combine(Operator::And, load(copy_direct(enabled), called->where), std::move(good), called->where);
+    good =
+        e_.combine(Operator::And, load(copy_direct(enabled), called->where), std::move(good), called->where);
   if (!good) return nullptr;
   result->before.push_back({copy_direct(enabled), std::move(good)});
   result->operands.push_back(load(copy_direct(enabled), called->where));
@@ -135,8 +144,7 @@ ValuePtr ExpressionAnalyzer::unless_error(ValuePtr called, const Place& enabled)
   return result;
 }
 
-// What is computed if it is enabled, and the first value of its type, which stands for it if it is not.
-void ExpressionAnalyzer::add_or_first(Value& enabled, ValuePtr called) {
+void ErrorGuard::add_or_first(Value& enabled, ValuePtr called) {
   const Type* type = called->type;
   const Position where = called->where;
   enabled.operands.push_back(std::move(called));
@@ -144,15 +152,9 @@ void ExpressionAnalyzer::add_or_first(Value& enabled, ValuePtr called) {
   if (type->is_scalar()) {
     enabled.constant = first_value(*type);
   } else {
-    enabled.place = frame_place(*pou_, type);
+    enabled.place = frame_place(pou_, type);
     enabled.operands.push_back(load(a_.allocate_place(type, where), where));
   }
-}
-
-Constant ExpressionAnalyzer::first_value(const Type& scalar) {
-  std::vector<std::byte> first = scalar.initial;
-  first.resize(scalar.size);
-  return semantics::load(scalar, first);
 }
 
 }  // namespace stepwright::semantics::internal

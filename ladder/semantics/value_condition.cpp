@@ -1,12 +1,10 @@
-// What must hold so that a standard function has a value; see error_guard.cpp.
+#include "ladder/semantics/internal/value_condition.h"
 
 #include <algorithm>
 #include <limits>
 #include <utility>
 
 #include "ladder/semantics/constant_conversion.h"
-#include "ladder/semantics/internal/error_test.h"
-#include "ladder/semantics/internal/expression_analyzer.h"
 
 namespace stepwright::semantics::internal {
 
@@ -18,8 +16,8 @@ namespace {
 // A constant, or a slot: what may be read twice.
 ValuePtr again(const Value& operand) {
   if (operand.kind == ValueKind::Constant)
-    return ExpressionAnalyzer::make_constant(operand.constant, operand.type, operand.where);
-  return ExpressionAnalyzer::load(ExpressionAnalyzer::copy_direct(operand.place), operand.where);
+    return make_constant(operand.constant, operand.type, operand.where);
+  return load(copy_direct(operand.place), operand.where);
 }
 
 // The decimal digits of a number, each in 4 bits.
@@ -37,17 +35,17 @@ __int128 most_of_digits(unsigned digits) {
 
 }  // namespace
 
-ValuePtr ExpressionAnalyzer::compare(const Value& operand, Operator op, Constant bound) {
-  return combine(op, again(operand), make_constant(bound, operand.type, operand.where), operand.where);
+ValuePtr ValueCondition::compare(const Value& operand, Operator op, Constant bound) {
+  return e_.combine(op, again(operand), make_constant(bound, operand.type, operand.where), operand.where);
 }
 
-ValuePtr ExpressionAnalyzer::both(ValuePtr left, ValuePtr right) {
+ValuePtr ValueCondition::both(ValuePtr left, ValuePtr right) {
   if (!left || !right) return nullptr;
   const Position where = left->where;
-  return combine(Operator::And, std::move(left), std::move(right), where);
+  return e_.combine(Operator::And, std::move(left), std::move(right), where);
 }
 
-ValuePtr ExpressionAnalyzer::neither(ValuePtr wrong) {
+ValuePtr ValueCondition::neither(ValuePtr wrong) {
   if (!wrong) return nullptr;
   ValuePtr result = make(ValueKind::Unary, a_.type_table().boolean(), wrong->where);
   result->op = Operator::Not;
@@ -55,8 +53,7 @@ ValuePtr ExpressionAnalyzer::neither(ValuePtr wrong) {
   return result;
 }
 
-// Its operands can be read again.
-ValuePtr ExpressionAnalyzer::has_value(const Value& called, ErrorTest test) {
+ValuePtr ValueCondition::has_value(const Value& called, ErrorTest test) {
   const Value& first = *called.operands[0];
   switch (test) {
     case ErrorTest::Divisor:
@@ -81,8 +78,9 @@ ValuePtr ExpressionAnalyzer::has_value(const Value& called, ErrorTest test) {
       return has_digits(first, *called.type);
     case ErrorTest::FirstCharacter: {
       const Type* dint = a_.type_table().elementary(ElementaryType::Dint);
-      return combine(Operator::Greater, text_operation(StringOpId::LengthS, dint, again(first), first.where),
-                     make_constant({0}, dint, first.where), first.where);
+      return e_.combine(Operator::Greater,
+                        e_.text_operation(StringOpId::LengthS, dint, again(first), first.where),
+                        make_constant({0}, dint, first.where), first.where);
     }
     case ErrorTest::Counts:
       break;
@@ -100,7 +98,7 @@ ValuePtr ExpressionAnalyzer::has_value(const Value& called, ErrorTest test) {
 
 // Rounded to the nearest, ties to even; or cut towards zero. The lower bound of a wide type has no neighbour
 // below among the reals.
-ValuePtr ExpressionAnalyzer::is_in_range(const Value& called) {
+ValuePtr ValueCondition::is_in_range(const Value& called) {
   const Value& first = *called.operands[0];
   const IntegerRange range = range_of(called.type->elementary);
   const bool cuts = called.kind == ValueKind::Truncate;
@@ -114,22 +112,22 @@ ValuePtr ExpressionAnalyzer::is_in_range(const Value& called) {
 }
 
 // Its nanoseconds are an LINT.
-ValuePtr ExpressionAnalyzer::is_duration(const Value& called) {
+ValuePtr ValueCondition::is_duration(const Value& called) {
   const Value& first = *called.operands[0];
   const Position where = first.where;
   const Type* real = a_.type_table().elementary(ElementaryType::Lreal);
   constexpr double kLimit = 9223372036854775808.0;
   const auto in_ns = [&] {
     const auto unit = static_cast<double>(time_unit_ns(*called.type));
-    return combine(Operator::Multiply, convert_exactly(again(first), real),
-                   make_constant({0, unit}, real, where), where);
+    return e_.combine(Operator::Multiply, e_.convert_exactly(again(first), real),
+                      make_constant({0, unit}, real, where), where);
   };
-  return both(combine(Operator::GreaterEqual, in_ns(), make_constant({0, -kLimit}, real, where), where),
-              combine(Operator::Less, in_ns(), make_constant({0, kLimit}, real, where), where));
+  return both(e_.combine(Operator::GreaterEqual, in_ns(), make_constant({0, -kLimit}, real, where), where),
+              e_.combine(Operator::Less, in_ns(), make_constant({0, kLimit}, real, where), where));
 }
 
 // NaN is no error of these.
-ValuePtr ExpressionAnalyzer::is_in_domain(const Value& called) {
+ValuePtr ValueCondition::is_in_domain(const Value& called) {
   const Value& first = *called.operands[0];
   if (called.function == StandardFunction::Sqrt) return neither(compare(first, Operator::Less, {0, 0.0}));
   if (called.function == StandardFunction::Ln || called.function == StandardFunction::Log)
@@ -140,7 +138,7 @@ ValuePtr ExpressionAnalyzer::is_in_domain(const Value& called) {
 
 // 0 has no negative power. A finite negative number has a power if the exponent is an integer, as every real
 // from 2**53 on is; NaN and the infinities are no error.
-ValuePtr ExpressionAnalyzer::is_power(const Value& base, const Value& exponent) {
+ValuePtr ValueCondition::is_power(const Value& base, const Value& exponent) {
   constexpr double kWhole = 9007199254740992.0;
   const Position where = base.where;
   const double most = base.type->size == 4 ? static_cast<double>(std::numeric_limits<float>::max())
@@ -152,16 +150,17 @@ ValuePtr ExpressionAnalyzer::is_power(const Value& base, const Value& exponent) 
                         compare(exponent, Operator::Greater, {0, -kWhole}));
   ValuePtr whole = make(ValueKind::Truncate, a_.type_table().elementary(ElementaryType::Lint), where);
   whole->operands.push_back(again(exponent));
-  whole = combine(Operator::Equal, convert_exactly(std::move(whole), exponent.type), again(exponent), where);
+  whole = e_.combine(Operator::Equal, e_.convert_exactly(std::move(whole), exponent.type), again(exponent),
+                     where);
   // Cut only if the integer type holds it.
   ValuePtr has_root = neither(both(std::move(roots), std::move(small)));
   if (!has_root || !whole) return nullptr;
   return both(neither(std::move(pole)),
-              combine(Operator::OrElse, std::move(has_root), std::move(whole), where));
+              e_.combine(Operator::OrElse, std::move(has_root), std::move(whole), where));
 }
 
 // BCD compares as what it stands for.
-ValuePtr ExpressionAnalyzer::is_code(const Value& code, const Type& number) {
+ValuePtr ValueCondition::is_code(const Value& code, const Type& number) {
   ValuePtr valid = make(ValueKind::Standard, a_.type_table().boolean(), code.where);
   valid->function = StandardFunction::IsValidBcd;
   valid->operands.push_back(again(code));
@@ -170,7 +169,7 @@ ValuePtr ExpressionAnalyzer::is_code(const Value& code, const Type& number) {
   return both(std::move(valid), compare(code, Operator::LessEqual, {as_bcd(most)}));
 }
 
-ValuePtr ExpressionAnalyzer::has_digits(const Value& number, const Type& code) {
+ValuePtr ValueCondition::has_digits(const Value& number, const Type& code) {
   const __int128 most = most_of_digits(code.bit_count() / 4);
   const IntegerRange range = range_of(number.type->elementary);
   ValuePtr positive = compare(number, Operator::GreaterEqual, {0});
