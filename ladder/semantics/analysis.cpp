@@ -33,7 +33,7 @@ Place Analysis::allocate_place(const Type* type, std::span<const std::byte> init
 
 std::optional<Constant> Analysis::folded_value(const Type& type, std::span<const std::byte> bytes) const {
   if (!type.is_scalar() && !type.is_string()) return std::nullopt;
-  Constant value = load(type, bytes);
+  Constant value = semantics::load(type, bytes);
   if (first_target(value, type) != nullptr) return std::nullopt;
   return value;
 }

@@ -92,9 +92,9 @@ ValuePtr TestAnalyzer::keep(ValuePtr value, const Type* type, std::size_t role, 
   Statement& copy = operands.copies.emplace_back();
   copy.kind = StatementKind::Assign;
   copy.where = where;
-  copy.target = ExpressionAnalyzer::copy_direct(place);
+  copy.target = copy_direct(place);
   copy.value = std::move(value);
-  return ExpressionAnalyzer::load(ExpressionAnalyzer::copy_direct(place), where);
+  return load(copy_direct(place), where);
 }
 
 bool TestAnalyzer::compare(const Form& form, Operands& operands) {
@@ -157,15 +157,14 @@ bool TestAnalyzer::compare_near(const Expression& call, Operands& operands) {
     values[i] = keep(std::move(values[i]), type, i, operands);
   }
   const auto again = [&](std::size_t role) {
-    return ExpressionAnalyzer::load(ExpressionAnalyzer::copy_direct(values[role]->place),
-                                    operands.where[role]);
+    return load(copy_direct(values[role]->place), operands.where[role]);
   };
   const Position where = call.where;
   const auto difference = [&] {
     return expressions_.combine(Operator::Subtract, again(kActual), again(kExpected), where);
   };
   ValuePtr above = expressions_.combine(Operator::LessEqual, difference(), again(kTolerance), where);
-  ValuePtr minus = ExpressionAnalyzer::make(ValueKind::Unary, values[kTolerance]->type, where);
+  ValuePtr minus = make(ValueKind::Unary, values[kTolerance]->type, where);
   minus->op = Operator::Negate;
   minus->operands.push_back(again(kTolerance));
   ValuePtr below = expressions_.combine(Operator::GreaterEqual, difference(), std::move(minus), where);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ladder/semantics/internal/call_analyzer.h"
 #include "ladder/semantics/internal/standard_analyzer.h"
 #include "ladder/semantics/internal/test_analyzer.h"
 #include "ladder/source/suggestion.h"
@@ -30,30 +31,28 @@ std::string unknown_function_hint(const std::string& folded,
 
 }  // namespace
 
-// For a variable that is called: "a(3)" where a[3] is meant.
-std::string ExpressionAnalyzer::index_hint(std::string_view name, const Type& type) {
+std::string CallAnalyzer::index_hint(std::string_view name, const Type& type) {
   const char* const part = type.kind == TypeKind::Array ? "an element"
                            : type.is_string()           ? "a character"
                                                         : nullptr;
   return part == nullptr ? "" : std::string(part) + " is written " + std::string(name) + "[...]";
 }
 
-void ExpressionAnalyzer::note_callee(const Pou& callee) {
-  if (pou_ == nullptr) return;
-  if (pou_->known_callees.insert(&callee).second) pou_->callees.push_back(&callee);
+void CallAnalyzer::note_callee(const Pou& callee) {
+  if (pou_ != nullptr) pou_->note_callee(callee);
 }
 
-ValuePtr ExpressionAnalyzer::call(const Expression& expression) {
+ValuePtr CallAnalyzer::call(const Expression& expression) {
   ValuePtr result = callee(expression);
   return result ? enabled(std::move(result), expression) : nullptr;
 }
 
-ValuePtr ExpressionAnalyzer::callee(const Expression& expression) {
+ValuePtr CallAnalyzer::callee(const Expression& expression) {
   if (!expression.operands.empty()) {
     const Expression* root = expression.operands[0].get();
     while (!root->operands.empty()) root = root->operands[0].get();
-    if (root->kind == syntax::ExpressionKind::Variable && find_variable(root->name.id) == nullptr) {
-      report_unknown(root->name);
+    if (root->kind == syntax::ExpressionKind::Variable && e_.find_variable(root->name.id) == nullptr) {
+      e_.report_unknown(root->name);
       return nullptr;
     }
     a_.error(code::kNoResult, expression.where, "a function block has no result",
@@ -61,7 +60,7 @@ ValuePtr ExpressionAnalyzer::callee(const Expression& expression) {
     return nullptr;
   }
   const syntax::Name& name = expression.name;
-  const Variable* variable = find_variable(name.id);
+  const Variable* variable = e_.find_variable(name.id);
   const bool own_result = pou_ != nullptr && pou_->kind == PouKind::Function && pou_->name == name.id;
   if (variable != nullptr && !own_result) {
     if (variable->type == nullptr) return nullptr;
@@ -82,14 +81,15 @@ ValuePtr ExpressionAnalyzer::callee(const Expression& expression) {
     return nullptr;
   }
   const std::string& folded = a_.names.folded(name.id);
-  if (folded == "REF" || (folded == "ADR" && a_.dialect->pointers)) return reference_to(expression);
-  if (folded == "LOWER_BOUND" || folded == "UPPER_BOUND") return array_bound(expression, folded[0] == 'U');
+  if (folded == "REF" || (folded == "ADR" && a_.dialect->pointers)) return e_.reference_to(expression);
+  if (folded == "LOWER_BOUND" || folded == "UPPER_BOUND") return e_.array_bound(expression, folded[0] == 'U');
   bool known = false;
-  ValuePtr result = StandardAnalyzer(a_, *this).call(expression, folded, known);
+  ValuePtr result = StandardAnalyzer(a_, e_).call(expression, folded, known);
   if (known) return result;
-  if (const auto conversion = named_conversion(folded)) return explicit_conversion(expression, *conversion);
+  if (const auto conversion = e_.named_conversion(folded))
+    return e_.explicit_conversion(expression, *conversion);
   if (is_test_statement(folded)) {
-    if (in_test()) {
+    if (e_.in_test()) {
       a_.error(code::kNoResult, name.where, quote(name.text) + " is a statement and has no result");
     } else {
       a_.error(code::kOnlyInTest, name.where, quote(name.text) + " stands in a TEST only",
@@ -110,7 +110,7 @@ ValuePtr ExpressionAnalyzer::callee(const Expression& expression) {
   return nullptr;
 }
 
-ValuePtr ExpressionAnalyzer::function_call(const Expression& expression, Pou& function) {
+ValuePtr CallAnalyzer::function_call(const Expression& expression, Pou& function) {
   if (pou_ == nullptr) {
     a_.error(code::kNotConstant, expression.where, "the value must be known when the program is compiled");
     return nullptr;
@@ -149,9 +149,9 @@ ValuePtr ExpressionAnalyzer::function_call(const Expression& expression, Pou& fu
   return result;
 }
 
-std::optional<Statement> ExpressionAnalyzer::call_statement(const Expression& call) {
+std::optional<Statement> CallAnalyzer::call_statement(const Expression& call) {
   if (!call.operands.empty()) return block_call(call, call.operands[0].get());
-  const Variable* variable = find_variable(call.name.id);
+  const Variable* variable = e_.find_variable(call.name.id);
   if (variable != nullptr && variable->type == nullptr) return std::nullopt;
   if (variable != nullptr && variable->type->kind == TypeKind::Instance) return block_call(call, nullptr);
   ValuePtr value = this->call(call);
@@ -163,16 +163,17 @@ std::optional<Statement> ExpressionAnalyzer::call_statement(const Expression& ca
   return statement;
 }
 
-std::optional<Statement> ExpressionAnalyzer::block_call(const Expression& call, const Expression* path) {
+std::optional<Statement> CallAnalyzer::block_call(const Expression& call, const Expression* path) {
   if (pou_ == nullptr) return std::nullopt;
-  std::optional<Place> instance = path != nullptr ? place(*path, Access::Read) : variable_place(call.name);
+  std::optional<Place> instance =
+      path != nullptr ? e_.place(*path, Access::Read) : e_.variable_place(call.name);
   if (!instance) return std::nullopt;
   if (instance->type->kind != TypeKind::Instance) {
     a_.error(code::kNotCallable, call.where, instance->type->name + " cannot be called");
     return std::nullopt;
   }
   const Pou& block = *instance->type->pou;
-  if (block.kind == PouKind::Program && !in_test()) {
+  if (block.kind == PouKind::Program && !e_.in_test()) {
     a_.error(code::kNotCallable, call.where, "a program cannot be called");
     return std::nullopt;
   }
@@ -207,8 +208,8 @@ std::optional<Statement> ExpressionAnalyzer::block_call(const Expression& call, 
 }
 
 // What a call of the block gives each of its parameters.
-bool ExpressionAnalyzer::pass(const std::vector<const Argument*>& arguments, const Pou& block, Position where,
-                              Statement& out) {
+bool CallAnalyzer::pass(const std::vector<const Argument*>& arguments, const Pou& block, Position where,
+                        Statement& out) {
   bool sound = true;
   for (std::size_t i = 0; i < block.variables.size() && sound; ++i) {
     const Variable& parameter = block.variables[i];
@@ -222,21 +223,21 @@ bool ExpressionAnalyzer::pass(const std::vector<const Argument*>& arguments, con
   return sound;
 }
 
-bool ExpressionAnalyzer::pass_arguments(const std::vector<Argument>& given, const Pou& block, Position where,
-                                        Statement& out) {
+bool CallAnalyzer::pass_arguments(const std::vector<Argument>& given, const Pou& block, Position where,
+                                  Statement& out) {
   std::vector<const Argument*> arguments;
   return match_given(given, block, arguments) && pass(arguments, block, where, out);
 }
 
 // A member of the instance that is called; the instance has no index on its way.
-Place ExpressionAnalyzer::part_of_target(const Place& instance, std::uint32_t offset, const Type* type) {
+Place CallAnalyzer::part_of_target(const Place& instance, std::uint32_t offset, const Type* type) {
   Place part = copy_direct(instance);
   advance(part, offset);
   part.type = type;
   return part;
 }
 
-bool ExpressionAnalyzer::block_argument(const Variable& parameter, const Argument& argument, Statement& out) {
+bool CallAnalyzer::block_argument(const Variable& parameter, const Argument& argument, Statement& out) {
   if (parameter.type == nullptr) return false;
   const std::uint32_t offset = parameter.place.offset;
   if (parameter.section == Section::Output)

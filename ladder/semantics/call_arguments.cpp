@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ladder/semantics/internal/call_analyzer.h"
 #include "ladder/semantics/internal/standard_analyzer.h"
 #include "ladder/source/suggestion.h"
 
@@ -35,8 +36,8 @@ bool has_lost_parameter(const Pou& pou) {
 }  // namespace
 
 // `out` holds, for each variable of the POU, its argument or null.
-bool ExpressionAnalyzer::match_arguments(const Expression& call, const Pou& pou,
-                                         std::vector<const Argument*>& out) {
+bool CallAnalyzer::match_arguments(const Expression& call, const Pou& pou,
+                                   std::vector<const Argument*>& out) {
   out.assign(pou.variables.size(), nullptr);
   // EN and ENO are parameters like others where the POU declares them.
   for (const Argument* each : {call.enable.get(), call.enabled.get()}) {
@@ -47,8 +48,8 @@ bool ExpressionAnalyzer::match_arguments(const Expression& call, const Pou& pou,
   return match_given(call.arguments, pou, out);
 }
 
-bool ExpressionAnalyzer::match_given(const std::vector<Argument>& given, const Pou& pou,
-                                     std::vector<const Argument*>& out) {
+bool CallAnalyzer::match_given(const std::vector<Argument>& given, const Pou& pou,
+                               std::vector<const Argument*>& out) {
   out.resize(pou.variables.size(), nullptr);
   std::vector<std::size_t> positional;
   std::vector<std::string_view> formals;
@@ -101,10 +102,10 @@ bool ExpressionAnalyzer::match_given(const std::vector<Argument>& given, const P
 }
 
 // `Q => y`: y := source, behind the call.
-bool ExpressionAnalyzer::pass_output(const Argument& argument, Place source, std::vector<CopyAfter>& after,
-                                     bool any_integer) {
+bool CallAnalyzer::pass_output(const Argument& argument, Place source, std::vector<CopyAfter>& after,
+                               bool any_integer) {
   if (!argument.value) return true;
-  auto target = place(*argument.value, Access::Write);
+  auto target = e_.place(*argument.value, Access::Write);
   if (!target) return false;
   const Position where = argument.value->where;
   ValuePtr value = load(std::move(source), where);
@@ -119,7 +120,7 @@ bool ExpressionAnalyzer::pass_output(const Argument& argument, Place source, std
     value = std::move(inverse);
   }
   if (any_integer) value = within_type(std::move(value), *target->type);
-  value = convert(std::move(value), target->type, where);
+  value = e_.convert(std::move(value), target->type, where);
   if (!value) return false;
   after.push_back({std::move(*target), std::move(value)});
   return true;
@@ -127,7 +128,7 @@ bool ExpressionAnalyzer::pass_output(const Argument& argument, Place source, std
 
 // The value of an ANY_INT output, a LINT, in the integer type that it goes to; it traps if that does not hold
 // it.
-ValuePtr ExpressionAnalyzer::within_type(ValuePtr integer, const Type& target) {
+ValuePtr CallAnalyzer::within_type(ValuePtr integer, const Type& target) {
   const Type& to = target.kind == TypeKind::Subrange ? *target.base : target;
   if (!to.is_integer() || widens(*integer->type, to)) return integer;
   const Position where = integer->where;
@@ -136,32 +137,32 @@ ValuePtr ExpressionAnalyzer::within_type(ValuePtr integer, const Type& target) {
   const IntegerRange both{std::max(held.low, wanted.low), std::min(held.high, wanted.high)};
   ValuePtr checked = make(ValueKind::Check, a_.type_table().subrange(integer->type, both), where);
   checked->operands.push_back(std::move(integer));
-  return convert_exactly(std::move(checked), &to);
+  return e_.convert_exactly(std::move(checked), &to);
 }
 
 // The value of an input. ANY_INT takes a ULINT too: what a LINT does not hold is as good as the largest,
 // which is outside of every domain.
-ValuePtr ExpressionAnalyzer::input_value(const Variable& parameter, const Expression& given) {
-  ValuePtr found = value(given);
+ValuePtr CallAnalyzer::input_value(const Variable& parameter, const Expression& given) {
+  ValuePtr found = e_.value(given);
   if (!found) return nullptr;
   if (parameter.any_integer && found->type->is(ElementaryType::Ulint)) {
     const IntegerRange held = range_of(ElementaryType::Lint);
-    found = StandardAnalyzer(a_, *this).bounded(std::move(found), 0, held.high);
-    return convert_exactly(std::move(found), parameter.type);
+    found = StandardAnalyzer(a_, e_).bounded(std::move(found), 0, held.high);
+    return e_.convert_exactly(std::move(found), parameter.type);
   }
-  return convert(std::move(found), parameter.type, given.where);
+  return e_.convert(std::move(found), parameter.type, given.where);
 }
 
 // The address of a VAR_IN_OUT argument. What has none (a bit, a local slot) goes through a copy.
-ValuePtr ExpressionAnalyzer::reference_argument(const Argument& argument, const Variable& parameter,
-                                                std::vector<CopyBefore>& before,
-                                                std::vector<CopyAfter>& after) {
+ValuePtr CallAnalyzer::reference_argument(const Argument& argument, const Variable& parameter,
+                                          std::vector<CopyBefore>& before, std::vector<CopyAfter>& after) {
   if (!argument.value) return nullptr;
   const Position where = argument.value->where;
-  auto target = place(*argument.value, Access::Write);
+  auto target = e_.place(*argument.value, Access::Write);
   if (!target) return nullptr;
   if (!matches_parameter(*target->type, *parameter.type)) {
-    if (!is_too_long(*target->type, *parameter.type)) return mismatch(*target->type, *parameter.type, where);
+    if (!is_too_long(*target->type, *parameter.type))
+      return e_.mismatch(*target->type, *parameter.type, where);
     a_.error(code::kTypeMismatch, where,
              target->type->name + " is too long to stand for " + quote(parameter.spelling) +
                  ": the length of a " + parameter.type->name + " is an INT",
@@ -183,14 +184,14 @@ ValuePtr ExpressionAnalyzer::reference_argument(const Argument& argument, const 
   return address_of(std::move(*target), where);
 }
 
-ValuePtr ExpressionAnalyzer::address_of(Place place, Position where) {
+ValuePtr CallAnalyzer::address_of(Place place, Position where) {
   ValuePtr address = make(ValueKind::Reference, a_.type_table().reference(place.type), where);
   address->place = std::move(place);
   return address;
 }
 
 // The length of a short string is INT: a long one cannot stand for it.
-bool ExpressionAnalyzer::is_too_long(const Type& argument, const Type& parameter) {
+bool CallAnalyzer::is_too_long(const Type& argument, const Type& parameter) {
   constexpr std::uint32_t kMostOfInt = 0x7FFF;
   return argument.is_string() && parameter.is_string() && argument.elementary == parameter.elementary &&
          argument.capacity > kMostOfInt && parameter.capacity <= kMostOfInt;
@@ -198,7 +199,7 @@ bool ExpressionAnalyzer::is_too_long(const Type& argument, const Type& parameter
 
 // A variable-length array takes every array of its elements and number of dimensions; a string of any
 // capacity carries it along.
-bool ExpressionAnalyzer::matches_parameter(const Type& argument, const Type& parameter) const {
+bool CallAnalyzer::matches_parameter(const Type& argument, const Type& parameter) const {
   if (&argument == &parameter) return true;
   if (parameter.is_string())
     return argument.is_string() && argument.elementary == parameter.elementary &&
@@ -208,7 +209,7 @@ bool ExpressionAnalyzer::matches_parameter(const Type& argument, const Type& par
 }
 
 // The bounds of an array that is passed to a variable-length one: lower and upper of each dimension.
-std::vector<ValuePtr> ExpressionAnalyzer::bounds_of(const Place& array, Position where) {
+std::vector<ValuePtr> CallAnalyzer::bounds_of(const Place& array, Position where) {
   std::vector<ValuePtr> values;
   const Type* dint = a_.type_table().elementary(ElementaryType::Dint);
   for (std::size_t i = 0; i < array.type->dimensions.size(); ++i) {
@@ -222,8 +223,8 @@ std::vector<ValuePtr> ExpressionAnalyzer::bounds_of(const Place& array, Position
   return values;
 }
 
-bool ExpressionAnalyzer::in_out_argument(const Variable& parameter, const Argument* argument,
-                                         const Expression& call, Value& out) {
+bool CallAnalyzer::in_out_argument(const Variable& parameter, const Argument* argument,
+                                   const Expression& call, Value& out) {
   if (argument == nullptr || !argument->value) {
     a_.error(code::kMissingInOut, call.where, "the call gives no variable for " + quote(parameter.spelling));
     return false;
@@ -231,9 +232,9 @@ bool ExpressionAnalyzer::in_out_argument(const Variable& parameter, const Argume
   ValuePtr address;
   if (parameter.section == Section::InOut) {
     address = reference_argument(*argument, parameter, out.before, out.after);
-  } else if (auto source = place(*argument->value, Access::Read)) {
+  } else if (auto source = e_.place(*argument->value, Access::Read)) {
     if (!matches_parameter(*source->type, *parameter.type)) {
-      mismatch(*source->type, *parameter.type, argument->value->where);
+      e_.mismatch(*source->type, *parameter.type, argument->value->where);
       return false;
     }
     address = address_of(std::move(*source), argument->value->where);
@@ -247,13 +248,13 @@ bool ExpressionAnalyzer::in_out_argument(const Variable& parameter, const Argume
 }
 
 // An input: its value, or the address of one that is in memory.
-bool ExpressionAnalyzer::input_argument(const Variable& parameter, const Argument* argument,
-                                        const Expression& call, Value& out) {
+bool CallAnalyzer::input_argument(const Variable& parameter, const Argument* argument, const Expression& call,
+                                  Value& out) {
   ValuePtr value;
   if (argument != nullptr && argument->value) {
     value = input_value(parameter, *argument->value);
   } else if (parameter.type->is_scalar()) {
-    value = first_value(parameter.initial.value_or(Constant{}), parameter.type, call.where);
+    value = e_.first_value(parameter.initial.value_or(Constant{}), parameter.type, call.where);
   } else {
     value = load(copy_direct(parameter.first), call.where);
   }
@@ -263,8 +264,8 @@ bool ExpressionAnalyzer::input_argument(const Variable& parameter, const Argumen
 }
 
 // An output is written into the frame of the caller, which passes it on.
-bool ExpressionAnalyzer::output_argument(const Variable& parameter, const Argument* argument,
-                                         const Expression& call, Value& out) {
+bool CallAnalyzer::output_argument(const Variable& parameter, const Argument* argument,
+                                   const Expression& call, Value& out) {
   const Place left = frame_place(*pou_, parameter.type);
   out.operands.push_back(address_of(copy_direct(left), call.where));
   return argument == nullptr || pass_output(*argument, copy_direct(left), out.after, parameter.any_integer);

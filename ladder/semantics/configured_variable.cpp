@@ -113,12 +113,11 @@ bool Configurer::give_address(const syntax::ConfiguredVariable& line, const Memb
     a_.error(code::kDuplicate, variable.where, quote(member.path) + " has an address already");
     return false;
   }
-  located.push_back(
-      {member.offset, ExpressionAnalyzer::copy_direct(variable.place), !declared.is_referred()});
+  located.push_back({member.offset, copy_direct(variable.place), !declared.is_referred()});
   if (declared.is_referred())
     a_.model.references.push_back({Base::Data,
                                    a_.model.instances[member.instance->index].offset + member.offset,
-                                   ExpressionAnalyzer::copy_direct(variable.place)});
+                                   copy_direct(variable.place)});
   a_.model.configured.push_back(std::move(variable));
   return true;
 }

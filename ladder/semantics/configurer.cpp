@@ -128,7 +128,7 @@ void Configurer::set_trigger(const syntax::TaskDeclaration& declaration, Task& t
              "use a global BOOL, an address like %IX0.0 or an output of a program");
     return;
   }
-  task.trigger = Trigger{path_of(source), ExpressionAnalyzer::copy_direct(*place)};
+  task.trigger = Trigger{path_of(source), copy_direct(*place)};
 }
 
 std::optional<Place> Configurer::trigger_place(const Expression& source) {

@@ -27,21 +27,20 @@ void Layout::guard_body() {
   const Type* boolean = a_.type_table().boolean();
   Block guard;
   const auto state = [&](Position where) {
-    return enable != nullptr ? ExpressionAnalyzer::load(ExpressionAnalyzer::copy_direct(enable->place), where)
-                             : ExpressionAnalyzer::make_constant({1}, boolean, where);
+    return enable != nullptr ? load(copy_direct(enable->place), where) : make_constant({1}, boolean, where);
   };
   if (enabled != nullptr) {
     Statement& assign = guard.emplace_back();
     assign.kind = StatementKind::Assign;
     assign.where = enabled->where;
-    assign.target = ExpressionAnalyzer::copy_direct(enabled->place);
+    assign.target = copy_direct(enabled->place);
     assign.value = state(enabled->where);
   }
   if (enable != nullptr) {
     Statement& leave = guard.emplace_back();
     leave.kind = StatementKind::If;
     leave.where = enable->where;
-    ValuePtr disabled = ExpressionAnalyzer::make(ValueKind::Unary, boolean, enable->where);
+    ValuePtr disabled = make(ValueKind::Unary, boolean, enable->where);
     disabled->op = syntax::Operator::Not;
     disabled->operands.push_back(state(enable->where));
     Branch& branch = leave.branches.emplace_back();

@@ -7,7 +7,8 @@
 
 #include <utility>
 
-#include "ladder/semantics/internal/expression_analyzer.h"
+#include "ladder/semantics/internal/call_analyzer.h"
+#include "ladder/semantics/internal/error_guard.h"
 
 namespace stepwright::semantics::internal {
 
@@ -22,11 +23,11 @@ bool declares(const Pou* pou, const syntax::Argument* argument) {
 }  // namespace
 
 // The slot that holds EN, set by the last of `before`; nothing after a report. ENO is passed on behind.
-std::optional<Place> ExpressionAnalyzer::enable_slot(const Expression& call, std::vector<CopyBefore>& before,
-                                                     std::vector<CopyAfter>& after) {
+std::optional<Place> CallAnalyzer::enable_slot(const Expression& call, std::vector<CopyBefore>& before,
+                                               std::vector<CopyAfter>& after) {
   const Type* boolean = a_.type_table().boolean();
   ValuePtr enable = make_constant({1}, boolean, call.where);
-  if (call.enable) enable = call.enable->value ? value_as(*call.enable->value, boolean) : nullptr;
+  if (call.enable) enable = call.enable->value ? e_.value_as(*call.enable->value, boolean) : nullptr;
   if (!enable) return std::nullopt;
   pou_->slots.push_back(bytecode::StackType::Bool);
   Place slot;
@@ -38,7 +39,7 @@ std::optional<Place> ExpressionAnalyzer::enable_slot(const Expression& call, std
   return slot;
 }
 
-ValuePtr ExpressionAnalyzer::enabled(ValuePtr called, const Expression& call) {
+ValuePtr CallAnalyzer::enabled(ValuePtr called, const Expression& call) {
   const Pou* pou = called->kind == ValueKind::Call ? called->pou : nullptr;
   const bool has_enable = call.enable && !declares(pou, call.enable.get());
   const bool has_enabled = call.enabled && !declares(pou, call.enabled.get());
@@ -47,19 +48,20 @@ ValuePtr ExpressionAnalyzer::enabled(ValuePtr called, const Expression& call) {
     a_.error(code::kNotConstant, call.where, "the value must be known when the program is compiled");
     return nullptr;
   }
-  called = settle(std::move(called));
+  called = e_.settle(std::move(called));
   if (!called) return nullptr;
   ValuePtr result = make(ValueKind::Enabled, called->type, call.where);
   auto slot = enable_slot(call, result->before, result->after);
   if (!slot) return nullptr;
-  if (has_enabled) called = unless_error(std::move(called), *slot);
+  ErrorGuard guard(a_, e_, *pou_);
+  if (has_enabled) called = guard.unless_error(std::move(called), *slot);
   if (!called) return nullptr;
   result->operands.push_back(load(std::move(*slot), call.where));
-  add_or_first(*result, std::move(called));
+  guard.add_or_first(*result, std::move(called));
   return result;
 }
 
-Statement ExpressionAnalyzer::enabled_block(Statement called, const Expression& call) {
+Statement CallAnalyzer::enabled_block(Statement called, const Expression& call) {
   const Pou* pou = called.target.type->pou;
   const bool has_enable = call.enable && !declares(pou, call.enable.get());
   const bool has_enabled = call.enabled && !declares(pou, call.enabled.get());

@@ -2,11 +2,13 @@
 // is not run, and the scan goes on. The operands are computed first, once, into slots; what they must hold is
 // tested there (value_condition.cpp).
 
+#include "ladder/semantics/internal/error_guard.h"
+
 #include <algorithm>
 #include <utility>
 
 #include "ladder/semantics/internal/error_test.h"
-#include "ladder/semantics/internal/expression_analyzer.h"
+#include "ladder/semantics/internal/value_condition.h"
 
 namespace stepwright::semantics::internal {
 
@@ -63,6 +65,12 @@ ErrorTest function_test(StandardFunction function) {
   }
 }
 
+Constant first_value(const Type& scalar) {
+  std::vector<std::byte> first = scalar.initial;
+  first.resize(scalar.size);
+  return semantics::load(scalar, first);
+}
+
 }  // namespace
 
 ErrorTest error_test(const Value& called) {
@@ -108,25 +116,16 @@ bool is_kept_aside(ErrorTest test, const Value& called, std::size_t operand) {
   }
 }
 
-// The function of the library that tells whether another one of it has a value; null if there is none.
-const Pou* ExpressionAnalyzer::condition_of(const Pou& function) const {
-  const auto of_library = [&](const Pou& pou) { return a_.sink.sources().is_library(pou.where.file); };
-  if (!of_library(function)) return nullptr;
-  const auto name = a_.names.find(std::string(kConditionPrefix) + a_.names.folded(function.name));
-  const auto found = name ? a_.pous.find(name->value) : a_.pous.end();
-  return found != a_.pous.end() && of_library(*found->second) ? found->second : nullptr;
-}
-
 // A value that can be read again, in a slot; of a text the address.
-ValuePtr ExpressionAnalyzer::kept_aside(ValuePtr value, std::vector<CopyBefore>& before) {
+ValuePtr ErrorGuard::kept_aside(ValuePtr value, std::vector<CopyBefore>& before) {
   const Position where = value->where;
   const Type* type = value->type;
   const bool is_text = type->is_string();
   Place slot;
   slot.base = Base::Slot;
   slot.type = is_text ? a_.type_table().reference(type) : type;
-  pou_->slots.push_back(slot_type(*slot.type));
-  slot.slot = static_cast<std::uint32_t>(pou_->slots.size() - 1);
+  pou_.slots.push_back(slot_type(*slot.type));
+  slot.slot = static_cast<std::uint32_t>(pou_.slots.size() - 1);
   before.push_back({copy_direct(slot), std::move(value)});
   if (is_text) {
     slot.base = Base::SlotRef;
@@ -136,21 +135,23 @@ ValuePtr ExpressionAnalyzer::kept_aside(ValuePtr value, std::vector<CopyBefore>&
 }
 
 // Where the function is made of two parts, each may fail: `enabled` says so of both.
-ValuePtr ExpressionAnalyzer::unless_error(ValuePtr called, const Place& enabled) {
+ValuePtr ErrorGuard::unless_error(ValuePtr called, const Place& enabled) {
   const bool in_parts = called->kind == ValueKind::Convert && called->converts_part;
   if (in_parts) called->operands[0] = unless_error(std::move(called->operands[0]), enabled);
   if (in_parts && !called->operands[0]) return nullptr;
   const ErrorTest test = error_test(*called);
-  if (test == ErrorTest::Arguments && condition_of(*called->pou) == nullptr) return called;
+  ValueCondition condition(a_, e_, pou_);
+  if (test == ErrorTest::Arguments && condition.condition_of(*called->pou) == nullptr) return called;
   if (test == ErrorTest::None) return called;
   ValuePtr result = make(ValueKind::Enabled, called->type, called->where);
   for (std::size_t i = 0; i < called->operands.size(); ++i) {
     ValuePtr& operand = called->operands[i];
     if (is_kept_aside(test, *called, i)) operand = kept_aside(std::move(operand), result->before);
   }
-  ValuePtr good = has_value(*called, test);
+  ValuePtr good = condition.has_value(*called, test);
   if (good && in_parts)
-    good = combine(Operator::And, load(copy_direct(enabled), called->where), std::move(good), called->where);
+    good =
+        e_.combine(Operator::And, load(copy_direct(enabled), called->where), std::move(good), called->where);
   if (!good) return nullptr;
   result->before.push_back({copy_direct(enabled), std::move(good)});
   result->operands.push_back(load(copy_direct(enabled), called->where));
@@ -158,8 +159,7 @@ ValuePtr ExpressionAnalyzer::unless_error(ValuePtr called, const Place& enabled)
   return result;
 }
 
-// What is computed if it is enabled, and the first value of its type, which stands for it if it is not.
-void ExpressionAnalyzer::add_or_first(Value& enabled, ValuePtr called) {
+void ErrorGuard::add_or_first(Value& enabled, ValuePtr called) {
   const Type* type = called->type;
   const Position where = called->where;
   enabled.operands.push_back(std::move(called));
@@ -167,15 +167,9 @@ void ExpressionAnalyzer::add_or_first(Value& enabled, ValuePtr called) {
   if (type->is_scalar()) {
     enabled.constant = first_value(*type);
   } else {
-    enabled.place = frame_place(*pou_, type);
+    enabled.place = frame_place(pou_, type);
     enabled.operands.push_back(load(a_.allocate_place(type, where), where));
   }
-}
-
-Constant ExpressionAnalyzer::first_value(const Type& scalar) {
-  std::vector<std::byte> first = scalar.initial;
-  first.resize(scalar.size);
-  return semantics::load(scalar, first);
 }
 
 }  // namespace stepwright::semantics::internal

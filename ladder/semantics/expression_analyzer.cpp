@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "ladder/semantics/internal/call_analyzer.h"
 #include "runtime/naming/ascii_names.h"
 
 namespace stepwright::semantics::internal {
@@ -25,40 +26,6 @@ ElementaryType time_type(ExpressionKind kind) {
 }
 
 }  // namespace
-
-ValuePtr ExpressionAnalyzer::make(ValueKind kind, const Type* type, Position where) {
-  auto value = std::make_unique<Value>();
-  value->kind = kind;
-  value->type = type;
-  value->where = where;
-  return value;
-}
-
-ValuePtr ExpressionAnalyzer::make_constant(Constant constant, const Type* type, Position where) {
-  ValuePtr value = make(ValueKind::Constant, type, where);
-  value->constant = constant;
-  return value;
-}
-
-ValuePtr ExpressionAnalyzer::load(Place place, Position where) {
-  const bool is_subrange = place.type->kind == TypeKind::Subrange;
-  ValuePtr value = make(ValueKind::Load, is_subrange ? place.type->base : place.type, where);
-  value->place = std::move(place);
-  return value;
-}
-
-Place ExpressionAnalyzer::copy_direct(const Place& place) {
-  Place copy;
-  copy.base = place.base;
-  copy.offset = place.offset;
-  copy.slot = place.slot;
-  copy.bit = place.bit;
-  copy.type = place.type;
-  copy.whole = place.whole;
-  copy.shift = place.shift;
-  copy.open = place.open;
-  return copy;
-}
 
 ValuePtr ExpressionAnalyzer::value(const Expression& expression) {
   if (expression.prefix && expression.kind != ExpressionKind::EnumValue) return typed_literal(expression);
@@ -98,7 +65,7 @@ ValuePtr ExpressionAnalyzer::value(const Expression& expression) {
     case ExpressionKind::Binary:
       return binary(expression);
     case ExpressionKind::Call: {
-      ValuePtr result = call(expression);
+      ValuePtr result = CallAnalyzer(a_, *this, pou_).call(expression);
       if (!result || result->type->kind != TypeKind::Nothing) return result;
       a_.error(code::kNoResult, expression.where,
                "the function " + quote(expression.name.text) + " has no result",

@@ -60,7 +60,7 @@ class ReferenceFinder {
 
  private:
   void add(const Type& type, std::uint32_t at) {
-    const FirstTarget* target = a_.first_target(load(type, bytes_.subspan(at, type.size)), type);
+    const FirstTarget* target = a_.first_target(semantics::load(type, bytes_.subspan(at, type.size)), type);
     if (target == nullptr) return;
     Place place;
     place.base = target->base;

@@ -126,7 +126,7 @@ bool Layout::external(Variable& variable) {
                  variable.type->name);
     return false;
   }
-  variable.place = ExpressionAnalyzer::copy_direct(global.place);
+  variable.place = copy_direct(global.place);
   variable.constant = variable.constant || global.constant;
   variable.value = global.value;
   return true;
@@ -189,9 +189,9 @@ void Layout::sense_edge(Variable& variable) {
   const Place before = bit(!rising);
   variable.edge_place = bit(false);
   const auto value_of = [&](const Place& place, bool negated) {
-    ValuePtr value = ExpressionAnalyzer::load(ExpressionAnalyzer::copy_direct(place), where);
+    ValuePtr value = load(copy_direct(place), where);
     if (!negated) return value;
-    ValuePtr inverse = ExpressionAnalyzer::make(ValueKind::Unary, variable.type, where);
+    ValuePtr inverse = make(ValueKind::Unary, variable.type, where);
     inverse->op = syntax::Operator::Not;
     inverse->operands.push_back(std::move(value));
     return inverse;
@@ -200,12 +200,12 @@ void Layout::sense_edge(Variable& variable) {
     Statement statement;
     statement.kind = StatementKind::Assign;
     statement.where = where;
-    statement.target = ExpressionAnalyzer::copy_direct(target);
+    statement.target = copy_direct(target);
     statement.value = std::move(value);
     pou_.entry.push_back(std::move(statement));
   };
   // `before` holds the input (rising) or its inverse (falling), as the M of R_TRIG and F_TRIG does.
-  ValuePtr changed = ExpressionAnalyzer::make(ValueKind::Binary, variable.type, where);
+  ValuePtr changed = make(ValueKind::Binary, variable.type, where);
   changed->op = syntax::Operator::And;
   changed->operands.push_back(value_of(variable.place, !rising));
   changed->operands.push_back(value_of(before, true));
@@ -249,9 +249,8 @@ void Layout::enter(const Variable& variable, const std::vector<std::byte>& bytes
   Statement copy;
   copy.kind = StatementKind::Assign;
   copy.where = variable.where;
-  copy.target = ExpressionAnalyzer::copy_direct(variable.place);
-  copy.value =
-      ExpressionAnalyzer::load(a_.allocate_place(variable.type, bytes, variable.where), variable.where);
+  copy.target = copy_direct(variable.place);
+  copy.value = load(a_.allocate_place(variable.type, bytes, variable.where), variable.where);
   copy.initial = true;
   pou_.entry.push_back(std::move(copy));
 }
@@ -260,7 +259,7 @@ void Layout::enter_with(const Place& place, const Constant& value, Position wher
   Statement assign;
   assign.kind = StatementKind::Assign;
   assign.where = where;
-  assign.target = ExpressionAnalyzer::copy_direct(place);
+  assign.target = copy_direct(place);
   assign.value = expressions_.first_value(value, place.type, where);
   pou_.entry.push_back(std::move(assign));
 }

@@ -80,6 +80,9 @@ struct Pou {
   Test* test = nullptr;             // of the program that a TEST became
   std::unordered_set<const Pou*> known_callees;  // the same, to be asked
 
+  void note_callee(const Pou& callee) {
+    if (known_callees.insert(&callee).second) callees.push_back(&callee);
+  }
   const Variable* find(source::NameId id) const {
     const auto found = scope.find(id.value);
     return found == scope.end() ? nullptr : &variables[found->second];

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "ladder/semantics/internal/call_analyzer.h"
 #include "ladder/semantics/internal/declarer.h"
 #include "ladder/source/suggestion.h"
 
@@ -119,7 +120,7 @@ std::optional<Place> ExpressionAnalyzer::part(const Expression& expression) {
               expression.operands.empty() ? find_variable(expression.name.id) : nullptr) {
         if (called->type == nullptr) return std::nullopt;
         a_.error(code::kNeedsVariable, expression.where, "a variable is needed here, and no call",
-                 index_hint(expression.name.text, *called->type));
+                 CallAnalyzer::index_hint(expression.name.text, *called->type));
         return std::nullopt;
       }
       [[fallthrough]];
@@ -155,17 +156,6 @@ Place ExpressionAnalyzer::known_place(const Variable& variable, const syntax::Na
   Place place = copy_direct(senses ? found->edge_place : found->place);
   if (found->type->open) place.open = found;
   return place;
-}
-
-// Goes on to a part of a place that lies `offset` bytes behind its start.
-void ExpressionAnalyzer::advance(Place& place, std::uint32_t offset) {
-  if (place.is_direct()) {
-    place.offset += offset;
-  } else if (offset != 0) {
-    PlaceStep step;
-    step.offset = offset;
-    place.steps.push_back(std::move(step));
-  }
 }
 
 std::optional<Place> ExpressionAnalyzer::field_place(const Expression& expression) {

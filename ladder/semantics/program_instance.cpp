@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "ladder/semantics/internal/call_analyzer.h"
 #include "ladder/semantics/internal/configurer.h"
 #include "ladder/source/suggestion.h"
 #include "runtime/naming/ascii_names.h"
@@ -36,7 +37,7 @@ Statement assign(Place target, Place source, Position where) {
   copy.kind = StatementKind::Assign;
   copy.where = where;
   copy.target = std::move(target);
-  copy.value = ExpressionAnalyzer::load(std::move(source), where);
+  copy.value = load(std::move(source), where);
   return copy;
 }
 
@@ -203,7 +204,7 @@ void Configurer::copy_located(const Instance& instance, std::uint32_t from, std:
     if (!each.copied || each.offset < from || each.offset >= to) continue;
     if (each.area.base == (before ? Base::Output : Base::Input)) continue;
     Place member = part_of_this(each.offset, each.area.type);
-    Place area = ExpressionAnalyzer::copy_direct(each.area);
+    Place area = copy_direct(each.area);
     runner.body.push_back(before ? assign(std::move(member), std::move(area), runner.where)
                                  : assign(std::move(area), std::move(member), runner.where));
   }
@@ -241,7 +242,8 @@ bool Configurer::connect(const Instance& instance, Pou& runner, Statement& call)
     }
   static const std::vector<syntax::Argument> kNone;
   const auto& connections = instance.declaration != nullptr ? instance.declaration->connections : kNone;
-  return ExpressionAnalyzer(a_, &runner).pass_arguments(connections, program, runner.where, call);
+  ExpressionAnalyzer expressions(a_, &runner);
+  return CallAnalyzer(a_, expressions, &runner).pass_arguments(connections, program, runner.where, call);
 }
 
 }  // namespace stepwright::semantics::internal

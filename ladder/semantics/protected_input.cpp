@@ -42,18 +42,16 @@ void protect(Analysis& a, Pou& pou, const Variable& input) {
     pou.entry.push_back(assign(std::move(target), std::move(value), input.where));
     pou.entry.back().initial = initial;
   };
-  const auto load = [&](const Place& place) {
-    return ExpressionAnalyzer::load(ExpressionAnalyzer::copy_direct(place), input.where);
-  };
-  add(ExpressionAnalyzer::copy_direct(copy), load(input.first), true);
-  add(ExpressionAnalyzer::copy_direct(copy), load(input.place), false);
+  const auto load = [&](const Place& place) { return internal::load(copy_direct(place), input.where); };
+  add(copy_direct(copy), load(input.first), true);
+  add(copy_direct(copy), load(input.place), false);
   const Type* reference = a.type_table().reference(input.type);
   Place slot;
   slot.base = Base::Slot;
   slot.slot = input.place.slot;
   slot.type = reference;
-  ValuePtr address = ExpressionAnalyzer::make(ValueKind::Reference, reference, input.where);
-  address->place = ExpressionAnalyzer::copy_direct(copy);
+  ValuePtr address = make(ValueKind::Reference, reference, input.where);
+  address->place = copy_direct(copy);
   add(std::move(slot), std::move(address), false);
 }
 

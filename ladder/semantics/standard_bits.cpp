@@ -58,7 +58,7 @@ ValuePtr StandardAnalyzer::shift(const Expression& call, Values values, int whic
     const IntegerRange range = range_of(count->elementary);
     if (!count->is_unsigned()) values[1] = bounded(std::move(values[1]), -1, range.high);
     values[1] = e_.combine(syntax::Operator::Modulo, std::move(values[1]),
-                           ExpressionAnalyzer::make_constant({bits}, count, where), where);
+                           make_constant({bits}, count, where), where);
   }
   values[1] = as_dint(std::move(values[1]), -1, bits);
   if (!values[1]) return nullptr;

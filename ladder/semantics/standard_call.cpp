@@ -189,7 +189,7 @@ ValuePtr StandardAnalyzer::bounded(ValuePtr value, __int128 low, __int128 high) 
   const auto cut = [&](StandardFunction function, __int128 bound) {
     Values pair;
     pair.push_back(std::move(value));
-    pair.push_back(ExpressionAnalyzer::make_constant({bound}, type, where));
+    pair.push_back(make_constant({bound}, type, where));
     value = make_standard(function, type, std::move(pair), where);
   };
   cut(StandardFunction::Min, high);
@@ -220,9 +220,9 @@ ValuePtr StandardAnalyzer::make_standard(StandardFunction function, const Type* 
     std::vector<Constant> operands;
     for (const ValuePtr& each : values) operands.push_back(each->constant);
     if (const auto folded = evaluate(function, operands, *values.front()->type, *type))
-      return ExpressionAnalyzer::make_constant(*folded, type, where);
+      return make_constant(*folded, type, where);
   }
-  ValuePtr result = ExpressionAnalyzer::make(ValueKind::Standard, type, where);
+  ValuePtr result = make(ValueKind::Standard, type, where);
   result->function = function;
   if (type->is_literal()) result->constant = widest_of(values);
   result->operands = std::move(values);

@@ -70,7 +70,7 @@ ValuePtr StandardAnalyzer::compare(const Expression& call, Values values, int wh
     if (type == nullptr) return nullptr;
   }
   if (!type->is_string() && !e_.operator_applies(op, *type)) return wrong_operand(call, *type);
-  ValuePtr result = ExpressionAnalyzer::make(ValueKind::Chain, a_.type_table().boolean(), call.where);
+  ValuePtr result = make(ValueKind::Chain, a_.type_table().boolean(), call.where);
   result->op = op;
   result->operands = std::move(values);
   return result;

@@ -64,7 +64,7 @@ ValuePtr StandardAnalyzer::select(const Expression& call, Values values, int) {
   const bool constant = values[0]->kind == ValueKind::Constant;
   if (constant && values[1]->kind == ValueKind::Constant && values[2]->kind == ValueKind::Constant)
     return std::move(values[values[0]->constant.integer != 0 ? 2 : 1]);
-  ValuePtr result = ExpressionAnalyzer::make(ValueKind::Select, type, call.where);
+  ValuePtr result = make(ValueKind::Select, type, call.where);
   result->constant = widest_of(std::span(values).subspan(1));
   result->operands = std::move(values);
   return result;
@@ -84,7 +84,7 @@ ValuePtr StandardAnalyzer::multiplex(const Expression& call, Values values, int)
       return nullptr;
     }
   }
-  ValuePtr result = ExpressionAnalyzer::make(ValueKind::Multiplex, type, call.where);
+  ValuePtr result = make(ValueKind::Multiplex, type, call.where);
   result->constant = widest_of(std::span(values).subspan(1));
   result->operands = std::move(values);
   return result;

@@ -76,12 +76,12 @@ ValuePtr StandardAnalyzer::time_operation(const Expression& call, Values values,
 }
 
 ValuePtr StandardAnalyzer::now(const Expression& call, Values, int) {
-  return ExpressionAnalyzer::make(ValueKind::Now, a_.type_table().elementary(Time), call.where);
+  return make(ValueKind::Now, a_.type_table().elementary(Time), call.where);
 }
 
 // Stops the program: an argument of a function of the library is outside of its domain.
 ValuePtr StandardAnalyzer::fail(const Expression& call, Values, int) {
-  return ExpressionAnalyzer::make(ValueKind::Fail, a_.type_table().boolean(), call.where);
+  return make(ValueKind::Fail, a_.type_table().boolean(), call.where);
 }
 
 }  // namespace stepwright::semantics::internal

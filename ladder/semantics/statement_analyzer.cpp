@@ -4,6 +4,8 @@
 #include <iterator>
 #include <utility>
 
+#include "ladder/semantics/internal/call_analyzer.h"
+
 namespace stepwright::semantics::internal {
 
 namespace {
@@ -66,7 +68,7 @@ std::optional<Statement> StatementAnalyzer::statement(const syntax::Statement& s
       const syntax::Expression& called = *statement.value;
       if (test_ && called.operands.empty() && is_test_statement(a_.names.folded(called.name.id)))
         return test_->statement(called);
-      auto call = expressions_.call_statement(*statement.value);
+      auto call = CallAnalyzer(a_, expressions_, &pou_).call_statement(*statement.value);
       if (call && call->kind == StatementKind::Evaluate && call->value->kind != ValueKind::Call &&
           call->value->kind != ValueKind::Fail)
         a_.sink.warning(code::kUnusedResult, statement.where, "the result of the function is not used");
@@ -122,8 +124,8 @@ void StatementAnalyzer::deduce(Variable& variable, const Type* type, Position wh
   }
   variable.place = frame_place(pou_, type);
   Statement first = make(StatementKind::Assign, where);
-  first.target = ExpressionAnalyzer::copy_direct(variable.place);
-  first.value = ExpressionAnalyzer::load(a_.allocate_place(type, where), where);
+  first.target = copy_direct(variable.place);
+  first.value = load(a_.allocate_place(type, where), where);
   first.initial = true;
   pou_.entry.push_back(std::move(first));
 }
@@ -167,7 +169,7 @@ std::optional<Statement> StatementAnalyzer::attempt(const syntax::Statement& sta
     return std::nullopt;
   }
   if (value->type != target->type)
-    value = ExpressionAnalyzer::make_constant({bytecode::kNullRef}, target->type, statement.value->where);
+    value = make_constant({bytecode::kNullRef}, target->type, statement.value->where);
   Statement result = make(StatementKind::Assign, statement.where);
   result.target = std::move(*target);
   result.value = std::move(value);
@@ -266,7 +268,7 @@ std::optional<Statement> StatementAnalyzer::count(const syntax::Statement& state
         result.step && result.step->kind == ValueKind::Constant && result.step->constant.integer == 0;
     if (is_zero) a_.error(code::kOutOfRange, statement.step->where, "a step of 0 never ends");
   } else if (type != nullptr) {
-    result.step = ExpressionAnalyzer::make_constant({1}, type, statement.where);
+    result.step = make_constant({1}, type, statement.where);
   }
   const std::uint32_t waits = test_ ? test_->waits() : 0;
   ++loops_;

@@ -120,8 +120,8 @@ std::optional<Statement> TestAnalyzer::wait(const Form& form, const Expression& 
   Statement block = plain(StatementKind::If, call.where);
   Block& body = block.branches.emplace_back().body;
   body.push_back(assign(header(TestHeader::kArgument, type), std::move(value), call.where));
-  body.push_back(assign(header(TestHeader::kResume, number),
-                        ExpressionAnalyzer::make_constant({waits_}, number, call.where), call.where));
+  body.push_back(
+      assign(header(TestHeader::kResume, number), make_constant({waits_}, number, call.where), call.where));
   body.push_back(leave_with_event(call.where));
   body.push_back(plain(StatementKind::Return, call.where));
   body.push_back(plain(StatementKind::Label, call.where));
@@ -133,8 +133,7 @@ std::optional<Statement> TestAnalyzer::wait(const Form& form, const Expression& 
 Statement TestAnalyzer::leave_with_event(Position where) const {
   const Type* number = a_.type_table().elementary(ElementaryType::Udint);
   const auto id = static_cast<__int128>(pou_.test->events.size());
-  return assign(header(TestHeader::kEvent, number), ExpressionAnalyzer::make_constant({id}, number, where),
-                where);
+  return assign(header(TestHeader::kEvent, number), make_constant({id}, number, where), where);
 }
 
 TestEvent& TestAnalyzer::add_event(const Form& form, const Expression& call) {
@@ -148,7 +147,7 @@ TestEvent& TestAnalyzer::add_event(const Form& form, const Expression& call) {
 Statement TestAnalyzer::dispatch() const {
   const Type* number = a_.type_table().elementary(ElementaryType::Udint);
   Statement select = plain(StatementKind::Case, pou_.where);
-  select.value = ExpressionAnalyzer::load(header(TestHeader::kResume, number), pou_.where);
+  select.value = load(header(TestHeader::kResume, number), pou_.where);
   for (std::uint32_t i = 0; i < waits_; ++i) {
     Branch& branch = select.branches.emplace_back();
     branch.ranges.push_back({{i + 1}, {i + 1}});
@@ -165,13 +164,13 @@ Statement TestAnalyzer::across_waits(Statement loop) {
   const Position where = loop.where;
   Statement block = plain(StatementKind::If, where);
   Block& body = block.branches.emplace_back().body;
-  body.push_back(assign(ExpressionAnalyzer::copy_direct(loop.target), std::move(loop.value), where));
-  loop.value = ExpressionAnalyzer::load(ExpressionAnalyzer::copy_direct(loop.target), where);
+  body.push_back(assign(copy_direct(loop.target), std::move(loop.value), where));
+  loop.value = load(copy_direct(loop.target), where);
   for (ValuePtr* each : {&loop.limit, &loop.step}) {
     if ((*each)->kind == ValueKind::Constant) continue;
     const Place kept = fresh((*each)->type);
-    body.push_back(assign(ExpressionAnalyzer::copy_direct(kept), std::move(*each), where));
-    *each = ExpressionAnalyzer::load(ExpressionAnalyzer::copy_direct(kept), where);
+    body.push_back(assign(copy_direct(kept), std::move(*each), where));
+    *each = load(copy_direct(kept), where);
   }
   body.push_back(std::move(loop));
   return block;

@@ -1,12 +1,10 @@
-// What must hold so that a standard function has a value; see error_guard.cpp.
+#include "ladder/semantics/internal/value_condition.h"
 
 #include <algorithm>
 #include <limits>
 #include <utility>
 
 #include "ladder/semantics/constant_conversion.h"
-#include "ladder/semantics/internal/error_test.h"
-#include "ladder/semantics/internal/expression_analyzer.h"
 
 namespace stepwright::semantics::internal {
 
@@ -18,8 +16,8 @@ namespace {
 // A constant, or a slot: what may be read twice.
 ValuePtr again(const Value& operand) {
   if (operand.kind == ValueKind::Constant)
-    return ExpressionAnalyzer::make_constant(operand.constant, operand.type, operand.where);
-  return ExpressionAnalyzer::load(ExpressionAnalyzer::copy_direct(operand.place), operand.where);
+    return make_constant(operand.constant, operand.type, operand.where);
+  return load(copy_direct(operand.place), operand.where);
 }
 
 // The decimal digits of a number, each in 4 bits.
@@ -37,17 +35,17 @@ __int128 most_of_digits(unsigned digits) {
 
 }  // namespace
 
-ValuePtr ExpressionAnalyzer::compare(const Value& operand, Operator op, Constant bound) {
-  return combine(op, again(operand), make_constant(bound, operand.type, operand.where), operand.where);
+ValuePtr ValueCondition::compare(const Value& operand, Operator op, Constant bound) {
+  return e_.combine(op, again(operand), make_constant(bound, operand.type, operand.where), operand.where);
 }
 
-ValuePtr ExpressionAnalyzer::both(ValuePtr left, ValuePtr right) {
+ValuePtr ValueCondition::both(ValuePtr left, ValuePtr right) {
   if (!left || !right) return nullptr;
   const Position where = left->where;
-  return combine(Operator::And, std::move(left), std::move(right), where);
+  return e_.combine(Operator::And, std::move(left), std::move(right), where);
 }
 
-ValuePtr ExpressionAnalyzer::neither(ValuePtr wrong) {
+ValuePtr ValueCondition::neither(ValuePtr wrong) {
   if (!wrong) return nullptr;
   ValuePtr result = make(ValueKind::Unary, a_.type_table().boolean(), wrong->where);
   result->op = Operator::Not;
@@ -55,8 +53,7 @@ ValuePtr ExpressionAnalyzer::neither(ValuePtr wrong) {
   return result;
 }
 
-// Its operands can be read again.
-ValuePtr ExpressionAnalyzer::has_value(const Value& called, ErrorTest test) {
+ValuePtr ValueCondition::has_value(const Value& called, ErrorTest test) {
   const Value& first = *called.operands[0];
   switch (test) {
     case ErrorTest::Divisor:
@@ -87,8 +84,9 @@ ValuePtr ExpressionAnalyzer::has_value(const Value& called, ErrorTest test) {
       return takes_arguments(called);
     case ErrorTest::FirstCharacter: {
       const Type* dint = a_.type_table().elementary(ElementaryType::Dint);
-      return combine(Operator::Greater, text_operation(StringOpId::LengthS, dint, again(first), first.where),
-                     make_constant({0}, dint, first.where), first.where);
+      return e_.combine(Operator::Greater,
+                        e_.text_operation(StringOpId::LengthS, dint, again(first), first.where),
+                        make_constant({0}, dint, first.where), first.where);
     }
     case ErrorTest::Counts:
       break;
@@ -104,9 +102,18 @@ ValuePtr ExpressionAnalyzer::has_value(const Value& called, ErrorTest test) {
   return good;
 }
 
+// The function of the library that tells whether another one of it has a value; null if there is none.
+const Pou* ValueCondition::condition_of(const Pou& function) const {
+  const auto of_library = [&](const Pou& pou) { return a_.sink.sources().is_library(pou.where.file); };
+  if (!of_library(function)) return nullptr;
+  const auto name = a_.names.find(std::string(kConditionPrefix) + a_.names.folded(function.name));
+  const auto found = name ? a_.pous.find(name->value) : a_.pous.end();
+  return found != a_.pous.end() && of_library(*found->second) ? found->second : nullptr;
+}
+
 // Rounded to the nearest, ties to even; or cut towards zero. The lower bound of a wide signed type has no
 // neighbour below among the reals.
-ValuePtr ExpressionAnalyzer::is_in_range(const Value& called) {
+ValuePtr ValueCondition::is_in_range(const Value& called) {
   const Value& first = *called.operands[0];
   const IntegerRange range = range_of(called.type->elementary);
   const bool cuts = called.kind == ValueKind::Truncate;
@@ -121,7 +128,7 @@ ValuePtr ExpressionAnalyzer::is_in_range(const Value& called) {
 }
 
 // Rounds to a REAL: is below the middle of the largest one and 2**128, or infinite, or NaN.
-ValuePtr ExpressionAnalyzer::fits_real(const Value& number) {
+ValuePtr ValueCondition::fits_real(const Value& number) {
   constexpr double kBeyond = 0x1.ffffffp127;
   ValuePtr held =
       both(compare(number, Operator::Less, {0, kBeyond}), compare(number, Operator::Greater, {0, -kBeyond}));
@@ -132,22 +139,22 @@ ValuePtr ExpressionAnalyzer::fits_real(const Value& number) {
 }
 
 // Its nanoseconds are an LINT.
-ValuePtr ExpressionAnalyzer::is_duration(const Value& called) {
+ValuePtr ValueCondition::is_duration(const Value& called) {
   const Value& first = *called.operands[0];
   const Position where = first.where;
   const Type* real = a_.type_table().elementary(ElementaryType::Lreal);
   constexpr double kLimit = 9223372036854775808.0;
   const auto in_ns = [&] {
     const auto unit = static_cast<double>(time_unit_ns(*called.type));
-    return combine(Operator::Multiply, convert_exactly(again(first), real),
-                   make_constant({0, unit}, real, where), where);
+    return e_.combine(Operator::Multiply, e_.convert_exactly(again(first), real),
+                      make_constant({0, unit}, real, where), where);
   };
-  return both(combine(Operator::GreaterEqual, in_ns(), make_constant({0, -kLimit}, real, where), where),
-              combine(Operator::Less, in_ns(), make_constant({0, kLimit}, real, where), where));
+  return both(e_.combine(Operator::GreaterEqual, in_ns(), make_constant({0, -kLimit}, real, where), where),
+              e_.combine(Operator::Less, in_ns(), make_constant({0, kLimit}, real, where), where));
 }
 
 // NaN is no error of these.
-ValuePtr ExpressionAnalyzer::is_in_domain(const Value& called) {
+ValuePtr ValueCondition::is_in_domain(const Value& called) {
   const Value& first = *called.operands[0];
   if (called.function == StandardFunction::Sqrt) return neither(compare(first, Operator::Less, {0, 0.0}));
   if (called.function == StandardFunction::Ln || called.function == StandardFunction::Log)
@@ -158,7 +165,7 @@ ValuePtr ExpressionAnalyzer::is_in_domain(const Value& called) {
 
 // 0 has no negative power. A finite negative number has a power if the exponent is an integer, as every real
 // from 2**53 on is; NaN and the infinities are no error.
-ValuePtr ExpressionAnalyzer::is_power(const Value& base, const Value& exponent) {
+ValuePtr ValueCondition::is_power(const Value& base, const Value& exponent) {
   constexpr double kWhole = 9007199254740992.0;
   const Position where = base.where;
   const double most = base.type->size == 4 ? static_cast<double>(std::numeric_limits<float>::max())
@@ -170,17 +177,18 @@ ValuePtr ExpressionAnalyzer::is_power(const Value& base, const Value& exponent) 
                         compare(exponent, Operator::Greater, {0, -kWhole}));
   ValuePtr whole = make(ValueKind::Truncate, a_.type_table().elementary(ElementaryType::Lint), where);
   whole->operands.push_back(again(exponent));
-  whole = combine(Operator::Equal, convert_exactly(std::move(whole), exponent.type), again(exponent), where);
+  whole = e_.combine(Operator::Equal, e_.convert_exactly(std::move(whole), exponent.type), again(exponent),
+                     where);
   // Cut only if the integer type holds it.
   ValuePtr has_root = neither(both(std::move(roots), std::move(small)));
   if (!has_root || !whole) return nullptr;
   return both(neither(std::move(pole)),
-              combine(Operator::OrElse, std::move(has_root), std::move(whole), where));
+              e_.combine(Operator::OrElse, std::move(has_root), std::move(whole), where));
 }
 
-ValuePtr ExpressionAnalyzer::takes_arguments(const Value& called) {
+ValuePtr ValueCondition::takes_arguments(const Value& called) {
   const Pou* condition = condition_of(*called.pou);
-  note_callee(*condition);
+  pou_.note_callee(*condition);
   ValuePtr asked = make(ValueKind::Call, a_.type_table().boolean(), called.where);
   asked->pou = condition;
   for (const ValuePtr& each : called.operands) asked->operands.push_back(again(*each));
@@ -188,28 +196,28 @@ ValuePtr ExpressionAnalyzer::takes_arguments(const Value& called) {
 }
 
 // Integers are read as 64 bits, which the type must hold.
-ValuePtr ExpressionAnalyzer::is_literal(const Value& called) {
+ValuePtr ValueCondition::is_literal(const Value& called) {
   const auto number = static_cast<std::uint8_t>(called.text_op);
   const auto read = static_cast<StringOpId>(number - number % 2);
   const Value& text = *called.operands[0];
   const Type& type = *called.type;
   const TypeTable& types = a_.type_table();
-  ValuePtr good = text_operation(bytecode::test_of(read), types.boolean(), again(text), text.where);
+  ValuePtr good = e_.text_operation(bytecode::test_of(read), types.boolean(), again(text), text.where);
   const bool narrow = (type.is_integer() || type.is_bits()) && type.size < 8;
   if (!narrow) return good;
   const Type* whole = types.elementary(type.is_unsigned() ? ElementaryType::Ulint : ElementaryType::Lint);
   const IntegerRange range = range_of(type.elementary);
   const auto bounded = [&](Operator op, __int128 bound) {
-    return combine(op, text_operation(read, whole, again(text), text.where),
-                   make_constant({bound}, whole, text.where), text.where);
+    return e_.combine(op, e_.text_operation(read, whole, again(text), text.where),
+                      make_constant({bound}, whole, text.where), text.where);
   };
   ValuePtr held = bounded(Operator::LessEqual, range.high);
   if (!type.is_unsigned()) held = both(bounded(Operator::GreaterEqual, range.low), std::move(held));
-  return combine(Operator::AndThen, std::move(good), std::move(held), text.where);
+  return e_.combine(Operator::AndThen, std::move(good), std::move(held), text.where);
 }
 
 // BCD compares as what it stands for.
-ValuePtr ExpressionAnalyzer::is_code(const Value& code, const Type& number) {
+ValuePtr ValueCondition::is_code(const Value& code, const Type& number) {
   ValuePtr valid = make(ValueKind::Standard, a_.type_table().boolean(), code.where);
   valid->function = StandardFunction::IsValidBcd;
   valid->operands.push_back(again(code));
@@ -218,7 +226,7 @@ ValuePtr ExpressionAnalyzer::is_code(const Value& code, const Type& number) {
   return both(std::move(valid), compare(code, Operator::LessEqual, {as_bcd(most)}));
 }
 
-ValuePtr ExpressionAnalyzer::has_digits(const Value& number, const Type& code) {
+ValuePtr ValueCondition::has_digits(const Value& number, const Type& code) {
   const __int128 most = most_of_digits(code.bit_count() / 4);
   const IntegerRange range = range_of(number.type->elementary);
   ValuePtr positive = compare(number, Operator::GreaterEqual, {0});

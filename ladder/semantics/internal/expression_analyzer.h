@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "ladder/semantics/internal/analysis.h"
+#include "ladder/semantics/internal/make_value.h"
 #include "ladder/semantics/statement.h"
 
 namespace stepwright::semantics::internal {
@@ -19,8 +20,6 @@ struct NamedConversion {
   const Type* from = nullptr;
   const Type* to = nullptr;
 };
-
-enum class ErrorTest : std::uint8_t;  // error_test.h
 
 class ExpressionAnalyzer {
  public:
@@ -73,14 +72,6 @@ class ExpressionAnalyzer {
   // A real as an integer, towards zero.
   ValuePtr truncated(ValuePtr value, const Type* type, const syntax::Expression& call);
 
-  // A call as a statement; of a function or of a block.
-  std::optional<Statement> call_statement(const syntax::Expression& call);
-
-  // The arguments of a call of the block at out.target, into its copies before and after; false after a
-  // report at `where` or in an argument.
-  bool pass_arguments(const std::vector<syntax::Argument>& given, const Pou& block, Position where,
-                      Statement& out);
-
   // bit_arithmetic.cpp
   // A bit string as the number that it is where the dialect has them so; all else as it is.
   ValuePtr counted(ValuePtr value) const;
@@ -91,15 +82,22 @@ class ExpressionAnalyzer {
   // The hint where a bit string is no number: a dialect may have it so.
   std::string bits_hint(const Type& type, std::string hint = {}) const;
 
-  const Pou* pou() const { return pou_; }
+  // What calls are found by.
 
-  // Makes values.
-  static ValuePtr make(ValueKind kind, const Type* type, Position where);
-  static ValuePtr make_constant(Constant constant, const Type* type, Position where);
-  // The value in a place; of a subrange it is one of its base.
-  static ValuePtr load(Place place, Position where);
-  // A copy of a place without index steps.
-  static Place copy_direct(const Place& place);
+  std::optional<Place> variable_place(const syntax::Name& name);
+  const Variable* find_variable(NameId name) const;
+  void report_unknown(const syntax::Name& name);
+  // Does it stand in a TEST, which sees more than a program (test_place.cpp)?
+  bool in_test() const { return pou_ != nullptr && pou_->test != nullptr; }
+  // REF(x)
+  ValuePtr reference_to(const syntax::Expression& call);
+  // LOWER_BOUND, UPPER_BOUND
+  ValuePtr array_bound(const syntax::Expression& call, bool upper);
+  // X_TO_Y and its like; nothing if the name is none of them.
+  std::optional<NamedConversion> named_conversion(const std::string& folded) const;
+  ValuePtr explicit_conversion(const syntax::Expression& call, const NamedConversion& conversion);
+
+  const Pou* pou() const { return pou_; }
 
  private:
   // expression_analyzer.cpp
@@ -109,9 +107,7 @@ class ExpressionAnalyzer {
   ValuePtr enum_value(const syntax::Expression& expression);
 
   // place.cpp
-  static void advance(Place& place, std::uint32_t offset);
   std::optional<Place> part(const syntax::Expression& expression);
-  std::optional<Place> variable_place(const syntax::Name& name);
   std::optional<Place> field_place(const syntax::Expression& expression);
   std::optional<Place> direct_place(const syntax::Expression& expression);
   struct Member {
@@ -121,8 +117,6 @@ class ExpressionAnalyzer {
   };
   std::optional<Member> struct_member(const Type& type, const syntax::Name& name);
   std::optional<Member> instance_member(const Type& type, const syntax::Name& name);
-  const Variable* find_variable(NameId name) const;
-  void report_unknown(const syntax::Name& name);
   struct Protection {
     std::string why;  // empty: it can be written
     std::string hint;
@@ -138,7 +132,6 @@ class ExpressionAnalyzer {
   Place known_place(const Variable& found, const syntax::Name& name);
 
   // test_place.cpp: what a TEST sees beside what a program sees.
-  bool in_test() const { return pou_ != nullptr && pou_->test != nullptr; }
   // The instance of a program that a task runs.
   std::optional<Place> program_instance(const syntax::Name& name) const;
   // A program that has no instance because something else is wrong.
@@ -160,11 +153,9 @@ class ExpressionAnalyzer {
   std::optional<Place> partial_place(const syntax::Expression& expression);
   // reference.cpp
   std::optional<Place> followed_place(const syntax::Expression& expression);
-  ValuePtr reference_to(const syntax::Expression& call);
   // A literal 0 beside a reference as NULL, where the dialect has pointers; all else as it is.
   ValuePtr null_beside(ValuePtr value, const Value& other) const;
   // array_bounds.cpp
-  ValuePtr array_bound(const syntax::Expression& call, bool upper);
   std::optional<std::vector<const syntax::Expression*>> plain_arguments(
       const syntax::Expression& call, std::initializer_list<const char*> formals, std::size_t count);
 
@@ -210,70 +201,7 @@ class ExpressionAnalyzer {
   // Values whose type depends on where they stand (Value::adapts).
   static bool adapts_to(const Value& value, const Type& type);
   ValuePtr adapted(ValuePtr value, const Type* type);
-  // X_TO_Y and its like; nothing if the name is none of them.
-  std::optional<NamedConversion> named_conversion(const std::string& folded) const;
-  ValuePtr explicit_conversion(const syntax::Expression& call, const NamedConversion& conversion);
   ValuePtr bcd_conversion(ValuePtr value, const NamedConversion& conversion, const syntax::Expression& call);
-
-  // call.cpp
-  static std::string index_hint(std::string_view name, const Type& type);
-  ValuePtr call(const syntax::Expression& expression);
-  ValuePtr callee(const syntax::Expression& expression);
-  ValuePtr function_call(const syntax::Expression& expression, Pou& function);
-  std::optional<Statement> block_call(const syntax::Expression& call, const syntax::Expression* path);
-  Place part_of_target(const Place& instance, std::uint32_t offset, const Type* type);
-  bool block_argument(const Variable& parameter, const syntax::Argument& argument, Statement& out);
-  bool pass(const std::vector<const syntax::Argument*>& arguments, const Pou& block, Position where,
-            Statement& out);
-  void note_callee(const Pou& callee);
-  // enabled_call.cpp
-  std::optional<Place> enable_slot(const syntax::Expression& call, std::vector<CopyBefore>& before,
-                                   std::vector<CopyAfter>& after);
-  ValuePtr enabled(ValuePtr called, const syntax::Expression& call);
-  // error_guard.cpp
-  // The call, whose value is the first of its type where it would be an error; `enabled` says which.
-  ValuePtr unless_error(ValuePtr called, const Place& enabled);
-  const Pou* condition_of(const Pou& function) const;
-  ValuePtr kept_aside(ValuePtr value, std::vector<CopyBefore>& before);
-  void add_or_first(Value& enabled, ValuePtr called);
-  static Constant first_value(const Type& scalar);
-  // value_condition.cpp
-  ValuePtr has_value(const Value& called, ErrorTest test);
-  ValuePtr compare(const Value& operand, syntax::Operator op, Constant bound);
-  ValuePtr both(ValuePtr left, ValuePtr right);
-  ValuePtr neither(ValuePtr wrong);
-  ValuePtr is_in_range(const Value& called);
-  ValuePtr fits_real(const Value& number);
-  ValuePtr is_duration(const Value& called);
-  ValuePtr is_in_domain(const Value& called);
-  ValuePtr is_power(const Value& base, const Value& exponent);
-  ValuePtr is_literal(const Value& called);
-  ValuePtr takes_arguments(const Value& called);
-  ValuePtr is_code(const Value& code, const Type& number);
-  ValuePtr has_digits(const Value& number, const Type& code);
-  Statement enabled_block(Statement called, const syntax::Expression& call);
-  // call_arguments.cpp
-  // Which parameter each argument means; false after a report.
-  bool match_arguments(const syntax::Expression& call, const Pou& pou,
-                       std::vector<const syntax::Argument*>& out);
-  bool match_given(const std::vector<syntax::Argument>& given, const Pou& pou,
-                   std::vector<const syntax::Argument*>& out);
-  bool pass_output(const syntax::Argument& argument, Place source, std::vector<CopyAfter>& after,
-                   bool any_integer = false);
-  ValuePtr input_value(const Variable& parameter, const syntax::Expression& given);
-  ValuePtr within_type(ValuePtr integer, const Type& target);
-  ValuePtr reference_argument(const syntax::Argument& argument, const Variable& parameter,
-                              std::vector<CopyBefore>& before, std::vector<CopyAfter>& after);
-  ValuePtr address_of(Place place, Position where);
-  static bool is_too_long(const Type& argument, const Type& parameter);
-  bool matches_parameter(const Type& argument, const Type& parameter) const;
-  std::vector<ValuePtr> bounds_of(const Place& array, Position where);
-  bool in_out_argument(const Variable& parameter, const syntax::Argument* argument,
-                       const syntax::Expression& call, Value& out);
-  bool input_argument(const Variable& parameter, const syntax::Argument* argument,
-                      const syntax::Expression& call, Value& out);
-  bool output_argument(const Variable& parameter, const syntax::Argument* argument,
-                       const syntax::Expression& call, Value& out);
 
   Analysis& a_;
   Pou* pou_;
