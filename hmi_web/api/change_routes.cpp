@@ -1,8 +1,8 @@
 #include <nlohmann/json.hpp>
 
 #include "hmi_web/access/secrets.h"
-#include "hmi_web/api/change_desk.h"
-#include "hmi_web/api/internal/desk_row.h"
+#include "hmi_web/api/internal/service_row.h"
+#include "hmi_web/api/online_change_service.h"
 #include "hmi_web/api/routes.h"
 
 namespace stepwright::api {
@@ -185,9 +185,9 @@ json record_json(const ChangeRecord& record) {
             {"notes", takeover.notes}}}};
 }
 
-Answer state_of(ChangeDesk& desk) {
+Answer state_of(OnlineChangeService& service) {
   json versions = json::array();
-  for (const change::Version& each : desk.versions()) {
+  for (const change::Version& each : service.versions()) {
     versions.push_back({{"program", each.digest},
                         {"name", each.name},
                         {"user", each.user},
@@ -198,32 +198,32 @@ Answer state_of(ChangeDesk& desk) {
                         {"note", each.note}});
   }
   json damaged = json::array();
-  for (const result::Diagnostic& each : desk.damaged()) {
+  for (const result::Diagnostic& each : service.damaged()) {
     const std::size_t slash = each.where.file.rfind('/');
     damaged.push_back(each.where.file.substr(slash == std::string::npos ? 0 : slash + 1) + ": " +
                       each.message);
   }
-  const auto newest = desk.newest();
-  return told({{"running", desk.running()},
-               {"engaged", desk.engaged()},
+  const auto newest = service.newest();
+  return told({{"running", service.running()},
+               {"engaged", service.engaged()},
                {"newest", newest ? record_json(*newest) : json()},
                {"versions", std::move(versions)},
                {"damaged", std::move(damaged)}});
 }
 
-Answer taken(ChangeDesk& desk, const Call& call) {
+Answer taken(OnlineChangeService& service, const Call& call) {
   const bool sources = call.body.has("files");
   if (sources == call.body.has("container"))
     return refused(400, "H0094", "this brings no program",
                    "either 'container' with its 'name', or 'files' with the sources");
   result::Result<Candidate> candidate;
   if (sources) {
-    candidate = desk.take_sources(call.body.texts("files"));
+    candidate = service.take_sources(call.body.texts("files"));
   } else {
     auto bytes = access::from_base64(call.body.text("container"));
     if (!bytes)
       return refused(400, "H0094", "'container' is no base64", "the standard alphabet, with padding");
-    candidate = desk.take_container(call.body.text("name"), *std::move(bytes));
+    candidate = service.take_container(call.body.text("name"), *std::move(bytes));
   }
   if (!candidate) {
     Answer answer = refused_with_places(candidate.error());
@@ -239,19 +239,19 @@ Answer taken(ChangeDesk& desk, const Call& call) {
   return answer;
 }
 
-Answer compared(ChangeDesk& desk, const Call& call) {
-  const auto seen = desk.compare(call.parameter("program"));
+Answer compared(OnlineChangeService& service, const Call& call) {
+  const auto seen = service.compare(call.parameter("program"));
   return seen ? told(comparison_json(*seen)) : refused_with_places(seen.error());
 }
 
-Answer changed(ChangeDesk& desk, const Call& call) {
-  const auto done = desk.change({.program = call.body.text("program"),
-                                 .base = call.body.text("base"),
-                                 .restart_charts = call.body.text("charts") == "restart",
-                                 .user = call.who.user,
-                                 .role = access::to_string(call.who.role),
-                                 .address = call.who.address,
-                                 .reason = call.body.text("reason")});
+Answer changed(OnlineChangeService& service, const Call& call) {
+  const auto done = service.change({.program = call.body.text("program"),
+                                    .base = call.body.text("base"),
+                                    .restart_charts = call.body.text("charts") == "restart",
+                                    .user = call.who.user,
+                                    .role = access::to_string(call.who.role),
+                                    .address = call.who.address,
+                                    .reason = call.body.text("reason")});
   Answer answer = done ? told(record_json(*done)) : refused(done.error());
   answer.target = done ? done->name : "";
   answer.before = call.body.text("base");
@@ -260,15 +260,15 @@ Answer changed(ChangeDesk& desk, const Call& call) {
 }
 
 template <typename Deed>
-Route with(ChangeDesk* desk, Route route, Deed deed) {
+Route with(OnlineChangeService* service, Route route, Deed deed) {
   route.least = Role::Engineer;
-  return with_desk(desk, std::move(route), no_change, std::move(deed));
+  return with_service(service, std::move(route), no_change, std::move(deed));
 }
 
 }  // namespace
 
 std::vector<Route> change_routes(const Services& services) {
-  ChangeDesk* desk = services.changes;
+  OnlineChangeService* service = services.changes;
   Route diff =
       reading_row("/api/change/diff", "change.diff",
                   "What would be different if a program took over from the one that runs", kComparison);
@@ -287,14 +287,15 @@ std::vector<Route> change_routes(const Services& services) {
                          "Has such a program take over from the one that runs, between two scans", kRecord);
   act.body = {"ChangeProgram", {kProgram, kBase, kCharts, kReason}};
   act.lane = Lane::Runtime;
-  return {with(desk,
-               reading_row("/api/change", "change.state",
-                           "Programs that can be brought back, and what became of the newest change", kState),
-               [](ChangeDesk& at, const Call&) { return state_of(at); }),
-          with(desk, std::move(diff), compared),
-          with(desk, std::move(sources),
-               [](ChangeDesk& at, const Call& call) { return at.sources(call.parameter("program")); }),
-          with(desk, std::move(take), taken), with(desk, std::move(act), changed)};
+  return {
+      with(service,
+           reading_row("/api/change", "change.state",
+                       "Programs that can be brought back, and what became of the newest change", kState),
+           [](OnlineChangeService& at, const Call&) { return state_of(at); }),
+      with(service, std::move(diff), compared),
+      with(service, std::move(sources),
+           [](OnlineChangeService& at, const Call& call) { return at.sources(call.parameter("program")); }),
+      with(service, std::move(take), taken), with(service, std::move(act), changed)};
 }
 
 }  // namespace stepwright::api

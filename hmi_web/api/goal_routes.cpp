@@ -57,7 +57,7 @@ json request_of(const char* kind, const Body& body) {
 }
 
 // A start puts another program in place, with which every force would end unseen.
-Route start_row(CellControl* cell, ForceDesk* forces) {
+Route start_row(CellControl* cell, ForceService* forces) {
   Route route = supervisor_row(cell, "/api/plan/start", "plan.start",
                                "Starts what waits for an operator, or another run after one that has ended",
                                {"Start", {goal_field(false)}},

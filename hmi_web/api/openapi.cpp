@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "hmi_web/api/door.h"
+#include "hmi_web/api/request_guard.h"
 
 namespace stepwright::api {
 namespace {

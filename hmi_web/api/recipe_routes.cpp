@@ -1,7 +1,7 @@
 #include <nlohmann/json.hpp>
 
-#include "hmi_web/api/internal/desk_row.h"
-#include "hmi_web/api/recipe_desk.h"
+#include "hmi_web/api/internal/service_row.h"
+#include "hmi_web/api/recipe_service.h"
 #include "hmi_web/api/routes.h"
 #include "hmi_web/recipes/recipe_check.h"
 
@@ -67,9 +67,9 @@ json described(const Recipe& recipe, const result::Diagnostics& problems) {
           {"problems", sentences(problems)}};
 }
 
-Answer tags_of(const RecipeDesk& desk) {
+Answer tags_of(const RecipeService& service) {
   json list = json::array();
-  for (const PresentTag& each : desk.present()) {
+  for (const PresentTag& each : service.present()) {
     const recipes::RecipeTag& tag = *each.tag;
     json entry = {{"name", tag.name},
                   {"type", bytecode::name_of(tag.type)},
@@ -88,19 +88,19 @@ Answer tags_of(const RecipeDesk& desk) {
   return answer_of({{"tags", std::move(list)}});
 }
 
-Answer list_of(const RecipeDesk& desk) {
+Answer list_of(const RecipeService& service) {
   json list = json::array();
-  for (const recipes::RecipeEntry& entry : desk.list()) {
-    list.push_back(entry.recipe ? described(*entry.recipe, desk.problems_of(*entry.recipe))
+  for (const recipes::RecipeEntry& entry : service.list()) {
+    list.push_back(entry.recipe ? described(*entry.recipe, service.problems_of(*entry.recipe))
                                 : json{{"name", entry.name}, {"problems", sentences(entry.recipe.error())}});
   }
   return answer_of({{"recipes", std::move(list)}});
 }
 
-Answer one_of(const RecipeDesk& desk, const Call& call) {
-  const auto recipe = desk.read(call.parameter("name"));
+Answer one_of(const RecipeService& service, const Call& call) {
+  const auto recipe = service.read(call.parameter("name"));
   if (!recipe) return refused(recipe.error());
-  json document = described(*recipe, desk.problems_of(*recipe));
+  json document = described(*recipe, service.problems_of(*recipe));
   document["values"] = recipe->values;
   return answer_of(document);
 }
@@ -109,10 +109,10 @@ json side(const std::optional<std::string>& value) {
   return value ? json(*value) : json();
 }
 
-Answer comparison_of(const RecipeDesk& desk, const Call& call) {
+Answer comparison_of(const RecipeService& service, const Call& call) {
   const std::string& with = call.parameter("with");
-  const auto rows = with.empty() ? desk.compare_with_present(call.parameter("name"))
-                                 : desk.compare(call.parameter("name"), with);
+  const auto rows = with.empty() ? service.compare_with_present(call.parameter("name"))
+                                 : service.compare(call.parameter("name"), with);
   if (!rows) return refused(rows.error());
   json list = json::array();
   std::size_t differing = 0;
@@ -143,8 +143,8 @@ Answer changed(const result::Result<RecipeChange>& done, const std::string& name
 }
 
 template <typename Deed>
-Route with(RecipeDesk* desk, Route route, Deed deed) {
-  return with_desk(desk, std::move(route), no_recipes, std::move(deed));
+Route with(RecipeService* service, Route route, Deed deed) {
+  return with_service(service, std::move(route), no_recipes, std::move(deed));
 }
 
 Route acting(Route route, Role least, Lane lane, Shape body = {}) {
@@ -157,45 +157,45 @@ Route acting(Route route, Role least, Lane lane, Shape body = {}) {
 }  // namespace
 
 std::vector<Route> recipe_routes(const Services& services) {
-  RecipeDesk* desk = services.recipes;
+  RecipeService* service = services.recipes;
   Route compare =
       reading_row("/api/recipes/{name}/compare", "recipe.compare",
                   "A recipe beside another one, or beside the values of the running program", kRows);
   compare.query = {{"with", "the other recipe; without it: the running program"}};
   return {
-      with(desk,
+      with(service,
            reading_row("/api/recipe-tags", "recipe.tags",
                        "The tags that recipes set, their ranges and their values now", kTagList),
-           [](RecipeDesk& at, const Call&) { return tags_of(at); }),
+           [](RecipeService& at, const Call&) { return tags_of(at); }),
       with(
-          desk,
+          service,
           reading_row("/api/recipes", "recipe.list", "All recipes, and what is wrong with each", kRecipeList),
-          [](RecipeDesk& at, const Call&) { return list_of(at); }),
-      with(desk, reading_row("/api/recipes/{name}", "recipe.read", "One recipe with its values", kRecipe),
-           [](RecipeDesk& at, const Call& call) { return one_of(at, call); }),
-      with(desk, std::move(compare),
-           [](RecipeDesk& at, const Call& call) { return comparison_of(at, call); }),
-      with(desk,
+          [](RecipeService& at, const Call&) { return list_of(at); }),
+      with(service, reading_row("/api/recipes/{name}", "recipe.read", "One recipe with its values", kRecipe),
+           [](RecipeService& at, const Call& call) { return one_of(at, call); }),
+      with(service, std::move(compare),
+           [](RecipeService& at, const Call& call) { return comparison_of(at, call); }),
+      with(service,
            acting(acting_row("PUT", "/api/recipes/{name}", "recipe.save", "Saves a recipe, or replaces it",
                              kChange),
                   Role::Engineer, Lane::Quick, {"SaveRecipe", {kValues, kComment}}),
-           [](RecipeDesk& at, const Call& call) {
+           [](RecipeService& at, const Call& call) {
              const std::string& name = call.parameter("name");
              const auto& values = call.body.texts("values");
              return changed(at.save(name, call.body.text("comment"), values, call.who.user), name, values);
            }),
-      with(desk,
+      with(service,
            acting(acting_row("DELETE", "/api/recipes/{name}", "recipe.remove", "Removes a recipe", kChange),
                   Role::Engineer, Lane::Quick),
-           [](RecipeDesk& at, const Call& call) {
+           [](RecipeService& at, const Call& call) {
              const std::string& name = call.parameter("name");
              return changed(at.remove(name), name);
            }),
-      with(desk,
+      with(service,
            acting(acting_row("POST", "/api/recipes/{name}/load", "recipe.load",
                              "Writes all values of a recipe into the running program, or none", kChange),
                   Role::Operator, Lane::Runtime, {"LoadRecipe", {kReason}}),
-           [](RecipeDesk& at, const Call& call) {
+           [](RecipeService& at, const Call& call) {
              const std::string& name = call.parameter("name");
              return changed(at.load(name), name);
            }),

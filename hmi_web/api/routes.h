@@ -17,9 +17,9 @@
 #include "hmi_web/api/cell_figures.h"
 #include "hmi_web/api/cell_program.h"
 #include "hmi_web/api/cell_records.h"
-#include "hmi_web/api/change_desk.h"
-#include "hmi_web/api/force_desk.h"
-#include "hmi_web/api/recipe_desk.h"
+#include "hmi_web/api/force_service.h"
+#include "hmi_web/api/online_change_service.h"
+#include "hmi_web/api/recipe_service.h"
 #include "hmi_web/api/route.h"
 
 namespace stepwright::api {
@@ -27,14 +27,14 @@ namespace stepwright::api {
 struct Services {
   access::AccessControl* control = nullptr;
   access::AuditLog* audit = nullptr;
-  ForceDesk* forces = nullptr;
+  ForceService* forces = nullptr;
   CellControl* cell = nullptr;
-  CellRecords* records = nullptr;        // null also where a server keeps none: its rows answer 404 then
-  RecipeDesk* recipes = nullptr;         // likewise
-  CellFigures* figures = nullptr;        // null also where no runtime is followed: 404
-  const std::string* drawing = nullptr;  // an SVG that may be shown; null: the plant is drawn by the page
-  CellProgram* program = nullptr;        // null also where no sources are served: 404
-  ChangeDesk* changes = nullptr;         // null also where no program is changed: 404
+  CellRecords* records = nullptr;          // null also where a server keeps none: its rows answer 404 then
+  RecipeService* recipes = nullptr;        // likewise
+  CellFigures* figures = nullptr;          // null also where no runtime is followed: 404
+  const std::string* drawing = nullptr;    // an SVG that may be shown; null: the plant is drawn by the page
+  CellProgram* program = nullptr;          // null also where no sources are served: 404
+  OnlineChangeService* changes = nullptr;  // null also where no program is changed: 404
 };
 
 // What the server itself answers: files of the page, the WebSocket, metrics.

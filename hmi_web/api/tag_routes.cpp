@@ -51,7 +51,7 @@ Answer failed(const result::Diagnostics& problems, const std::string& name, cons
 
 std::vector<Route> tag_routes(const Services& services) {
   CellControl* cell = services.cell;
-  ForceDesk* forces = services.forces;
+  ForceService* forces = services.forces;
   Route list = reading_row("/api/forces", "tag.forces",
                            "What is forced in the runtime, and of this server's forces until when",
                            R"({"type": "object", "required": ["forces"],

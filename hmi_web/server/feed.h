@@ -70,7 +70,7 @@ class Feed {
 
   // The newest message about alarms (hmi_web/doc/protocol.md), whole.
   void set_alarms(const std::string& message);
-  // The list of what is forced, a JSON object (api::ForceDesk::json).
+  // The list of what is forced, a JSON object (api::ForceService::json).
   void set_forces(const std::string& list);
 
   // Takes what a viewer says; what is wrong with it comes back, fit for the reason of a close.

@@ -57,9 +57,9 @@ struct HttpServer::State {
   std::string metrics_type;
   std::function<void(const std::string&)> on_trouble;
   internal::TlsContextPointer tls;
-  const api::Door* door = nullptr;  // null: there is no API
-  std::size_t most_body = 0;        // of any of its routes
-  std::unique_ptr<ApiLanes> lanes;  // last: its jobs use all of the above
+  const api::RequestGuard* guard = nullptr;  // null: there is no API
+  std::size_t most_body = 0;                 // of any of its routes
+  std::unique_ptr<ApiLanes> lanes;           // last: its jobs use all of the above
 };
 
 namespace {
@@ -125,7 +125,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
     large_.reset();
     parser_->header_limit(static_cast<std::uint32_t>(server_.limits.header_bytes));
     // What the head announces is judged behind it: some routes take more, from those that they admit.
-    parser_->body_limit(server_.door != nullptr ? server_.most_body : 0);
+    parser_->body_limit(server_.guard != nullptr ? server_.most_body : 0);
     transport().expires_after(server_.limits.request_timeout);
     http::async_read_header(*wire_, input_, *parser_,
                             [self = shared_from_this()](beast::error_code error, std::size_t) {
@@ -136,7 +136,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
 
   void read_body() {
     if (parser_->get().count(http::field::host) > 1) return refuse(400, "a request has one Host");
-    if (server_.door != nullptr) {
+    if (server_.guard != nullptr) {
       const std::size_t most = most_body();
       if (parser_->content_length().value_or(0) > most) return refuse(413, "the body is too long");
       parser_->body_limit(most);
@@ -163,7 +163,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
   }
 
   void unreadable(beast::error_code error) {
-    if (error == http::error::body_limit && server_.door != nullptr)
+    if (error == http::error::body_limit && server_.guard != nullptr)
       return refuse(413, "the body is too long");
     if (error.category() == http::make_error_code(http::error::bad_method).category() &&
         error != http::error::end_of_stream) {
@@ -173,7 +173,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
 
   void answer() {
     has_request();
-    if (server_.door == nullptr) return serve({});
+    if (server_.guard == nullptr) return serve({});
     if (!server_.policy->is_own_authority(header(http::field::host)))
       return refuse(403, "this name is not served here");
     api::Admission admission = large_ ? *std::exchange(large_, std::nullopt) : admit();
@@ -199,7 +199,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
     asked.own_origin = server_.policy->is_own_origin(header(http::field::origin));
     asked.peer = peer_.to_string();
     asked.peer_is_local = peer_.is_loopback();
-    return server_.door->admit(asked);
+    return server_.guard->admit(asked);
   }
 
   // In a thread of the lane; the answer comes back to the network's.
@@ -220,7 +220,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
   // Whatever a handler does: whoever asked gets an answer, and the server goes on.
   api::Answer answer_of(api::Admission admission) const {
     try {
-      return server_.door->perform(std::move(admission), parser_->get().body());
+      return server_.guard->perform(std::move(admission), parser_->get().body());
     } catch (const std::exception& problem) {
       return api::refused(500, "H0048",
                           "this request failed within the server: " + std::string(problem.what()),
@@ -234,7 +234,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
     response_ = Response(known ? http::status::not_modified : static_cast<http::status>(answer.status),
                          request.version());
     add_common_fields(response_);
-    fill_with_answer(response_, answer, allowed, server_.door->cookie());
+    fill_with_answer(response_, answer, allowed, server_.guard->cookie());
     if (known || request.method() == http::verb::head) response_.body().clear();
     response_.keep_alive(request.keep_alive());
     write();
@@ -348,7 +348,7 @@ bool HttpServer::State::takes_viewer(const std::string& owner) {
 void HttpServer::State::add_viewer(internal::Wire wire, HttpRequest request, const api::Caller& who,
                                    std::string owner) {
   auto viewer = std::make_shared<ViewerSession>(
-      std::move(wire), *feed, [this, who] { return door == nullptr || door->may_listen(who); },
+      std::move(wire), *feed, [this, who] { return guard == nullptr || guard->may_listen(who); },
       [this] { end_connection(); });
   viewers.push_back({viewer, std::move(owner)});
   const std::string protocol = who.csrf.empty() ? "" : std::string(api::kCsrfProtocol) + who.csrf;
@@ -438,10 +438,10 @@ void HttpServer::tell_trouble(std::function<void(const std::string&)> on_trouble
   state_->on_trouble = std::move(on_trouble);
 }
 
-void HttpServer::serve_api(const api::Door& door) {
-  state_->door = &door;
+void HttpServer::serve_api(const api::RequestGuard& guard) {
+  state_->guard = &guard;
   state_->most_body = state_->limits.body_bytes;
-  for (const api::Route& row : door.table().rows())
+  for (const api::Route& row : guard.table().rows())
     state_->most_body = std::max(state_->most_body, row.most_body);
   state_->lanes = std::make_unique<ApiLanes>();
 }

@@ -19,7 +19,7 @@
 #include <memory>
 #include <string>
 
-#include "hmi_web/api/door.h"
+#include "hmi_web/api/request_guard.h"
 #include "hmi_web/protocol/asset.h"
 #include "hmi_web/server/feed.h"
 #include "hmi_web/server/request_policy.h"
@@ -60,8 +60,8 @@ class HttpServer {
   // What a step of the network has thrown; it costs that step. Before run().
   void tell_trouble(std::function<void(const std::string&)> on_trouble);
 
-  // Everything goes through this door from now on. Before run(); the door outlives the server.
-  void serve_api(const api::Door& door);
+  // Everything goes through this guard from now on. Before run(); the guard outlives the server.
+  void serve_api(const api::RequestGuard& guard);
 
   // The port that is bound.
   std::uint16_t port() const;

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a name means where it stands, as namespaces have it (namespaces.h). Reports nothing.
+// Lookup of names through namespaces (namespaces.h): what one means where it stands. Reports nothing.
 //
 // Not thread-safe; the unit and the names must outlive it, and what is declared later is not known to it.
 //

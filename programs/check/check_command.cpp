@@ -23,9 +23,9 @@ namespace {
 
 // The cell's own problem: planned, translated and compiled, as the supervisor would do it at its start.
 void check_planning(const config::CellConfig& config, CheckReport& report) {
-  auto desk = executive::PlanningDesk::open(config::desk_options(config));
-  if (!desk) return add(report.problems, desk.error());
-  auto outcome = desk->prepare({.start = {.planning = pddl::to_named(desk->task().initial())}});
+  auto planning = executive::PlanningService::open(config::planning_options(config));
+  if (!planning) return add(report.problems, planning.error());
+  auto outcome = planning->prepare({.start = {.planning = pddl::to_named(planning->task().initial())}});
   if (!outcome) return add(report.problems, outcome.error());
   if (outcome->status == executive::PrepareStatus::Ready) {
     report.program = "the program of the plan";

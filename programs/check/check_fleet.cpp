@@ -20,20 +20,20 @@ result::Diagnostic problem(const char* code, result::Location where, std::string
   return {code, result::Severity::Error, std::move(where), std::move(message), std::move(hint)};
 }
 
-void compare_floors(const config::CellConfig& config, const fleet::FleetDesk& desk,
+void compare_floors(const config::CellConfig& config, const fleet::FleetPlanning& planning,
                     result::Diagnostics& found) {
   if (config.plant.fleet.map.empty()) return;  // a floor without walls takes any plan
   const auto map = fleet::read_map(config.plant.fleet.map);
-  if (!map || *map == desk.problem().map) return;  // what cannot be read is said with the plant
+  if (!map || *map == planning.problem().map) return;  // what cannot be read is said with the plant
   found.push_back(
       problem("C0543", config.fleet.where,
               "the map of the problem is not that of the plant, " + config.plant.fleet.map.string(),
               "both have to name the same floor"));
 }
 
-void compare_stands(const config::CellConfig& config, const fleet::FleetDesk& desk,
+void compare_stands(const config::CellConfig& config, const fleet::FleetPlanning& planning,
                     result::Diagnostics& found) {
-  const auto& vehicles = desk.problem().vehicles;
+  const auto& vehicles = planning.problem().vehicles;
   for (std::size_t k = 0; k < vehicles.size(); ++k) {
     const config::PlaceConfig& stands = config.plant.fleet.vehicles[k];
     const geometry::Pose& begins = vehicles[k].start;
@@ -51,11 +51,11 @@ void compare_stands(const config::CellConfig& config, const fleet::FleetDesk& de
   }
 }
 
-void check_requests(const config::CellConfig& config, const fleet::FleetDesk& desk,
+void check_requests(const config::CellConfig& config, const fleet::FleetPlanning& planning,
                     result::Diagnostics& found) {
   for (const config::FleetRequestConfig& asked : config.fleet.requests) {
     if (asked.request != "return") continue;
-    const auto& vehicles = desk.problem().vehicles;
+    const auto& vehicles = planning.problem().vehicles;
     if (std::ranges::find(vehicles, asked.vehicle, &fleet::MissionVehicle::name) != vehicles.end()) continue;
     found.push_back(problem("X0003", asked.where, "there is no vehicle '" + asked.vehicle + "'",
                             "vehicles are those of the problem's file"));
@@ -66,27 +66,27 @@ void check_requests(const config::CellConfig& config, const fleet::FleetDesk& de
 
 FleetCheck check_fleet(const config::CellConfig& config) {
   FleetCheck check;
-  auto desk = config::open_fleet_desk(config);
-  if (!desk) {
-    check.problems = std::move(desk.error());
+  auto planning = config::open_fleet_planning(config);
+  if (!planning) {
+    check.problems = std::move(planning.error());
     return check;
   }
   if (config.plant.kind == "fleet") {
-    compare_floors(config, *desk, check.problems);
-    compare_stands(config, *desk, check.problems);
+    compare_floors(config, *planning, check.problems);
+    compare_stands(config, *planning, check.problems);
   }
   for (const config::FleetOrderConfig& order : config.fleet.orders) {
-    fleet::FleetLedger trial(desk->problem());
+    fleet::FleetLedger trial(planning->problem());
     if (auto taken = trial.order(order.name, order.from, order.to, order.amount); !taken) {
       result::Diagnostic wrong = taken.error().front();
       wrong.where = order.where;
       check.problems.push_back(std::move(wrong));
     }
   }
-  check_requests(config, *desk, check.problems);
+  check_requests(config, *planning, check.problems);
   if (!check.problems.empty()) return check;
-  const fleet::FleetLedger ledger(desk->problem());
-  auto outcome = desk->plan(ledger, {.rest = {.starts = desk->first_starts()}});
+  const fleet::FleetLedger ledger(planning->problem());
+  auto outcome = planning->plan(ledger, {.rest = {.starts = planning->first_starts()}});
   if (!outcome) {
     check.problems = std::move(outcome.error());
     return check;

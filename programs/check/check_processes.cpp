@@ -22,7 +22,7 @@ void note(const result::Result<Value>& tried, const result::Location& where, res
 
 result::Diagnostics check_processes(const config::CellConfig& config) {
   result::Diagnostics problems;
-  const auto& tls = config.modbus_server.doors.tls;
+  const auto& tls = config.modbus_server.acceptors.tls;
   // Without its files the table is wrong already.
   const bool whole =
       tls && !tls->tls.certificate.empty() && !tls->tls.key.empty() && !tls->tls.authorities.empty();

@@ -258,8 +258,8 @@ CellReading read_cell_config(const std::filesystem::path& file, const std::vecto
   const result::Diagnostics unserved =
       read_modbus_server(root.table("modbus").table("server"), config.modbus_server);
   const result::Diagnostics closed =
-      read_modbus_doors(root.table("modbus").table("server"), folder, config.modbus_server.tcp,
-                        config.modbus_server.server, config.modbus_server.doors);
+      read_modbus_acceptors(root.table("modbus").table("server"), folder, config.modbus_server.tcp,
+                            config.modbus_server.server, config.modbus_server.acceptors);
   check_names(cell, dds, config);
   config.values = (*document)->values();
   reading.problems = (*document)->finish();

@@ -5,12 +5,12 @@
 
 #include "programs/config/cell_config.h"
 #include "supervisor/executive/executive.h"
-#include "supervisor/executive/planning_desk.h"
+#include "supervisor/executive/planning_service.h"
 #include "supervisor/executive/what_if.h"
 
 namespace stepwright::config {
 
-inline executive::DeskOptions desk_options(const CellConfig& config) {
+inline executive::PlanningOptions planning_options(const CellConfig& config) {
   return {.domain = config.planning.domain,
           .problem = config.planning.problem,
           .binding = config.planning.binding,

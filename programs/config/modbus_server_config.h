@@ -24,10 +24,10 @@
 // says too little or too much. What needs the program (C0501 to C0505) is found when the map is built.
 
 #include "programs/config/metrics_config.h"
-#include "programs/config/modbus_doors_config.h"
+#include "programs/config/modbus_acceptors_config.h"
 #include "runtime/modbus/map/map_config.h"
 #include "runtime/modbus/server/options.h"
-#include "runtime/modbus/server/tcp_door.h"
+#include "runtime/modbus/server/tcp_acceptor.h"
 #include "runtime/result/diagnostic.h"
 #include "runtime/settings/toml_document.h"
 
@@ -36,7 +36,7 @@ namespace stepwright::config {
 struct ModbusServerConfig {
   bool enabled = false;
   modbus::server::TcpOptions tcp;
-  ModbusDoors doors;  // beside `tcp`
+  ModbusAcceptors acceptors;  // beside `tcp`
   modbus::server::ServerOptions server;
   modbus::map::MapConfig map;
   MetricsConfig metrics;                           // [modbus.server.metrics]

@@ -6,7 +6,7 @@
 #include <thread>
 #include <utility>
 
-#include "programs/demo/token_teller.h"
+#include "programs/demo/setup_token_printer.h"
 
 namespace stepwright::demo {
 namespace {
@@ -121,7 +121,7 @@ result::Result<void> CellRun::start_all(std::vector<Member>& members, CellRunRes
 result::Result<CellRunResult> CellRun::run(const std::atomic<bool>& stop) {
   CellRunResult result;
   std::vector<Member> members;
-  TokenTeller teller(log_of("hmi"));
+  SetupTokenPrinter printer(log_of("hmi"));
   if (auto started = start_all(members, result); !started) return result::forward(started);
   bool reported = false;
   for (bool going = true; going && !stop;) {
@@ -132,7 +132,7 @@ result::Result<CellRunResult> CellRun::run(const std::atomic<bool>& stop) {
     }
     if (options_.page) {
       take_report(result);
-      teller.look();
+      printer.look();
     }
     if (result.report && !std::exchange(reported, true) && options_.page) {
       std::printf("%s", run::report_table(result.report->record).c_str());

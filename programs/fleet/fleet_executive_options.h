@@ -13,24 +13,25 @@
 namespace stepwright::config {
 
 // `terminals` are those of the problem's vehicles (fleet_terminals).
-inline fleet::FleetDeskOptions fleet_desk_options(const CellConfig& config, fleet::FleetTerminals terminals) {
-  fleet::FleetDeskOptions options{.problem = config.fleet.problem,
-                                  .terminals = std::move(terminals),
-                                  .program = fleet_program_options(config),
-                                  .reserve = {},
-                                  .path_factor = config.fleet.path_factor,
-                                  .time = config.fleet.time,
-                                  .cache = fleet_table_folder()};
+inline fleet::FleetPlanningOptions fleet_planning_options(const CellConfig& config,
+                                                          fleet::FleetTerminals terminals) {
+  fleet::FleetPlanningOptions options{.problem = config.fleet.problem,
+                                      .terminals = std::move(terminals),
+                                      .program = fleet_program_options(config),
+                                      .reserve = {},
+                                      .path_factor = config.fleet.path_factor,
+                                      .time = config.fleet.time,
+                                      .cache = fleet_table_folder()};
   options.program.news_every = std::chrono::milliseconds(500);
   return options;
 }
 
-// Opens the desk with the cell's terminals; C0541 and C0542 beside what is wrong with the problem.
-[[nodiscard]] inline result::Result<fleet::FleetDesk> open_fleet_desk(const CellConfig& config) {
+// Opens the service with the cell's terminals; C0541 and C0542 beside what is wrong with the problem.
+[[nodiscard]] inline result::Result<fleet::FleetPlanning> open_fleet_planning(const CellConfig& config) {
   const std::size_t vehicles = fleet_size(config.fleet.problem).value_or(config.plant.fleet.vehicles.size());
   auto terminals = fleet_terminals(config, vehicles);
   if (!terminals) return result::forward(terminals);
-  return fleet::FleetDesk::open(fleet_desk_options(config, *std::move(terminals)));
+  return fleet::FleetPlanning::open(fleet_planning_options(config, *std::move(terminals)));
 }
 
 inline geometry::ConvexPolygon area_of(const BlockageConfig& blockage) {

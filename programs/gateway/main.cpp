@@ -20,8 +20,8 @@
 #include "programs/process/notify_socket.h"
 #include "programs/process/reload_signal.h"
 #include "programs/process/stop_signal.h"
-#include "programs/runtime/attendant.h"
 #include "programs/runtime/cell_io.h"
+#include "programs/runtime/process_monitor.h"
 #include "runtime/remote/remote_runtime.h"
 #include "runtime/result/exit_code.h"
 #include "runtime/service/server.h"
@@ -114,8 +114,8 @@ int serve(const config::CellConfig& config, log::Logger& log, const process::Sto
 
   auto runtime = remote::RemoteRuntime::create(*options, std::move(*line), (*io)->driver(), (*io)->plant());
   if (!runtime) return fail(runtime.error(), ExitCode::RuntimeFault);
-  cell_runtime::Attendant attendant(config, log, init);
-  attendant.tell([&](const host::RuntimeStatus& status) { figures.publish(status); });
+  cell_runtime::ProcessMonitor monitor(config, log, init);
+  monitor.tell([&](const host::RuntimeStatus& status) { figures.publish(status); });
   LineJournal journal(log);
   process::Heartbeat heartbeat(init);
   // A machine comes up whether its controller has power or not.
@@ -123,15 +123,15 @@ int serve(const config::CellConfig& config, log::Logger& log, const process::Sto
   // Who finds the socket finds a controller behind it.
   const bool found = find_controller(**runtime, journal, where, stop, [&] {
     figures.publish((*runtime)->figures());
-    if (reload.take()) (void)attendant.reload();
+    if (reload.take()) (void)monitor.reload();
     heartbeat.turn();
     log.tick();
   });
   if (!found) return to_int(ExitCode::Done);
   auto server = service::Server::create(
-      {config.socket_path(), config.supervisor_lost_after, STEPWRIGHT_VERSION, &attendant}, **runtime);
+      {config.socket_path(), config.supervisor_lost_after, STEPWRIGHT_VERSION, &monitor}, **runtime);
   if (!server) return fail(server.error(), ExitCode::BadInput);
-  attendant.attach(**server, **runtime);
+  monitor.attach(**server, **runtime);
   const std::string listens = "gateway of '" + config.name + "' listens on " + config.socket_path().string() +
                               " for the controller on " + where;
   log.info("listens", listens, {{"cell", config.name}, {"socket", config.socket_path().string()}});
@@ -139,8 +139,8 @@ int serve(const config::CellConfig& config, log::Logger& log, const process::Sto
   while (!stop.came()) {
     (*server)->turn(service::kStatusPeriod, stop.descriptor());
     figures.publish((*runtime)->figures());
-    if (reload.take()) (void)attendant.reload();
-    attendant.turn();
+    if (reload.take()) (void)monitor.reload();
+    monitor.turn();
     journal.look(**runtime, where);
   }
   init.stopping();

@@ -29,7 +29,7 @@ void tell_setup_token(const access::AccessControl& control, log::Logger& log) {
 result::Result<std::unique_ptr<AccessPoint>> AccessPoint::open(const config::HmiConfig& config,
                                                                std::uint16_t port, const ActsOn& what,
                                                                log::Logger& log,
-                                                               api::ForceDesk::OnChange on_forces) {
+                                                               api::ForceService::OnChange on_forces) {
   std::unique_ptr<AccessPoint> point(new AccessPoint);
   if (auto locked = point->lock_folders(config); !locked) return result::forward(locked);
   access::AccessOptions options;
@@ -43,8 +43,8 @@ result::Result<std::unique_ptr<AccessPoint>> AccessPoint::open(const config::Hmi
   point->audit_ = std::move(*audit);
   if (const std::string& found = point->audit_->found_at_start(); !found.empty())
     log.error("audit", "the audit trail " + point->audit_->file().string() + ": " + found);
-  auto forces = api::ForceDesk::open(config.access_dir / "forces.json", what.cell, *point->audit_,
-                                     std::chrono::system_clock::now, std::move(on_forces));
+  auto forces = api::ForceService::open(config.access_dir / "forces.json", what.cell, *point->audit_,
+                                        std::chrono::system_clock::now, std::move(on_forces));
   if (!forces) return result::forward(forces);
   point->forces_ = std::move(*forces);
   if (auto opened = point->open_recipes(config, what.cell); !opened) return result::forward(opened);
@@ -52,10 +52,11 @@ result::Result<std::unique_ptr<AccessPoint>> AccessPoint::open(const config::Hmi
   point->table_ = std::make_unique<api::RouteTable>(api::all_routes(
       {point->control_.get(), point->audit_.get(), point->forces_.get(), &what.cell, what.records,
        point->recipes_.get(), what.figures, what.drawing, what.program, point->changes_.get()}));
-  point->door_ = std::make_unique<api::Door>(
+  point->guard_ = std::make_unique<api::RequestGuard>(
       *point->table_, *point->control_, *point->audit_,
-      api::DoorOptions{.anonymous = config.anonymous_viewer ? access::Role::Viewer : access::Role::None,
-                       .cookie = api::cookie_at(port)});
+      api::RequestGuardOptions{
+          .anonymous = config.anonymous_viewer ? access::Role::Viewer : access::Role::None,
+          .cookie = api::cookie_at(port)});
   tell_setup_token(*point->control_, log);
   return point;
 }
@@ -82,8 +83,8 @@ result::Result<void> AccessPoint::open_recipes(const config::HmiConfig& config, 
   auto store = recipes::RecipeStore::open(config.recipes_dir);
   if (!store) return result::forward(store);
   store_ = std::move(*store);
-  recipes_ = std::make_unique<api::RecipeDesk>(std::move(*tags), *store_, cell, *forces_,
-                                               std::chrono::system_clock::now);
+  recipes_ = std::make_unique<api::RecipeService>(std::move(*tags), *store_, cell, *forces_,
+                                                  std::chrono::system_clock::now);
   return {};
 }
 
@@ -95,7 +96,8 @@ result::Result<void> AccessPoint::open_versions(const config::HmiConfig& config,
   versions_ = std::move(*versions);
   for (const result::Diagnostic& each : versions_->damaged())
     log.warning("programs", each.code + ": " + each.message, {{"file", each.where.file}});
-  changes_ = std::make_unique<api::ChangeDesk>(*cell, *versions_, *audit_, std::chrono::system_clock::now);
+  changes_ =
+      std::make_unique<api::OnlineChangeService>(*cell, *versions_, *audit_, std::chrono::system_clock::now);
   return {};
 }
 

@@ -1,11 +1,11 @@
 #pragma once
 
 // Everything between the page's server and the cell that decides who may do what: users, audit trail, forces,
-// recipes, route table, door; made from a cell's configuration.
+// recipes, route table, guard; made from a cell's configuration.
 //
 //   auto access = AccessPoint::open(config, {control, &records}, log,
 //                                   [&](auto json) { feed.set_forces(json); });
-//   (*http)->serve_api((*access)->door());
+//   (*http)->serve_api((*access)->guard());
 //
 // Threads: as its parts. What it is given outlives it.
 
@@ -20,10 +20,10 @@
 #include "hmi_web/api/cell_figures.h"
 #include "hmi_web/api/cell_program.h"
 #include "hmi_web/api/cell_records.h"
-#include "hmi_web/api/change_desk.h"
-#include "hmi_web/api/door.h"
-#include "hmi_web/api/force_desk.h"
-#include "hmi_web/api/recipe_desk.h"
+#include "hmi_web/api/force_service.h"
+#include "hmi_web/api/online_change_service.h"
+#include "hmi_web/api/recipe_service.h"
+#include "hmi_web/api/request_guard.h"
 #include "hmi_web/storage/file_lock.h"
 #include "programs/config/hmi_config.h"
 #include "programs/log/logger.h"
@@ -47,12 +47,11 @@ class AccessPoint {
   // nobody has claimed the administrator. `port` is the page's. Fails with H0004 if another server keeps one
   // of the folders, with H0021 and H0022, and with what is wrong in the file of recipes (C0001 to C0006,
   // C0620 to C0622).
-  [[nodiscard]] static result::Result<std::unique_ptr<AccessPoint>> open(const config::HmiConfig& config,
-                                                                         std::uint16_t port,
-                                                                         const ActsOn& what, log::Logger& log,
-                                                                         api::ForceDesk::OnChange on_forces);
+  [[nodiscard]] static result::Result<std::unique_ptr<AccessPoint>> open(
+      const config::HmiConfig& config, std::uint16_t port, const ActsOn& what, log::Logger& log,
+      api::ForceService::OnChange on_forces);
 
-  const api::Door& door() const { return *door_; }
+  const api::RequestGuard& guard() const { return *guard_; }
   // Now and then: what became of a program that was changed.
   void turn();
 
@@ -68,13 +67,13 @@ class AccessPoint {
   std::vector<storage::FileLock> locks_;
   std::unique_ptr<access::AccessControl> control_;
   std::unique_ptr<access::AuditLog> audit_;
-  std::unique_ptr<api::ForceDesk> forces_;
+  std::unique_ptr<api::ForceService> forces_;
   std::unique_ptr<recipes::RecipeStore> store_;  // null, as what follows: the cell has no recipes
-  std::unique_ptr<api::RecipeDesk> recipes_;
+  std::unique_ptr<api::RecipeService> recipes_;
   std::unique_ptr<change::VersionStore> versions_;  // null, as what follows: no program is changed
-  std::unique_ptr<api::ChangeDesk> changes_;
+  std::unique_ptr<api::OnlineChangeService> changes_;
   std::unique_ptr<api::RouteTable> table_;
-  std::unique_ptr<api::Door> door_;
+  std::unique_ptr<api::RequestGuard> guard_;
 };
 
 // Where the page is served: beyond this machine only once there is an administrator.

@@ -5,7 +5,7 @@
 
 #include "hmi_web/api/cell_codes.h"
 #include "programs/hmi/compile_sources.h"
-#include "programs/hmi/program_desk.h"
+#include "programs/hmi/source_cache.h"
 #include "programs/hmi/supervisor_word.h"
 #include "runtime/bytecode/reader/document_text.h"
 #include "runtime/bytecode/writer/document_section.h"

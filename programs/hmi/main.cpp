@@ -19,9 +19,9 @@
 #include "programs/hmi/dds_cell_control.h"
 #include "programs/hmi/dds_cell_source.h"
 #include "programs/hmi/plant_picture.h"
-#include "programs/hmi/program_desk.h"
 #include "programs/hmi/recording.h"
 #include "programs/hmi/runtime_watch.h"
+#include "programs/hmi/source_cache.h"
 #include "programs/log/logger.h"
 #include "programs/log/reload_log.h"
 #include "programs/process/command_line.h"
@@ -71,7 +71,7 @@ int run(const config::CellConfig& config) {
   auto watch = hmi::RuntimeWatch::connect(config, (*source)->runtime(), **log);
   if (!watch) return fail(watch.error(), ExitCode::RuntimeFault);
   hmi::DdsCellControl control(**source);
-  hmi::ProgramDesk program((*source)->running());
+  hmi::SourceCache program((*source)->running());
   hmi::DdsCellChange change(**source, config);
   auto access = hmi::AccessPoint::open(
       config.hmi, (*http)->port(),
@@ -81,7 +81,7 @@ int run(const config::CellConfig& config) {
         (*http)->notify();
       });
   if (!access) return fail(access.error(), ExitCode::BadInput);
-  (*http)->serve_api((*access)->door());
+  (*http)->serve_api((*access)->guard());
   if (where->held_back) {
     (*log)->warning("setup",
                     "listens at this machine only until somebody has claimed the administrator and the "

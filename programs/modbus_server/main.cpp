@@ -8,7 +8,7 @@
 #include "programs/log/logger.h"
 #include "programs/log/reload_log.h"
 #include "programs/metrics_server/metrics_server.h"
-#include "programs/modbus_server/doors.h"
+#include "programs/modbus_server/acceptors.h"
 #include "programs/modbus_server/server_metrics.h"
 #include "programs/modbus_server/tls_reload.h"
 #include "programs/process/command_line.h"
@@ -72,7 +72,7 @@ void log_figures(const ServerFigures& figures, log::Logger& log) {
        {"service_p99_us", static_cast<double>(figures.service_time.percentile_ns(99'000)) / 1e3}});
 }
 
-ServerStatus status_of(const Server& server, RuntimeData& data, const TlsDoor* tls) {
+ServerStatus status_of(const Server& server, RuntimeData& data, const TlsAcceptor* tls) {
   ServerStatus status{server.figures(), data.serving(), std::nullopt};
   if (tls != nullptr) status.certificate_ends = tls->context().expires();
   return status;
@@ -93,32 +93,32 @@ int run(const config::CellConfig& config) {
   auto log = log::Logger::open("modbus-server", config.log);
   if (!log) return process::fail(log.error(), ExitCode::BadInput);
   config::CellConfig running = config;
-  auto doors = open_doors(config.modbus_server, **log);
-  if (!doors) return process::fail(doors.error(), ExitCode::BadInput);
-  const std::string listens = "modbus-server of '" + config.name + "' listens on " + doors->names;
+  auto acceptors = open_acceptors(config.modbus_server, **log);
+  if (!acceptors) return process::fail(acceptors.error(), ExitCode::BadInput);
+  const std::string listens = "modbus-server of '" + config.name + "' listens on " + acceptors->names;
   auto data = RuntimeData::create(data_options(config), to_log(**log));
   if (!data) return process::fail(data.error(), ExitCode::RuntimeFault);
   auto server = Server::create(server_options(config), **data);
   if (!server) return process::fail(server.error(), ExitCode::RuntimeFault);
-  for (auto& door : doors->all) (*server)->add(std::move(door));
+  for (auto& acceptor : acceptors->all) (*server)->add(std::move(acceptor));
   FiguresBoard board;
   auto figures = metrics::MetricsServer::start(config.modbus_server.metrics, "modbus.server.metrics",
                                                [&] { return server_metrics(config.name, board.newest()); });
   if (!figures) return process::fail(figures.error(), ExitCode::BadInput);
   (*server)->watch(stop.descriptor());
   (*server)->watch(reload.descriptor());
-  (*log)->info("listens", listens, {{"cell", config.name}, {"port", std::uint32_t{doors->port}}});
+  (*log)->info("listens", listens, {{"cell", config.name}, {"port", std::uint32_t{acceptors->port}}});
   if (!(*figures)->address().empty()) (*log)->info("metrics", "figures at " + (*figures)->address());
-  if (doors->tls != nullptr)
-    (*log)->info("tls", "the server's certificate ends " + expiry_text(doors->tls->context()));
+  if (acceptors->tls != nullptr)
+    (*log)->info("tls", "the server's certificate ends " + expiry_text(acceptors->tls->context()));
   init.ready(listens);
-  const log::ReloadPart reloaded = tls_part(doors->tls, **log);
+  const log::ReloadPart reloaded = tls_part(acceptors->tls, **log);
   process::Heartbeat heartbeat(init);
   auto next_figures = Clock::now() + kFiguresPeriod;
   while (!stop.came()) {
     (*server)->run_for(kTurn);
     heartbeat.turn();
-    board.publish(status_of(**server, **data, doors->tls));
+    board.publish(status_of(**server, **data, acceptors->tls));
     if (reload.take()) log::reload_log(running, **log, init, reloaded);
     (*log)->tick();
     if (Clock::now() < next_figures) continue;

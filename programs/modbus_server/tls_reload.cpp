@@ -7,8 +7,8 @@
 
 namespace stepwright::modbus_server {
 
+using modbus::server::TlsAcceptor;
 using modbus::server::TlsContext;
-using modbus::server::TlsDoor;
 
 std::string expiry_text(const TlsContext& context) {
   const std::time_t seconds = std::chrono::system_clock::to_time_t(context.expires());
@@ -19,18 +19,20 @@ std::string expiry_text(const TlsContext& context) {
   return text.data();
 }
 
-log::ReloadPart tls_part(TlsDoor* door, log::Logger& log) {
-  if (door == nullptr) return {};
+log::ReloadPart tls_part(TlsAcceptor* acceptor, log::Logger& log) {
+  if (acceptor == nullptr) return {};
   log::ReloadPart part;
   part.keys = {"modbus.server.tls.certificate", "modbus.server.tls.key", "modbus.server.tls.authorities",
                "modbus.server.tls.revoked"};
-  // A door that is to be closed stays as it is until the restart that closes it.
-  part.applies = [](const config::CellConfig& wanted) { return wanted.modbus_server.doors.tls.has_value(); };
-  part.prepare = [door, &log](const config::CellConfig& wanted) -> result::Result<std::function<void()>> {
-    auto made = TlsContext::create(wanted.modbus_server.doors.tls->tls);
+  // An acceptor that is to be closed stays as it is until the restart that closes it.
+  part.applies = [](const config::CellConfig& wanted) {
+    return wanted.modbus_server.acceptors.tls.has_value();
+  };
+  part.prepare = [acceptor, &log](const config::CellConfig& wanted) -> result::Result<std::function<void()>> {
+    auto made = TlsContext::create(wanted.modbus_server.acceptors.tls->tls);
     if (!made) return result::forward(made);
-    return [door, &log, context = std::move(*made)] {
-      door->renew(context);
+    return [acceptor, &log, context = std::move(*made)] {
+      acceptor->renew(context);
       const std::string until = expiry_text(context);
       log.info("tls", "certificate, key and authorities were read again: the certificate ends " + until,
                {{"expires", until}});

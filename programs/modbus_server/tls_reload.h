@@ -9,13 +9,13 @@
 #include "programs/config/cell_config.h"
 #include "programs/log/logger.h"
 #include "programs/log/reload_log.h"
-#include "runtime/modbus/server/tls/tls_door.h"
+#include "runtime/modbus/server/tls/tls_acceptor.h"
 
 namespace stepwright::modbus_server {
 
-// For log::reload_log. `door` may be null: the server has no TLS. Door and log must outlive the part. Fails
-// with R0114 to R0116.
-log::ReloadPart tls_part(modbus::server::TlsDoor* door, log::Logger& log);
+// For log::reload_log. `acceptor` may be null: the server has no TLS. Acceptor and log must outlive the part.
+// Fails with R0114 to R0116.
+log::ReloadPart tls_part(modbus::server::TlsAcceptor* acceptor, log::Logger& log);
 
 // "2027-03-01T12:00:00Z"
 std::string expiry_text(const modbus::server::TlsContext& context);

@@ -5,7 +5,7 @@
 // when they are back.
 //
 //   IoWatch watch(config, *io, *runtime, log);
-//   attendant.attach(watch);
+//   monitor.attach(watch);
 //   while (...) { (*server)->turn(100ms, stop); watch.turn(); }
 //
 // Threads: the service's; the Modbus client is asked on a thread of its own, as its answer may take time.

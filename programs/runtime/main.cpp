@@ -18,12 +18,12 @@
 #include "programs/process/notify_socket.h"
 #include "programs/process/reload_signal.h"
 #include "programs/process/stop_signal.h"
-#include "programs/runtime/attendant.h"
 #include "programs/runtime/boot_program.h"
 #include "programs/runtime/cell_io.h"
 #include "programs/runtime/guard_watch.h"
 #include "programs/runtime/host_options.h"
 #include "programs/runtime/io_watch.h"
+#include "programs/runtime/process_monitor.h"
 #include "runtime/host/host_runtime.h"
 #include "runtime/host/thread_stacks.h"
 #include "runtime/result/exit_code.h"
@@ -106,15 +106,15 @@ int run(const config::CellConfig& config) {
 
   auto runtime = host::HostRuntime::create(*options, (*io)->driver(), (*io)->plant());
   if (!runtime) return fail(runtime.error(), ExitCode::RuntimeFault);
-  Attendant attendant(config, log, init);
+  ProcessMonitor monitor(config, log, init);
   BootProgram boot(config.boot, **runtime);
   auto server = service::Server::create(
-      {config.socket_path(), config.supervisor_lost_after, STEPWRIGHT_VERSION, &attendant, boot.keeper()},
+      {config.socket_path(), config.supervisor_lost_after, STEPWRIGHT_VERSION, &monitor, boot.keeper()},
       **runtime);
   if (!server) return fail(server.error(), ExitCode::BadInput);
-  attendant.attach(**server, **runtime);
+  monitor.attach(**server, **runtime);
   IoWatch watch(config, **io, **runtime, log);
-  attendant.attach(watch);
+  monitor.attach(watch);
   wait_for_devices(config, **io, stop, log);
   // Only now: the socket says that this is the one runtime of the folder, and so of what is retained in it.
   if (const auto problems = boot.run(); !problems.empty()) log.error("boot", result::to_string(problems));
@@ -131,8 +131,8 @@ int run(const config::CellConfig& config) {
   init.ready(listens);
   while (!stop.came()) {
     (*server)->turn(service::kStatusPeriod, stop.descriptor());
-    if (reload.take()) (void)attendant.reload();
-    attendant.turn();
+    if (reload.take()) (void)monitor.reload();
+    monitor.turn();
     watch.turn();
     guard.turn();
     (*runtime)->set_note("guard", guard.note());

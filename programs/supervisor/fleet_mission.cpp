@@ -15,11 +15,11 @@ namespace {
 // vehicles are nor a plan beside the one that is driven is to be had.
 class FleetMission final : public CellMission {
  public:
-  FleetMission(const config::CellConfig& config, fleet::FleetDesk desk)
-      : options_(config::fleet_executive_options(config)), desk_(std::move(desk)) {}
+  FleetMission(const config::CellConfig& config, fleet::FleetPlanning planning)
+      : options_(config::fleet_executive_options(config)), planning_(std::move(planning)) {}
 
   void begin(run::Controller& controller, Observer observer) override {
-    executive_.emplace(desk_, controller, options_, std::move(observer));
+    executive_.emplace(planning_, controller, options_, std::move(observer));
   }
   run::RunRecord run() override {
     const run::RunRecord record = executive_->run();
@@ -62,7 +62,7 @@ class FleetMission final : public CellMission {
   }
 
   fleet::FleetExecutiveOptions options_;
-  fleet::FleetDesk desk_;
+  fleet::FleetPlanning planning_;
   std::optional<fleet::FleetExecutive> executive_;
   std::atomic<bool> over_{false};
 };
@@ -74,9 +74,9 @@ bool has_fleet(const config::CellConfig& config) {
 }
 
 result::Result<std::unique_ptr<CellMission>> open_fleet_mission(const config::CellConfig& config) {
-  auto desk = config::open_fleet_desk(config);
-  if (!desk) return result::forward(desk);
-  return std::make_unique<FleetMission>(config, *std::move(desk));
+  auto planning = config::open_fleet_planning(config);
+  if (!planning) return result::forward(planning);
+  return std::make_unique<FleetMission>(config, *std::move(planning));
 }
 
 }  // namespace stepwright::supervisor_program

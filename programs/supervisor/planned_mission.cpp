@@ -11,14 +11,14 @@ namespace {
 
 class PlannedMission final : public CellMission {
  public:
-  PlannedMission(const config::CellConfig& config, executive::PlanningDesk desk)
+  PlannedMission(const config::CellConfig& config, executive::PlanningService planning)
       : options_(config::executive_options(config)),
-        desk_(std::move(desk)),
-        what_if_(desk_, config::what_if_options(config)),
-        outlook_(desk_) {}
+        planning_(std::move(planning)),
+        what_if_(planning_, config::what_if_options(config)),
+        outlook_(planning_) {}
 
   void begin(run::Controller& controller, Observer observer) override {
-    executive_.emplace(desk_, controller, options_, std::move(observer));
+    executive_.emplace(planning_, controller, options_, std::move(observer));
   }
   run::RunRecord run() override { return executive_->run(); }
   bool wait_start(std::chrono::milliseconds timeout) override { return executive_->wait_start(timeout); }
@@ -35,7 +35,7 @@ class PlannedMission final : public CellMission {
     return obey_in_run(request);
   }
 
-  std::string goal_form() const override { return executive::goal_form_json(desk_); }
+  std::string goal_form() const override { return executive::goal_form_json(planning_); }
   std::optional<std::string> new_outlook() override {
     const std::pair now{executive_->outlook_revision(), what_if_.revision()};
     if (told_ == now) return std::nullopt;
@@ -55,7 +55,7 @@ class PlannedMission final : public CellMission {
   }
 
   executive::ExecutiveOptions options_;
-  executive::PlanningDesk desk_;
+  executive::PlanningService planning_;
   std::optional<executive::Executive> executive_;
   executive::WhatIf what_if_;
   executive::OutlookWriter outlook_;
@@ -69,9 +69,9 @@ bool has_planning(const config::CellConfig& config) {
 }
 
 result::Result<std::unique_ptr<CellMission>> open_planned_mission(const config::CellConfig& config) {
-  auto desk = executive::PlanningDesk::open(config::desk_options(config));
-  if (!desk) return result::forward(desk);
-  return std::make_unique<PlannedMission>(config, *std::move(desk));
+  auto planning = executive::PlanningService::open(config::planning_options(config));
+  if (!planning) return result::forward(planning);
+  return std::make_unique<PlannedMission>(config, *std::move(planning));
 }
 
 }  // namespace stepwright::supervisor_program

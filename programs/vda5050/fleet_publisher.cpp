@@ -104,7 +104,7 @@ bool FleetPublisher::settled(const FleetDocument& fleet, const std::vector<Vehic
 Places FleetPublisher::places_of(const FleetDocument& fleet, const std::vector<VehicleImage>& images) const {
   Places places;
   for (std::size_t v = 0; v < images.size(); ++v) {
-    places[fleet.vehicles[v].serial_number] = whereabouts_of(images[v], fleet.plan.missions[v]);
+    places[fleet.vehicles[v].serial_number] = location_of(images[v], fleet.plan.missions[v]);
   }
   return places;
 }

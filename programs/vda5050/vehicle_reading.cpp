@@ -86,7 +86,7 @@ std::pair<std::string, std::string> words_of_error(int error_id) {
   return {"controllerError", "the controller has stopped the vehicle, error " + std::to_string(error_id)};
 }
 
-Whereabouts whereabouts_of(const VehicleImage& image, const fleet::VehicleMission& mission) {
+VehicleLocation location_of(const VehicleImage& image, const fleet::VehicleMission& mission) {
   const auto most = static_cast<int>(mission.grown.visits.size());
   return {.arc_m = image.arc_m, .left = static_cast<std::uint32_t>(std::clamp(image.left, 0, most))};
 }

@@ -31,7 +31,7 @@ struct Shown {
 fleet::vda5050::VehicleReading reading_of(const Shown& shown);
 
 // Polygons and way, within the bounds of the mission.
-fleet::vda5050::Whereabouts whereabouts_of(const VehicleImage& image, const fleet::VehicleMission& mission);
+fleet::vda5050::VehicleLocation location_of(const VehicleImage& image, const fleet::VehicleMission& mission);
 
 // Whether way and polygons can be those of the mission, with the vehicle where it is. After an online change
 // the image shows those of the mission before for a scan.

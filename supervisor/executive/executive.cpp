@@ -13,12 +13,12 @@ using std::chrono::milliseconds;
 
 }  // namespace
 
-Executive::Executive(const PlanningDesk& desk, run::Controller& controller, ExecutiveOptions options,
+Executive::Executive(const PlanningService& planning, run::Controller& controller, ExecutiveOptions options,
                      Observer observer)
     : Mission(controller, {options.cell, options.barrier, options.operator_starts}, std::move(observer)),
-      desk_(desk),
+      planning_(planning),
       options_(std::move(options)),
-      drift_(desk.binding()) {}
+      drift_(planning.binding()) {}
 
 bool Executive::begin() {
   if (std::exchange(begun_, true)) return begin_again();
@@ -34,22 +34,22 @@ bool Executive::start_afresh(bool wanted) {
   if (options_.operator_starts && !wanted && !stay_ready()) return false;
   const model::NamedState initial = first_state();
   if (!await_runtime() || !observe(false)) return false;
-  auto moving = translate::movements(desk_.binding(), means_);
+  auto moving = translate::movements(planning_.binding(), means_);
   if (!moving) return give_up("the sensors cannot be read", moving.error());
   if (!moving->empty())
     return give_up("the plant was not at rest when the sensors were tared: " + run::sentence_of(*moving),
                    run::IncidentKind::Level);
-  auto tare = translate::identify_tare(desk_.binding(), means_, initial);
+  auto tare = translate::identify_tare(planning_.binding(), means_, initial);
   if (!tare)
     return give_up("the sensors do not fit the initial state", tare.error(), run::IncidentKind::FailedSensor);
   tare_ = std::move(*tare);
   known_ = true;
   record_.tare = tare_;  // viewers calibrate with it, too
-  auto estimate = translate::estimate(desk_.binding(), means_, tare_, initial);
+  auto estimate = translate::estimate(planning_.binding(), means_, tare_, initial);
   if (!estimate) return give_up("the initial state cannot be read", estimate.error());
   seen_ = std::move(*estimate);
   drift_.rest(seen_.measured.fluents);
-  const auto wrong = translate::deviations(desk_.binding(), initial, seen_.measured);
+  const auto wrong = translate::deviations(planning_.binding(), initial, seen_.measured);
   if (!wrong.empty() && options_.believes_sensors) {
     open_incident({run::IncidentKind::Operator,
                    {"the plan starts where the plant is: " + run::sentence_of(wrong)},
@@ -57,12 +57,12 @@ bool Executive::start_afresh(bool wanted) {
     return mend({}, initial, {}, {});
   }
   if (!wrong.empty()) {
-    const bool levels = !translate::differences(desk_.binding(), initial, seen_.measured).front().is_fact;
+    const bool levels = !translate::differences(planning_.binding(), initial, seen_.measured).front().is_fact;
     return replan({levels ? run::IncidentKind::Level : run::IncidentKind::Position,
                    {"the plant is not in the initial state: " + run::sentence_of(wrong)},
                    {}});
   }
-  auto rebuilt = desk_.rebuild(
+  auto rebuilt = planning_.rebuild(
       {.planning = initial, .measured = seen_.measured.fluents, .tare = tare_, .goal = goal_}, current_.plan);
   if (!rebuilt) return give_up("no program could be made", rebuilt.error());
   run::Episode figures = current_.episode;
@@ -93,7 +93,7 @@ bool Executive::resume() {
   tare_ = (*journal)->start.tare;
   known_ = true;
   goal_ = (*journal)->start.goal;
-  auto rebuilt = desk_.rebuild((*journal)->start, (*journal)->plan);
+  auto rebuilt = planning_.rebuild((*journal)->start, (*journal)->plan);
   if (!rebuilt) return give_up("the running plan cannot be rebuilt", rebuilt.error());
   current_ = std::move(*rebuilt);
   current_.episode = record_.episodes.back();
@@ -178,7 +178,7 @@ bool Executive::recover_runtime(Away who) {
 }
 
 bool Executive::observe(bool locate) {
-  auto observer = desk_.observer(locate, options_.settle);
+  auto observer = planning_.observer(locate, options_.settle);
   if (!observer) return give_up("no program could be made", observer.error());
   if (record_.phase == run::Phase::Planning) set_phase(run::Phase::Observing, "reading the sensors");
   while (!abort_) {
@@ -250,16 +250,17 @@ bool Executive::launch() {
 // A planner counts in units: a level that it takes for 9 is no 9 where the sensor shows 9.24.
 void Executive::note_goal() {
   model::NamedState shown = with_changes(seen_.planning);
-  for (const translate::Difference& off : translate::differences(desk_.binding(), shown, seen_.measured)) {
+  for (const translate::Difference& off :
+       translate::differences(planning_.binding(), shown, seen_.measured)) {
     if (!off.is_fact) shown.fluents[off.atom] = off.measured;
   }
-  record_.goal = desk_.goal_status(shown, goal_);
+  record_.goal = planning_.goal_status(shown, goal_);
 }
 
 // Measured fluents that the goal does not speak of.
 std::set<std::string> Executive::beside_goal() const {
   std::set<std::string> fluents;
-  for (const translate::Sensor& sensor : desk_.binding().sensors) {
+  for (const translate::Sensor& sensor : planning_.binding().sensors) {
     const bool named = std::any_of(
         record_.goal.begin(), record_.goal.end(),
         [&](const run::GoalRecord& goal) { return goal.text.find(sensor.fluent) != std::string::npos; });
@@ -271,7 +272,7 @@ std::set<std::string> Executive::beside_goal() const {
 // What of the goal is not there, as sentences.
 std::vector<std::string> Executive::missed() const {
   std::vector<std::string> sentences =
-      translate::deviations(desk_.binding(), with_changes(seen_.planning), seen_.measured, beside_goal());
+      translate::deviations(planning_.binding(), with_changes(seen_.planning), seen_.measured, beside_goal());
   for (const run::GoalRecord& goal : record_.goal) {
     if (!goal.met) sentences.push_back(goal.text + " is not met");
   }
@@ -301,11 +302,11 @@ void Executive::reach_goal() {
 
 result::Result<void> Executive::request_change(const std::string& fluent, double value) {
   const std::string name = pddl::canonical_name(fluent);
-  if (!desk_.task().initial().value(name)) {
+  if (!planning_.task().initial().value(name)) {
     return result::fail("X0003", {}, "there is no fluent " + name,
                         "name it as in the problem, e.g. (demand c1)");
   }
-  if (desk_.binding().sensor_of(name) != nullptr) {
+  if (planning_.binding().sensor_of(name) != nullptr) {
     return result::fail("X0003", {}, name + " is measured; nobody can set it",
                         "change a demand or a goal instead");
   }
@@ -315,7 +316,7 @@ result::Result<void> Executive::request_change(const std::string& fluent, double
 }
 
 result::Result<void> Executive::request_goal(const std::string& goal) {
-  if (auto checked = desk_.check_goal(goal); !checked) return checked;
+  if (auto checked = planning_.check_goal(goal); !checked) return checked;
   const std::lock_guard lock(requests_mutex_);
   requests_.push_back({0.0, {}, 0.0, goal});
   return {};

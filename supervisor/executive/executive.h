@@ -6,7 +6,7 @@
 // state of the outputs with a report. An operator may hold the run: what the plan drives is switched off at
 // once, the plant is brought to a known place and rests there; resumed, it is looked at and planned for anew.
 //
-//   Executive executive(desk, controller, {.max_replans = 8}, publish);
+//   Executive executive(service, controller, {.max_replans = 8}, publish);
 //   RunRecord record = executive.run();
 //   while (executive.wait_start(1s)) record = executive.run();   // another one, from where the plant is
 //
@@ -33,8 +33,8 @@
 #include "supervisor/executive/device_ledger.h"
 #include "supervisor/executive/drift_watch.h"
 #include "supervisor/executive/outlook.h"
-#include "supervisor/executive/planning_desk.h"
 #include "supervisor/executive/planning_job.h"
+#include "supervisor/executive/planning_service.h"
 #include "supervisor/executive/recurrence.h"
 #include "supervisor/executive/rest_watch.h"
 #include "supervisor/run/image_reader.h"
@@ -67,7 +67,7 @@ struct ExecutiveOptions {
 
 class Executive final : public run::Mission {
  public:
-  Executive(const PlanningDesk& desk, run::Controller& controller, ExecutiveOptions options,
+  Executive(const PlanningService& planning, run::Controller& controller, ExecutiveOptions options,
             Observer observer);
 
   // Waits until somebody wants another run; false after `timeout`. The next call of `run` is that one: it
@@ -194,7 +194,7 @@ class Executive final : public run::Mission {
   std::vector<model::GroundAction> begun_actions(bool resting) const;
   model::NamedState with_changes(model::NamedState state) const;
 
-  const PlanningDesk& desk_;
+  const PlanningService& planning_;
   const ExecutiveOptions options_;
 
   PreparedPlan current_;                          // the plan that runs

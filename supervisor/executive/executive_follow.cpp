@@ -49,13 +49,13 @@ run::Decision Executive::judge_steps(std::span<const std::byte> image, double ti
   const model::NamedState expected =
       with_changes(translate::expected_state(current_.translation, progress.done()));
   const auto values = reader_->values(image);
-  limited_ = limited_sensors(desk_.binding(), values);
-  auto estimate = translate::estimate(desk_.binding(), values, tare_, expected, begun_actions(true));
+  limited_ = limited_sensors(planning_.binding(), values);
+  auto estimate = translate::estimate(planning_.binding(), values, tare_, expected, begun_actions(true));
   if (!estimate)
     return run::give_up_because(run::IncidentKind::ProgramFault, result::to_string(estimate.error()));
   seen_ = std::move(*estimate);
   note_progress(progress, time_s);
-  record_levels(desk_.binding(), expected, seen_.measured, record_);
+  record_levels(planning_.binding(), expected, seen_.measured, record_);
   note_goal();
   note_alarms(image);
   note_levels(moving_atoms(progress));
@@ -81,7 +81,7 @@ run::Decision Executive::judge_steps(std::span<const std::byte> image, double ti
 }
 
 void Executive::note_levels(const std::set<std::string>& moving) {
-  for (const translate::Sensor& sensor : desk_.binding().sensors) {
+  for (const translate::Sensor& sensor : planning_.binding().sensors) {
     const bool touched = moving.contains(sensor.fluent) || just_changed_.contains(sensor.fluent);
     const double level = seen_.measured.fluents.at(sensor.fluent);
     if (touched) left_[sensor.fluent] = level;
@@ -96,7 +96,7 @@ std::set<std::string> Executive::moving_atoms(const translate::Progress& progres
       continue;
     moving.merge(translate::changed_atoms(current_.run.actions[i]));
   }
-  for (const translate::OneOf& group : desk_.binding().one_of) {
+  for (const translate::OneOf& group : planning_.binding().one_of) {
     const bool moves = std::any_of(group.facts.begin(), group.facts.end(),
                                    [&](const std::string& fact) { return moving.contains(fact); });
     if (moves) moving.insert(group.facts.begin(), group.facts.end());
@@ -120,7 +120,7 @@ Situation Executive::situation(const translate::Progress& progress, const model:
   }
   now.moving = moving_atoms(progress);
   // Of what failed, its own half-way levels are evidence, too.
-  now.differences = translate::differences(desk_.binding(), expected, seen_.measured,
+  now.differences = translate::differences(planning_.binding(), expected, seen_.measured,
                                            now.failed.empty() ? now.moving : std::set<std::string>());
   if (!now.failed.empty()) now.contradictions = seen_.contradictions;
   now.earlier = earlier_;
@@ -141,8 +141,8 @@ FailedAction Executive::failing(const model::GroundAction& action) const {
   FailedAction failed;
   failed.text = model::to_string(action);
   translate::Assignment assignment;
-  failed.outputs = desk_.binding().action_for(action, assignment)->outputs;
-  failed.devices = desk_.binding().devices_of(action);
+  failed.outputs = planning_.binding().action_for(action, assignment)->outputs;
+  failed.devices = planning_.binding().devices_of(action);
   return failed;
 }
 
@@ -155,7 +155,7 @@ FailedAction Executive::standstill_of(const run::Alarm& alarm) const {
   if (action != actions.end()) failed = failing(*action);
   failed.text = alarm.action;
   failed.reason = FailedAction::Reason::NoEffect;
-  const auto sensor = std::ranges::find(desk_.binding().sensors, alarm.sensor, &translate::Sensor::name);
+  const auto sensor = std::ranges::find(planning_.binding().sensors, alarm.sensor, &translate::Sensor::name);
   failed.sentence =
       fmt::format("{} has stopped halfway: the {} stands still though {} {} on", alarm.action, sensor->label,
                   fmt::join(failed.outputs, " and "), failed.outputs.size() == 1 ? "is" : "are");
@@ -179,7 +179,7 @@ void Executive::note_alarms(std::span<const std::byte> image) {
                      static_cast<std::uint64_t>(scan),
                      values.at(translate::alarm_value_variable(i)),
                      monitor.sensor};
-    for (const translate::Sensor& sensor : desk_.binding().sensors) {
+    for (const translate::Sensor& sensor : planning_.binding().sensors) {
       if (sensor.name != monitor.sensor) continue;
       alarm.value = sensor.calibration.value_at(alarm.value - translate::tare_of(tare_, sensor));
     }
@@ -224,9 +224,9 @@ void Executive::note_progress(const translate::Progress& progress, double time_s
       // What is not measured stands as it was planned before the action.
       model::NamedState before = current_.run.actions[i].before;
       for (const auto& [fluent, value] : seen_.measured.fluents) {
-        if (desk_.binding().sensor_of(fluent) != nullptr) before.fluents[fluent] = value;
+        if (planning_.binding().sensor_of(fluent) != nullptr) before.fluents[fluent] = value;
       }
-      actions[i].actual_cost = desk_.cost_of(current_.run.actions[i].action, before);
+      actions[i].actual_cost = planning_.cost_of(current_.run.actions[i].action, before);
     }
     if (state != run::ActionState::Done) continue;
     note_done(i, time_s);
@@ -238,8 +238,8 @@ void Executive::note_done(std::size_t action, double time_s) {
   run::ActionRecord& record = record_.episodes.back().actions[action];
   record.finished_s = time_s;
   record_.finished_s = time_s;
-  devices_.clear(desk_.binding().devices_of(current_.plan.actions[action]));
-  for (const translate::Sensor& sensor : desk_.binding().sensors) {
+  devices_.clear(planning_.binding().devices_of(current_.plan.actions[action]));
+  for (const translate::Sensor& sensor : planning_.binding().sensors) {
     record.observed[sensor.fluent] = seen_.measured.fluents.at(sensor.fluent);
   }
 }
@@ -260,11 +260,11 @@ FailedAction Executive::failure_of(std::size_t action, double time_s) const {
   }
   translate::Assignment assignment;
   const translate::ActionBinding* entry =
-      desk_.binding().action_for(current_.plan.actions[action], assignment);
+      planning_.binding().action_for(current_.plan.actions[action], assignment);
   failed = failing(current_.plan.actions[action]);
   const double timeout_s = std::chrono::duration<double>(entry->timeout).count();
   // The chart's clock of a step and the events' times agree to a scan.
-  const double scan_s = static_cast<double>(desk_.options().interval_us) * 1e-6;
+  const double scan_s = static_cast<double>(planning_.options().interval_us) * 1e-6;
   const double ran_s = time_s - *record.started_s;
   if (ran_s >= timeout_s - scan_s) {
     failed.reason = Reason::Timeout;
@@ -272,7 +272,7 @@ FailedAction Executive::failure_of(std::size_t action, double time_s) const {
     return failed;
   }
   for (const translate::Pattern& pattern : entry->hold) {
-    const translate::ObservedFact* fact = desk_.binding().observed(instantiate(pattern, assignment));
+    const translate::ObservedFact* fact = planning_.binding().observed(instantiate(pattern, assignment));
     if (!seen_.measured.facts.contains(fact->fact)) failed.lost_facts.push_back("'" + fact->label + "'");
   }
   if (!failed.lost_facts.empty()) {

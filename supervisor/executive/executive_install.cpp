@@ -10,12 +10,12 @@ namespace stepwright::executive {
 
 result::Result<run::ImageReader> Executive::reader_of(const PreparedPlan& prepared, Kind kind) const {
   std::vector<std::string> variables;
-  for (const translate::Sensor& sensor : desk_.binding().sensors) {
+  for (const translate::Sensor& sensor : planning_.binding().sensors) {
     variables.push_back(translate::filtered_variable(sensor));
     variables.push_back(sensor.tag);
     if (kind == Kind::Observer) variables.push_back(translate::half_variable(sensor));
   }
-  for (const translate::ObservedFact& fact : desk_.binding().facts) variables.push_back(fact.tag);
+  for (const translate::ObservedFact& fact : planning_.binding().facts) variables.push_back(fact.tag);
   return run::ImageReader::create(prepared.container, prepared.translation.instance, variables);
 }
 

@@ -115,7 +115,7 @@ bool Executive::replan(const run::Cause& cause) {
   // with the download that follows; a runtime that is gone or was restarted has nothing to stop.
   if (!runs()) (void)controller_.stop(sentence.substr(0, 200));
   const model::NamedState tracked =
-      progress_.actions.empty() ? pddl::to_named(desk_.task().initial())
+      progress_.actions.empty() ? pddl::to_named(planning_.task().initial())
                                 : translate::expected_state(current_.translation, progress_.completed());
   return mend(cause.signature, tracked, begun_actions(false), remaining_actions());
 }
@@ -130,13 +130,15 @@ bool Executive::mend(const std::string& signature, const model::NamedState& trac
     if (!observe(true)) return false;
     if (hold_) {
       // For whoever wants to know meanwhile; what is wrong with it shows when the run goes on.
-      if (auto now = translate::estimate(desk_.binding(), means_, tare_, with_changes(tracked), interrupted))
+      if (auto now =
+              translate::estimate(planning_.binding(), means_, tare_, with_changes(tracked), interrupted))
         seen_ = std::move(*now);
       if (!stay_held()) return false;
       continue;  // the plant may be elsewhere by now
     }
     work_begins();
-    auto estimate = translate::estimate(desk_.binding(), means_, tare_, with_changes(tracked), interrupted);
+    auto estimate =
+        translate::estimate(planning_.binding(), means_, tare_, with_changes(tracked), interrupted);
     if (!estimate) return give_up("the state cannot be read", estimate.error());
     if (!estimate->contradictions.empty()) {
       record_.incidents.back().kind = run::IncidentKind::FailedSensor;
@@ -199,7 +201,8 @@ Executive::Planned Executive::plan_to_goal(const model::NamedState& tracked,
     away.insert(difference.atom);
     sentences.push_back(to_string(difference));
   }
-  auto finer = translate::estimate(desk_.binding(), means_, tare_, with_changes(tracked), interrupted, away);
+  auto finer =
+      translate::estimate(planning_.binding(), means_, tare_, with_changes(tracked), interrupted, away);
   if (finer) {
     start.planning = with_changes(finer->planning);
     start.goal = goal_;
@@ -218,15 +221,15 @@ std::vector<translate::Difference> Executive::left_over() const {
   const model::NamedState shown =
       translate::expected_state(current_.translation, std::vector<bool>(actions.size(), true));
   std::set<std::string> ignored = beside_goal();
-  for (const translate::ObservedFact& fact : desk_.binding().facts) ignored.insert(fact.fact);
-  return translate::differences(desk_.binding(), wanted, shown, ignored);
+  for (const translate::ObservedFact& fact : planning_.binding().facts) ignored.insert(fact.fact);
+  return translate::differences(planning_.binding(), wanted, shown, ignored);
 }
 
 Executive::Planned Executive::plan_watched(StartState start,
                                            const std::vector<model::GroundAction>& remaining) {
   while (true) {
-    PlanningJob job(desk_, {.start = start, .remaining = remaining, .without = devices_.failed()});
-    RestWatch rest(desk_.binding(), tare_, seen_.measured);
+    PlanningJob job(planning_, {.start = start, .remaining = remaining, .without = devices_.failed()});
+    RestWatch rest(planning_.binding(), tare_, seen_.measured);
     bool again = false;
     while (!again && !job.wait(kLook)) {
       if (const auto end = overtaken(job, start, rest, again)) return *end;

@@ -37,7 +37,7 @@ bool Executive::over() const {
 
 result::Result<void> Executive::request_start(const std::string& goal) {
   if (!goal.empty()) {
-    if (auto checked = desk_.check_goal(goal); !checked) return checked;
+    if (auto checked = planning_.check_goal(goal); !checked) return checked;
   }
   if (!controller_.alive()) {
     return result::fail("X0008", {}, "no runtime answers: the plant would begin to move whenever one comes",
@@ -65,12 +65,12 @@ result::Result<void> Executive::request_start(const std::string& goal) {
 
 // The problem's, with what has been changed from outside.
 model::NamedState Executive::first_state() const {
-  return with_changes(pddl::to_named(desk_.task().initial()));
+  return with_changes(pddl::to_named(planning_.task().initial()));
 }
 
 Executive::Planned Executive::plan_first() {
   const Planned planned = plan_watched({.planning = first_state(), .goal = goal_}, {});
-  if (planned == Planned::Ready) record_.goal = desk_.goal_status(first_state(), goal_);
+  if (planned == Planned::Ready) record_.goal = planning_.goal_status(first_state(), goal_);
   return planned;
 }
 
@@ -195,7 +195,7 @@ void Executive::renew_outlook() {
   now.goal = goal_;
   now.without = devices_.failed();
   const bool seen = !seen_.planning.facts.empty() || !seen_.planning.fluents.empty();
-  now.state = with_changes(seen ? seen_.planning : pddl::to_named(desk_.task().initial()));
+  now.state = with_changes(seen ? seen_.planning : pddl::to_named(planning_.task().initial()));
   if (record_.phase == run::Phase::Ready) now.remaining = current_.plan.actions;
   const std::size_t actions = progress_.actions.size();
   if (follows_ && actions == current_.run.actions.size()) {
@@ -213,7 +213,7 @@ void Executive::renew_outlook() {
       now.state.facts.erase(atom);
       if (after.facts.contains(atom)) now.state.facts.insert(atom);
       if (const auto value = after.fluents.find(atom); value != after.fluents.end())
-        now.state.fluents[atom] = counted(desk_.binding(), atom, value->second);
+        now.state.fluents[atom] = counted(planning_.binding(), atom, value->second);
     }
     if (record_.phase == run::Phase::Done || record_.phase == run::Phase::Safe) now.remaining.clear();
   }

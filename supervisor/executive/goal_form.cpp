@@ -61,29 +61,29 @@ std::string no_goal_form_json(const std::string& reason) {
   return run::internal::text_of({{"available", false}, {"reason", reason}});
 }
 
-std::string goal_form_json(const PlanningDesk& desk) {
-  const pddl::GoalVocabulary words = pddl::goal_vocabulary(desk.task());
+std::string goal_form_json(const PlanningService& planning) {
+  const pddl::GoalVocabulary words = pddl::goal_vocabulary(planning.task());
   const json form = {{"available", true},
-                     {"domain", desk.task().domain_name()},
-                     {"metric", desk.task().metric()},
+                     {"domain", planning.task().domain_name()},
+                     {"metric", planning.task().metric()},
                      {"objects", words.objects},
                      {"predicates", symbols_json(words.predicates)},
                      {"functions", symbols_json(words.functions)},
-                     {"sensors", sensors_json(desk.binding())},
-                     {"labels", labels_json(desk.binding())}};
+                     {"sensors", sensors_json(planning.binding())},
+                     {"labels", labels_json(planning.binding())}};
   return bounded(form,
                  {{"available", false}, {"reason", "the problem has more objects than a form can offer"}});
 }
 
-OutlookWriter::OutlookWriter(const PlanningDesk& desk) : desk_(desk) {
-  for (const pddl::GoalSymbol& symbol : pddl::goal_vocabulary(desk.task()).predicates)
+OutlookWriter::OutlookWriter(const PlanningService& planning) : planning_(planning) {
+  for (const pddl::GoalSymbol& symbol : pddl::goal_vocabulary(planning.task()).predicates)
     predicates_.insert(symbol.name);
 }
 
 std::string OutlookWriter::json(const Outlook& outlook, const std::string& what_if) {
   if (goal_ != outlook.goal) {
     goal_ = outlook.goal;
-    goal_text_ = desk_.goal_text(outlook.goal);
+    goal_text_ = planning_.goal_text(outlook.goal);
   }
   run::internal::json facts = run::internal::json::array();
   for (const std::string& fact : outlook.state.facts) {

@@ -11,7 +11,7 @@
 #include <string>
 
 #include "supervisor/executive/outlook.h"
-#include "supervisor/executive/planning_desk.h"
+#include "supervisor/executive/planning_service.h"
 
 namespace stepwright::executive {
 
@@ -22,21 +22,21 @@ inline constexpr std::size_t kMaxGoalFormBytes = 512u << 10;
 inline constexpr std::size_t kMaxStateBytes = 64u << 10;
 
 // The words of the domain, the objects of its types, and what the binding knows of each sensor.
-std::string goal_form_json(const PlanningDesk& desk);
+std::string goal_form_json(const PlanningService& planning);
 // The form of a cell whose goals are no PDDL.
 std::string no_goal_form_json(const std::string& reason);
 
 // Writes what holds now, again and again; what of that only depends on the problem or the goal it works out
-// once. One thread at a time; the desk must outlive it.
+// once. One thread at a time; the service must outlive it.
 class OutlookWriter {
  public:
-  explicit OutlookWriter(const PlanningDesk& desk);
+  explicit OutlookWriter(const PlanningService& planning);
 
   // With the goal, and with `what_if` (JSON: WhatIf::answer).
   std::string json(const Outlook& outlook, const std::string& what_if);
 
  private:
-  const PlanningDesk& desk_;
+  const PlanningService& planning_;
   std::set<std::string, std::less<>> predicates_;  // that goals can speak of
   std::optional<std::string> goal_;                // of goal_text_
   std::string goal_text_;

@@ -13,7 +13,7 @@
 #include <string>
 
 #include "runtime/result/result.h"
-#include "supervisor/executive/planning_desk.h"
+#include "supervisor/executive/planning_service.h"
 #include "supervisor/run/run_clock.h"
 #include "supervisor/run/run_record.h"
 

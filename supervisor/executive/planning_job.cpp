@@ -4,10 +4,10 @@
 
 namespace stepwright::executive {
 
-PlanningJob::PlanningJob(const PlanningDesk& desk, PlanRequest request) {
+PlanningJob::PlanningJob(const PlanningService& planning, PlanRequest request) {
   request.cancel = &cancelled_;
-  future_ =
-      std::async(std::launch::async, [&desk, request = std::move(request)] { return desk.prepare(request); });
+  future_ = std::async(std::launch::async,
+                       [&planning, request = std::move(request)] { return planning.prepare(request); });
 }
 
 PlanningJob::~PlanningJob() {

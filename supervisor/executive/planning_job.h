@@ -2,11 +2,11 @@
 
 // One planning in a thread of its own, so that whoever waits for the plan can watch the plant meanwhile.
 //
-//   PlanningJob job(desk, {.start = start, .remaining = left});
+//   PlanningJob job(service, {.start = start, .remaining = left});
 //   while (!job.wait(milliseconds(20))) { if (news) job.cancel(); }
 //   auto outcome = job.take();
 //
-// Threads: all calls from one thread. The desk must outlive the job; the end of a job that is not done
+// Threads: all calls from one thread. The service must outlive the job; the end of a job that is not done
 // cancels it and waits for its thread.
 
 #include <atomic>
@@ -14,13 +14,13 @@
 #include <future>
 #include <vector>
 
-#include "supervisor/executive/planning_desk.h"
+#include "supervisor/executive/planning_service.h"
 
 namespace stepwright::executive {
 
 class PlanningJob {
  public:
-  PlanningJob(const PlanningDesk& desk, PlanRequest request);
+  PlanningJob(const PlanningService& planning, PlanRequest request);
   ~PlanningJob();
   PlanningJob(const PlanningJob&) = delete;
   PlanningJob& operator=(const PlanningJob&) = delete;

@@ -3,12 +3,12 @@
 // Plans for a goal without running it: what it would cost and how long it would take from where the plant is,
 // beside what is left of the plan that runs. Nothing here touches a run or a runtime.
 //
-//   WhatIf what_if(desk, {.time = 10s, .memory_mb = 512});
+//   WhatIf what_if(service, {.time = 10s, .memory_mb = 512});
 //   what_if.ask({"7f", "(= (level a1) 4)", executive.outlook()});
 //   what_if.answer()     // JSON, the same as long as what_if.revision() is
 //
 // Threads: every function from any. The search has a thread of its own, of lower priority than the one that
-// plans for the plant; there is one at a time. The desk must outlive it; its end cancels and waits.
+// plans for the plant; there is one at a time. The service must outlive it; its end cancels and waits.
 
 #include <atomic>
 #include <chrono>
@@ -19,7 +19,7 @@
 
 #include "runtime/result/result.h"
 #include "supervisor/executive/outlook.h"
-#include "supervisor/executive/planning_desk.h"
+#include "supervisor/executive/planning_service.h"
 
 namespace stepwright::executive {
 
@@ -40,7 +40,7 @@ inline constexpr std::size_t kMostListedActions = 1'000;
 
 class WhatIf {
  public:
-  WhatIf(const PlanningDesk& desk, const WhatIfOptions& options);
+  WhatIf(const PlanningService& planning, const WhatIfOptions& options);
   ~WhatIf();
   WhatIf(const WhatIf&) = delete;
   WhatIf& operator=(const WhatIf&) = delete;
@@ -59,7 +59,7 @@ class WhatIf {
   void plan(const WhatIfQuestion& question);
   void publish(std::string answer);
 
-  const PlanningDesk& desk_;
+  const PlanningService& planning_;
   const WhatIfOptions options_;
   std::mutex turn_;  // one that asks at a time
   mutable std::mutex mutex_;

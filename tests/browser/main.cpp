@@ -92,10 +92,10 @@ struct OpenAccess {
   std::unique_ptr<access::AccessControl> control = *access::AccessControl::open(
       folder / "access", {}, [this] { return std::chrono::steady_clock::now() + ahead.load(); });
   std::unique_ptr<access::AuditLog> audit = *access::AuditLog::open(folder / "access/audit.jsonl");
-  std::unique_ptr<api::ForceDesk> forces = *api::ForceDesk::open(
+  std::unique_ptr<api::ForceService> forces = *api::ForceService::open(
       folder / "access/forces.json", cell, *audit, std::chrono::system_clock::now, [](const std::string&) {});
   api::RouteTable table{api::all_routes({control.get(), audit.get(), forces.get(), &cell, records})};
-  api::Door door{table, *control, *audit, {access::Role::Viewer}};
+  api::RequestGuard guard{table, *control, *audit, {access::Role::Viewer}};
 };
 
 }  // namespace
@@ -113,7 +113,7 @@ int main(int argc, char** argv) {
   std::optional<recorder::RecordQueries> records;
   if (recorder) records.emplace(*recorder);
   OpenAccess access(records ? &*records : nullptr);
-  (*http)->serve_api(access.door);
+  (*http)->serve_api(access.guard);
   const auto record = [&](const server::Observation& seen, const server::CellView& view) {
     if (!recorder) return;
     auto news = recorder->take(seen, view);

@@ -25,13 +25,13 @@ inline const config::CellConfig& conveyor_cell() {
   return cell;
 }
 
-inline const PlanningDesk& conveyor_desk() {
-  static const PlanningDesk desk = [] {
-    auto opened = PlanningDesk::open(config::desk_options(conveyor_cell()));
+inline const PlanningService& conveyor_planning() {
+  static const PlanningService planning = [] {
+    auto opened = PlanningService::open(config::planning_options(conveyor_cell()));
     if (!opened) throw std::runtime_error(result::to_string(opened.error()));
     return std::move(*opened);
   }();
-  return desk;
+  return planning;
 }
 
 inline support::SimulatedController conveyor_controller(std::uint64_t seed,
@@ -49,7 +49,7 @@ inline run::RunRecord run_conveyor(support::SimulatedController& controller, int
   options.cell = "conveyor";
   options.max_replans = max_replans;
   options.settle = conveyor_cell().executive.settle;
-  return Executive(conveyor_desk(), controller, std::move(options), {}).run();
+  return Executive(conveyor_planning(), controller, std::move(options), {}).run();
 }
 
 // Where the plant itself says that its boxes are: box -> (chute, place in it).

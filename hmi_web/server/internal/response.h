@@ -8,7 +8,7 @@
 #include <string_view>
 #include <utility>
 
-#include "hmi_web/api/door.h"
+#include "hmi_web/api/request_guard.h"
 #include "hmi_web/protocol/asset.h"
 #include "hmi_web/server/request_policy.h"
 

@@ -3,7 +3,7 @@
 #include <thread>
 #include <utility>
 
-#include "runtime/modbus/server/internal/attendant.h"
+#include "runtime/modbus/server/internal/runtime_session.h"
 
 namespace stepwright::modbus::server {
 namespace {
@@ -18,7 +18,7 @@ using pdu::Function;
 
 struct RuntimeData::State {
   State(const RuntimeDataOptions& wanted, News told)
-      : options(wanted), news(std::move(told)), attendant(options, news, exchange) {}
+      : options(wanted), news(std::move(told)), session(options, news, exchange) {}
 
   // The program as of now; null: nothing can be read. The server's own copy, so that no request takes a lock.
   const Program* current() {
@@ -36,7 +36,7 @@ struct RuntimeData::State {
   RuntimeDataOptions options;
   News news;
   Exchange exchange;
-  internal::Attendant attendant;
+  internal::RuntimeSession session;
   std::shared_ptr<const Program> program;
   std::uint64_t seen = 0;
   std::thread thread;
@@ -46,7 +46,7 @@ result::Result<std::unique_ptr<RuntimeData>> RuntimeData::create(const RuntimeDa
                                                                  News news) {
   auto state = std::make_unique<State>(options, std::move(news));
   if (!state->exchange.ok()) return result::fail("R0101", {}, "the system gives no more descriptors");
-  state->thread = std::thread([attendant = &state->attendant] { attendant->run(); });
+  state->thread = std::thread([session = &state->session] { session->run(); });
   return std::unique_ptr<RuntimeData>(new RuntimeData(std::move(state)));
 }
 

@@ -16,12 +16,12 @@ using std::chrono::milliseconds;
 constexpr std::uint64_t kSlotBits = 16;
 constexpr std::uint64_t kSlotMask = (1u << kSlotBits) - 1;
 // What epoll gives back of everything that is no session.
-constexpr std::uint64_t kDoor = 1ull << 63;
+constexpr std::uint64_t kAcceptor = 1ull << 63;
 constexpr std::uint64_t kData = 1ull << 62;
 constexpr std::uint64_t kWatched = 1ull << 61;
 constexpr milliseconds kCheckPeriod{250};
 constexpr int kEvents = 64;
-// Of one door in one turn, so that a flood of newcomers leaves time for those who are in.
+// Of one acceptor in one turn, so that a flood of newcomers leaves time for those who are in.
 constexpr int kAdmissions = 32;
 
 bool add_to(int epoll, int descriptor, std::uint64_t key, std::uint32_t events) {
@@ -54,13 +54,14 @@ Server::Server(ServerOptions options, ProcessData& data, int epoll)
       next_check_(now_ + kCheckPeriod) {}
 
 Server::~Server() {
-  visitors_.clear();  // their transports before their doors
+  visitors_.clear();  // their transports before their acceptors
   close(epoll_);
 }
 
-void Server::add(std::unique_ptr<Door> door) {
-  if (door->descriptor() >= 0) add_to(epoll_, door->descriptor(), kDoor | doors_.size(), EPOLLIN);
-  doors_.push_back(std::move(door));
+void Server::add(std::unique_ptr<Acceptor> acceptor) {
+  if (acceptor->descriptor() >= 0)
+    add_to(epoll_, acceptor->descriptor(), kAcceptor | acceptors_.size(), EPOLLIN);
+  acceptors_.push_back(std::move(acceptor));
 }
 
 void Server::watch(int descriptor) {
@@ -75,10 +76,10 @@ void Server::turn(milliseconds timeout) {
     const std::uint64_t key = events[static_cast<std::size_t>(i)].data.u64;
     if (key == kData) {
       take_written();
-    } else if ((key & kDoor) != 0) {
-      Door& door = *doors_[key & ~kDoor];
-      admit(door);
-      figures_.turned_away += door.take_refused();
+    } else if ((key & kAcceptor) != 0) {
+      Acceptor& acceptor = *acceptors_[key & ~kAcceptor];
+      admit(acceptor);
+      figures_.turned_away += acceptor.take_refused();
     } else if (key == kWatched) {
       interrupted_ = true;
     } else {
@@ -134,13 +135,13 @@ void Server::take_written() {
   }
 }
 
-void Server::admit(Door& door) {
+void Server::admit(Acceptor& acceptor) {
   for (int i = 0; i < kAdmissions; ++i) {
     if (figures_.connections >= options_.max_connections) {
       ++figures_.turned_away;
-      return door.turn_away();
+      return acceptor.turn_away();
     }
-    auto transport = door.admit();
+    auto transport = acceptor.admit();
     if (transport == nullptr) return;
     enter(std::move(transport));
   }

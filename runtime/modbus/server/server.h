@@ -1,10 +1,10 @@
 #pragma once
 
-// The server: one epoll loop over doors, sessions and the controller's answers. It never waits for any of
+// The server: one epoll loop over acceptors, sessions and the controller's answers. It never waits for any of
 // them.
 //
 //   auto server = Server::create(options, data);
-//   (*server)->add(std::move(*TcpDoor::open({...})));
+//   (*server)->add(std::move(*TcpAcceptor::open({...})));
 //   while (!stop.came()) (*server)->run_for(100ms);
 //
 // Thread rule: everything on one thread. Invariants: at most max_connections sessions, each with the buffers
@@ -36,7 +36,7 @@ class Server {
   Server(const Server&) = delete;
   Server& operator=(const Server&) = delete;
 
-  void add(std::unique_ptr<Door> door);
+  void add(std::unique_ptr<Acceptor> acceptor);
   // A descriptor that ends a turn's wait when it becomes readable; nothing else happens with it.
   void watch(int descriptor);
 
@@ -63,7 +63,7 @@ class Server {
   };
 
   Server(ServerOptions options, ProcessData& data, int epoll);
-  void admit(Door& door);
+  void admit(Acceptor& acceptor);
   void enter(std::unique_ptr<Transport> transport);
   void serve(std::uint64_t key, std::uint32_t events);
   void take_written();
@@ -82,9 +82,9 @@ class Server {
   Clock::time_point next_check_;
   bool interrupted_ = false;  // a watched descriptor is readable
   std::uint64_t last_ticket_ = 0;
-  std::vector<std::unique_ptr<Door>> doors_;  // outlive the sessions
-  std::vector<Visitor> visitors_;             // by slot
-  std::vector<std::size_t> free_;             // slots
+  std::vector<std::unique_ptr<Acceptor>> acceptors_;  // outlive the sessions
+  std::vector<Visitor> visitors_;                     // by slot
+  std::vector<std::size_t> free_;                     // slots
   std::map<std::string, std::size_t, std::less<>> by_address_;
 };
 

@@ -1,20 +1,21 @@
 #pragma once
 
-// Transport of bytes to the server and back: TCP, TLS, a serial line. A Door lets clients in, a Transport is
-// one of them. Server (server.h) drives all of them in one epoll loop and one thread; nothing here may block.
+// Transport of bytes to the server and back: TCP, TLS, a serial line. A Acceptor lets clients in, a Transport
+// is one of them. Server (server.h) drives all of them in one epoll loop and one thread; nothing here may
+// block.
 //
-// A new kind needs these two classes and a line in the program that adds the Door to the Server. What the
+// A new kind needs these two classes and a line in the program that adds the Acceptor to the Server. What the
 // server does itself, for every kind: framing, order of answers, limits, idle timeout, access by the peer,
 // dropping who does not read.
 //
 //   class TlsTransport final : public Transport { ... SSL_read, SSL_write ... };
-//   server.add(std::make_unique<TlsDoor>(...));
+//   server.add(std::make_unique<TlsAcceptor>(...));
 //
 // Handshakes: read() and write() drive them and say WouldBlock until they are through; peer() is null until
 // then. Whoever does not get through within the idle timeout is dropped.
-// A serial line: its Door's descriptor is readable (a timerfd, an eventfd) while the line is to be opened;
-// admit() opens it and gives a transport with Framing::Rtu. When the line fails the transport says Closed,
-// and the server destroys it; its destructor is where the door learns that it may try again.
+// A serial line: its Acceptor's descriptor is readable (a timerfd, an eventfd) while the line is to be
+// opened; admit() opens it and gives a transport with Framing::Rtu. When the line fails the transport says
+// Closed, and the server destroys it; its destructor is where the acceptor learns that it may try again.
 
 #include <cstddef>
 #include <cstdint>
@@ -78,16 +79,16 @@ class Transport {
   virtual std::uint8_t unit() const { return 1; }
 };
 
-class Door {
+class Acceptor {
  public:
-  virtual ~Door() = default;
+  virtual ~Acceptor() = default;
 
   // For epoll: readable while somebody may come in. -1: not now.
   virtual int descriptor() const = 0;
 
   // Lets the next one in; null if nobody is there (any more), or if so many were turned away that others come
   // first: the descriptor stays readable then. Called until it gives null. Whoever may not come in at all
-  // (allow-list) is turned away here. The transport must not outlive the door.
+  // (allow-list) is turned away here. The transport must not outlive the acceptor.
   virtual std::unique_ptr<Transport> admit() = 0;
 
   // At the limit of connections: whoever is there is turned away, so that the descriptor stops being

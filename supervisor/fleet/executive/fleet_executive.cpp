@@ -16,17 +16,17 @@ using run::Response;
 using run::RunRecord;
 using std::chrono::milliseconds;
 
-FleetExecutive::FleetExecutive(FleetDesk& desk, run::Controller& controller, FleetExecutiveOptions options,
-                               Observer observer)
+FleetExecutive::FleetExecutive(FleetPlanning& planning, run::Controller& controller,
+                               FleetExecutiveOptions options, Observer observer)
     : Mission(controller, {options.cell, options.barrier, options.operator_starts}, std::move(observer)),
-      desk_(desk),
+      planning_(planning),
       options_(std::move(options)),
-      ledger_(desk.problem()),
-      tracks_(desk.problem().vehicles.size()),
-      standing_(desk.problem().vehicles.size()),
-      returning_(desk.problem().vehicles.size()),
-      begun_(desk.problem().vehicles.size()),
-      resets_(desk.problem().vehicles.size(), false) {}
+      ledger_(planning.problem()),
+      tracks_(planning.problem().vehicles.size()),
+      standing_(planning.problem().vehicles.size()),
+      returning_(planning.problem().vehicles.size()),
+      begun_(planning.problem().vehicles.size()),
+      resets_(planning.problem().vehicles.size(), false) {}
 
 bool FleetExecutive::begin() {
   set_phase(Phase::Planning, "planning the missions of the fleet");
@@ -50,7 +50,7 @@ bool FleetExecutive::resume() {
     return false;
   }
   known.request.cancel = &abort_;
-  auto outcome = desk_.plan(ledger_, known.request);
+  auto outcome = planning_.plan(ledger_, known.request);
   if (!outcome || !outcome->prepared.program) {
     return give_up("the plan that runs cannot be made again", IncidentKind::ProgramFault);
   }
@@ -207,7 +207,7 @@ void FleetExecutive::note_goals() {
 result::Result<void> FleetExecutive::request(const FleetChange& change) {
   if (const auto* back = std::get_if<ReturnChange>(&change)) {
     bool known = false;
-    for (const MissionVehicle& vehicle : desk_.problem().vehicles)
+    for (const MissionVehicle& vehicle : planning_.problem().vehicles)
       known = known || vehicle.name == back->vehicle;
     if (!known) {
       return result::fail("X0003", {}, "there is no vehicle '" + back->vehicle + "'",
@@ -215,7 +215,7 @@ result::Result<void> FleetExecutive::request(const FleetChange& change) {
     }
   }
   if (const auto* order = std::get_if<OrderChange>(&change)) {
-    FleetLedger trial(desk_.problem());  // what the file says is enough to see whether it can be meant
+    FleetLedger trial(planning_.problem());  // what the file says is enough to see whether it can be meant
     if (auto good = trial.order(order->name, order->from, order->to, std::max(1U, order->amount)); !good)
       return good;
   }

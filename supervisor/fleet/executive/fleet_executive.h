@@ -18,7 +18,7 @@
 // Threads: `run` belongs to one; requests may come from any. In simulated time the clock stands still while a
 // decision is made. The same problem, faults and requests at the same scan times give the same run.
 //
-//   FleetExecutive executive(*desk, controller, {.cell = "fleet"}, publish);
+//   FleetExecutive executive(*service, controller, {.cell = "fleet"}, publish);
 //   run::RunRecord record = executive.run();
 
 #include <chrono>
@@ -29,9 +29,9 @@
 #include <vector>
 
 #include "runtime/result/result.h"
-#include "supervisor/fleet/executive/fleet_desk.h"
 #include "supervisor/fleet/executive/fleet_document.h"
 #include "supervisor/fleet/executive/fleet_follow.h"
+#include "supervisor/fleet/executive/fleet_planning.h"
 #include "supervisor/fleet/executive/fleet_reading.h"
 #include "supervisor/fleet/executive/fleet_request.h"
 #include "supervisor/fleet/executive/track.h"
@@ -56,7 +56,7 @@ struct FleetExecutiveOptions {
 
 class FleetExecutive final : public run::Mission {
  public:
-  FleetExecutive(FleetDesk& desk, run::Controller& controller, FleetExecutiveOptions options,
+  FleetExecutive(FleetPlanning& planning, run::Controller& controller, FleetExecutiveOptions options,
                  Observer observer);
 
   // X0008: nothing waits for a start, there is no plan, or no runtime answers.
@@ -145,7 +145,7 @@ class FleetExecutive final : public run::Mission {
   bool install(const PreparedFleet& prepared);
   void add_evidence(std::string sentence);
 
-  FleetDesk& desk_;
+  FleetPlanning& planning_;
   const FleetExecutiveOptions options_;
 
   FleetLedger ledger_;

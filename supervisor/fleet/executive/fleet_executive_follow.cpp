@@ -98,14 +98,14 @@ run::Cause FleetExecutive::lose(const std::vector<std::uint32_t>& errors, const 
     const StopCause why = stop_cause(now.error);
     const double arc_m = now.arc_m + (begun_m.empty() ? 0.0 : begun_m[v]);
     tracks_[v] = {plan_->answer.plan.missions[v].path, arc_m};
-    const std::string& name = desk_.problem().vehicles[v].name;
+    const std::string& name = planning_.problem().vehicles[v].name;
     const std::string reason = fmt::format("{} at ({:.1f} m, {:.1f} m), error {}", why.sentence, now.pose.x_m,
                                            now.pose.y_m, now.error);
     cause.kind = why.kind;
     cause.action = name;
     cause.evidence.push_back(name + ": " + reason);
     ledger_.lose(v, reason);
-    const geometry::Footprint outline = desk_.model(v).footprint();
+    const geometry::Footprint outline = planning_.model(v).footprint();
     const auto place = why.place_unsure ? place_around(now.pose, outline, 0.75, 0.15)
                                         : place_around(now.pose, outline, 0.05, 0.05);
     standing_[v] = Standing{v, now.pose, place};
@@ -200,7 +200,7 @@ bool FleetExecutive::apply(const UnblockChange& unblock, run::Cause& cause) {
 bool FleetExecutive::apply(const ReturnChange& back, run::Cause& cause) {
   cause.kind = IncidentKind::Position;
   cause.action = back.vehicle;
-  const auto& vehicles = desk_.problem().vehicles;
+  const auto& vehicles = planning_.problem().vehicles;
   const auto found = std::ranges::find(vehicles, back.vehicle, &MissionVehicle::name);
   const auto v = static_cast<std::uint32_t>(found - vehicles.begin());
   if (found == vehicles.end() || !ledger_.vehicles()[v].lost) {

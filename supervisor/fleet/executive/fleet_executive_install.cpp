@@ -30,7 +30,7 @@ bool FleetExecutive::install(const PreparedFleet& prepared) {
 std::optional<std::string> FleetExecutive::carrier() const {
   for (std::size_t v = 0; v < ledger_.vehicles().size(); ++v) {
     const VehicleEntry& entry = ledger_.vehicles()[v];
-    if (!entry.aboard.empty() && !entry.lost) return desk_.problem().vehicles[v].name;
+    if (!entry.aboard.empty() && !entry.lost) return planning_.problem().vehicles[v].name;
   }
   return std::nullopt;
 }

@@ -37,7 +37,8 @@ bool FleetExecutive::replan(const run::Cause& cause) {
 
 NewStart FleetExecutive::start_of(std::uint32_t v, const OccupancyGrid& map) const {
   const Track& track = tracks_[v];
-  const geometry::Footprint outline = with_reserve(desk_.model(v), desk_.options().reserve).footprint();
+  const geometry::Footprint outline =
+      with_reserve(planning_.model(v), planning_.options().reserve).footprint();
   if (distance_from_way(track, reading_.vehicles[v].pose) > kBesideWay_m) return {.start = {}, .able = false};
   for (LeadIn& way : lead_ins(track.path, track.arc_m, map.frame())) {
     if (!is_free(way.path, outline, map)) continue;
@@ -56,15 +57,15 @@ FleetRequest FleetExecutive::next_request() {
     if (lost) request.standing.push_back(*lost);
   }
   for (const Blocked& place : blocked_) request.blocked.push_back(place.area);
-  const OccupancyGrid map = desk_.floor_with(request.standing, request.blocked);
+  const OccupancyGrid map = planning_.floor_with(request.standing, request.blocked);
   for (std::uint32_t v = 0; v < reading_.vehicles.size(); ++v) {
     const bool lost = ledger_.vehicles()[v].lost;
     request.rest.starts.push_back(lost ? NewStart{.start = {}, .able = false} : start_of(v, map));
     if (lost || request.rest.starts.back().able) continue;
     const geometry::Pose& pose = reading_.vehicles[v].pose;
     add_evidence(fmt::format("{} cannot leave where it stands, ({:.1f} m, {:.1f} m)",
-                             desk_.problem().vehicles[v].name, pose.x_m, pose.y_m));
-    request.standing.push_back({v, pose, place_around(pose, desk_.model(v).footprint(), 0.05, 0.05)});
+                             planning_.problem().vehicles[v].name, pose.x_m, pose.y_m));
+    request.standing.push_back({v, pose, place_around(pose, planning_.model(v).footprint(), 0.05, 0.05)});
   }
   std::ranges::sort(request.standing, {}, &Standing::vehicle);
   return request;
@@ -85,7 +86,7 @@ bool FleetExecutive::plan_rest() {
       if (!wait_for_people("no vehicle is left that can drive", IncidentKind::FailedActuator)) return false;
       continue;
     }
-    auto outcome = desk_.plan(ledger_, request);
+    auto outcome = planning_.plan(ledger_, request);
     if (abort_) return give_up_aborted();
     if (!outcome) {
       if (!wait_for_people("no program could be made: " + result::to_string(outcome.error()),
@@ -98,7 +99,7 @@ bool FleetExecutive::plan_rest() {
         add_evidence("'" + name + "' does not bind: what it counts from will not happen");
       for (const GaveWay& move : outcome->prepared.answer.gave_way) {
         add_evidence(fmt::format("{} gives way to others first, at ({:.1f} m, {:.1f} m)",
-                                 desk_.problem().vehicles[move.vehicle].name, move.place.x_m,
+                                 planning_.problem().vehicles[move.vehicle].name, move.place.x_m,
                                  move.place.y_m));
       }
       record_.incidents.back().replan_ms =

@@ -117,10 +117,10 @@ bool FleetExecutive::bring_to_rest() {
   FleetProgram program = follow_->program();
   std::vector<double> begun_m(plan.missions.size(), 0.0);
   while (true) {
-    HaltPlan halt =
-        halt_plan(plan, program, reading_, desk_.options().program.drive, desk_.problem().map.frame());
+    HaltPlan halt = halt_plan(plan, program, reading_, planning_.options().program.drive,
+                              planning_.problem().map.frame());
     for (std::size_t v = 0; v < begun_m.size(); ++v) begun_m[v] += halt.begun_m[v];
-    auto prepared = desk_.program_of(halt.plan, revision_, take_resets());
+    auto prepared = planning_.program_of(halt.plan, revision_, take_resets());
     if (!prepared) {
       return give_up("the fleet cannot be brought to rest: " + result::to_string(prepared.error()),
                      IncidentKind::ProgramFault);
@@ -209,7 +209,7 @@ void FleetExecutive::receive_returned(bool seen_anew) {
     const VehicleReading& now = reading_.vehicles[v];
     if (!returning_[v] || (!seen_anew && now.error == 0)) continue;
     const std::optional<Standing> stood = std::exchange(returning_[v], std::nullopt);
-    const std::string& name = desk_.problem().vehicles[v].name;
+    const std::string& name = planning_.problem().vehicles[v].name;
     std::string why;
     if (now.error != 0) {
       why = fmt::format("{} at ({:.1f} m, {:.1f} m), error {}", stop_cause(now.error).sentence,

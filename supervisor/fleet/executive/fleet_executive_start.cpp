@@ -24,10 +24,10 @@ constexpr milliseconds kLookAtRequests{50};
 bool FleetExecutive::start_afresh() {
   std::optional<LedgerState> planned;  // what the plan that was shown last was made for
   while (true) {
-    FleetRequest request{.rest = {.starts = desk_.first_starts()}, .cancel = &abort_};
+    FleetRequest request{.rest = {.starts = planning_.first_starts()}, .cancel = &abort_};
     for (const Blocked& place : blocked_) request.blocked.push_back(place.area);
     request.revision = ++revision_;
-    auto outcome = desk_.plan(ledger_, request);
+    auto outcome = planning_.plan(ledger_, request);
     if (abort_) return give_up_aborted();
     Wish wish = Wish::OtherPlan;
     if (outcome && outcome->prepared.program) {

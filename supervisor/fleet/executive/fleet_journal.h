@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "runtime/result/result.h"
-#include "supervisor/fleet/executive/fleet_desk.h"
 #include "supervisor/fleet/executive/fleet_ledger.h"
+#include "supervisor/fleet/executive/fleet_planning.h"
 #include "supervisor/fleet/executive/fleet_request.h"
 #include "supervisor/run/run_clock.h"
 #include "supervisor/run/run_record.h"

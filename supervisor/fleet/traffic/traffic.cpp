@@ -45,7 +45,7 @@ result::Result<Traffic> Traffic::create(std::vector<Route> routes, const Traffic
 
 // --- measurements ---
 
-void Traffic::progress(std::uint32_t vehicle, const Whereabouts& at, milliseconds now) {
+void Traffic::progress(std::uint32_t vehicle, const VehicleLocation& at, milliseconds now) {
   Lane& lane = lanes_[vehicle];
   if (lane.removed) return;
   lane.arc_m = std::max(lane.arc_m, std::min(at.arc_m, lane.route.end_m()));

@@ -45,7 +45,7 @@ struct TrafficSettings {
 };
 
 // What a vehicle's instruments say. Arc lengths are those of its route.
-struct Whereabouts {
+struct VehicleLocation {
   double arc_m = 0.0;                           // at a stop or the end: that of the stop or the end
   double speed_m_s = 0.0;                       // along the way
   std::chrono::milliseconds standing_until{0};  // at a stop
@@ -79,7 +79,7 @@ class Traffic {
 
   // --- measurements ---
   // A vehicle that is later than scheduled is one more constraint; all times follow.
-  void progress(std::uint32_t vehicle, const Whereabouts& at, std::chrono::milliseconds now);
+  void progress(std::uint32_t vehicle, const VehicleLocation& at, std::chrono::milliseconds now);
   // As if every vehicle had kept its earliest times up to now: for what-if runs without a plant.
   void keep_times(std::chrono::milliseconds now);
 

@@ -43,11 +43,11 @@ enum class Releases : std::uint8_t {
 };
 
 // Where a vehicle is on the path of its mission, as the controller has it.
-struct Whereabouts {
+struct VehicleLocation {
   double arc_m = 0.0;
   std::uint32_t left = 0;  // polygons, from the first one
 };
-using Places = std::map<std::string, Whereabouts>;  // by vehicle
+using Places = std::map<std::string, VehicleLocation>;  // by vehicle
 
 struct OrderOptions {
   std::string plan_name = "plan";  // order ids begin with it: letters, digits and _ . : -
@@ -133,10 +133,10 @@ class FleetOrders {
                                                        Timestamp now);
 
  private:
-  class Desk;
-  explicit FleetOrders(std::unique_ptr<Desk> desk);
+  class Dispatch;
+  explicit FleetOrders(std::unique_ptr<Dispatch> dispatch);
 
-  std::unique_ptr<Desk> desk_;
+  std::unique_ptr<Dispatch> dispatch_;
 };
 
 }  // namespace stepwright::fleet::vda5050

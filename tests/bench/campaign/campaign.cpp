@@ -114,11 +114,11 @@ ClassFigures Figures::all() const {
   return sum;
 }
 
-Figures campaign(const executive::PlanningDesk& desk, std::uint64_t first, std::uint64_t runs,
+Figures campaign(const executive::PlanningService& planning, std::uint64_t first, std::uint64_t runs,
                  unsigned threads, const std::function<void(std::uint64_t done)>& told,
                  const std::atomic<bool>* cancel) {
   Figures figures;
-  const auto run = [&](std::uint64_t i) { return run_once(desk, disturbance_of(first + i)); };
+  const auto run = [&](std::uint64_t i) { return run_once(planning, disturbance_of(first + i)); };
   const auto take = [&](const RunResult& result) {
     const Disturbance& disturbance = result.disturbance;
     add(result, figures.of[static_cast<std::size_t>(disturbance.of)]);

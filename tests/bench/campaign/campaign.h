@@ -54,7 +54,7 @@ struct Figures {
 
 // Seeds `first` to `first + runs - 1` on `threads` threads. `told` is called from time to time, from one of
 // them. Once `cancel` (may be null) is set no further run begins; those under way are finished and count.
-Figures campaign(const executive::PlanningDesk& desk, std::uint64_t first, std::uint64_t runs,
+Figures campaign(const executive::PlanningService& planning, std::uint64_t first, std::uint64_t runs,
                  unsigned threads, const std::function<void(std::uint64_t done)>& told = {},
                  const std::atomic<bool>* cancel = nullptr);
 

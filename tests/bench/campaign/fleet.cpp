@@ -127,21 +127,21 @@ double mean(double sum, std::uint64_t count) {
 struct FleetCell::Parts {
   config::CellConfig config =
       or_throw(config::load_cell_config(STEPWRIGHT_SOURCE_DIR "/tests/cells/fleet/cell.toml"));
-  fleet::FleetDesk desk = or_throw(config::open_fleet_desk(config));
+  fleet::FleetPlanning planning = or_throw(config::open_fleet_planning(config));
 };
 
 FleetCell::FleetCell() : parts_(std::make_unique<Parts>()) {}
 FleetCell::~FleetCell() = default;
 
 FleetRun run_fleet(FleetCell& cell, std::uint64_t seed) {
-  auto& [config, desk] = cell.parts();
+  auto& [config, planning] = cell.parts();
   FleetRun run;
-  run.moment = fleet_moment(seed, desk.problem());
+  run.moment = fleet_moment(seed, planning.problem());
   config::PlantConfig plant = config.plant;
   plant.seed = seed;
   SimulatedController controller(
       or_throw(assemblies::FleetFloor::create(or_throw(cell_runtime::fleet_parameters(plant)))),
-      bridge::default_fleet_wires(desk.problem().vehicles.size()),
+      bridge::default_fleet_wires(planning.problem().vehicles.size()),
       {config.image.input_bytes, config.image.output_bytes}, run.moment.faults);
   fleet::FleetExecutiveOptions options = config::fleet_executive_options(config);
   options.requests = run.moment.requests;
@@ -149,7 +149,7 @@ FleetRun run_fleet(FleetCell& cell, std::uint64_t seed) {
   options.attended = false;
   options.journal.clear();
   try {
-    fleet::FleetExecutive executive(desk, controller, std::move(options), {});
+    fleet::FleetExecutive executive(planning, controller, std::move(options), {});
     const Watchdog watchdog(executive);
     run.record = executive.run();
     const auto snapshot = controller.snapshot();

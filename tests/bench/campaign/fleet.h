@@ -5,7 +5,7 @@
 // blocked, a vehicle that dies, or one that dies and comes back. A run is lost if it hangs, if it ends
 // although it could have gone on or without a reason that what happened gives, or if anything met.
 //
-// Threads: a run belongs to one, and so does its desk; `fleet_campaign` spreads runs over its own.
+// Threads: a run belongs to one, and so does its service; `fleet_campaign` spreads runs over its own.
 //
 //   FleetCell cell;
 //   const FleetRun run = run_fleet(cell, 30);
@@ -26,7 +26,7 @@
 
 namespace stepwright::campaign {
 
-// Configuration and desk of tests/cells/fleet: made once for any number of runs, one after the other.
+// Configuration and service of tests/cells/fleet: made once for any number of runs, one after the other.
 class FleetCell {
  public:
   FleetCell();

@@ -77,10 +77,10 @@ int run_cell(const Arguments& arguments, Campaign campaign) {
 }
 
 int run_bench(const Arguments& arguments) {
-  const auto desk = campaign_desk();
-  if (!desk) return fail(desk.error(), ExitCode::BadInput);
+  const auto planning = campaign_planning();
+  if (!planning) return fail(planning.error(), ExitCode::BadInput);
   const process::Interruption interruption;
-  const Figures figures = campaign(*desk, arguments.first, arguments.runs, arguments.threads,
+  const Figures figures = campaign(*planning, arguments.first, arguments.runs, arguments.threads,
                                    progress_of(arguments), interruption.flag());
   std::fprintf(stderr, "\n");
   return finish(arguments, table(figures), to_json(figures, arguments.first, arguments.threads),

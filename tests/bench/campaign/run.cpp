@@ -136,16 +136,16 @@ void judge(const translate::Binding& binding, const SimulatedController& control
 
 }  // namespace
 
-result::Result<executive::PlanningDesk> campaign_desk() {
+result::Result<executive::PlanningService> campaign_planning() {
   const std::string cell = STEPWRIGHT_SOURCE_DIR "/tests/cells/bench/";
-  executive::DeskOptions options;
+  executive::PlanningOptions options;
   options.domain = cell + "domain.pddl";
   options.problem = cell + "problem.pddl";
   options.binding = cell + "binding.toml";
-  return executive::PlanningDesk::open(options);
+  return executive::PlanningService::open(options);
 }
 
-RunResult run_once(const executive::PlanningDesk& desk, const Disturbance& disturbance) {
+RunResult run_once(const executive::PlanningService& planning, const Disturbance& disturbance) {
   const auto start = std::chrono::steady_clock::now();
   RunResult run;
   run.disturbance = disturbance;
@@ -157,8 +157,8 @@ RunResult run_once(const executive::PlanningDesk& desk, const Disturbance& distu
   options.cell = "bench";
   options.goal_changes = disturbance.changes;
   try {
-    run.record = executive::Executive(desk, controller, options, {}).run();
-    judge(desk.binding(), controller, run);
+    run.record = executive::Executive(planning, controller, options, {}).run();
+    judge(planning.binding(), controller, run);
   } catch (const std::exception& problem) {  // a run that hangs or a test harness that cannot go on
     run.why = problem.what();
   }

@@ -24,9 +24,9 @@ struct RunResult {
   double wall_ms = 0.0;
 };
 
-// The desk of tests/cells/bench, with reports on the metric.
-[[nodiscard]] result::Result<executive::PlanningDesk> campaign_desk();
+// The service of tests/cells/bench, with reports on the metric.
+[[nodiscard]] result::Result<executive::PlanningService> campaign_planning();
 
-RunResult run_once(const executive::PlanningDesk& desk, const Disturbance& disturbance);
+RunResult run_once(const executive::PlanningService& planning, const Disturbance& disturbance);
 
 }  // namespace stepwright::campaign

@@ -14,7 +14,7 @@
 #include "runtime/native/native_engine.h"
 #include "runtime/scan/scan_cycle.h"
 #include "runtime/vm/interpreter.h"
-#include "supervisor/executive/planning_desk.h"
+#include "supervisor/executive/planning_service.h"
 #include "supervisor/pddl/plan/describe_run.h"
 #include "supervisor/run/image_reader.h"
 #include "supervisor/translate/progress.h"
@@ -36,13 +36,13 @@ T taken(result::Result<T> value) {
 
 executive::PreparedPlan bench_plan(bool monitors) {
   const std::string cell = STEPWRIGHT_SOURCE_DIR "/tests/cells/bench/";
-  executive::DeskOptions options;
+  executive::PlanningOptions options;
   options.domain = cell + "domain.pddl";
   options.problem = cell + "problem.pddl";
   options.binding = cell + "binding.toml";
   options.monitors = monitors;
-  const auto desk = taken(executive::PlanningDesk::open(options));
-  auto outcome = taken(desk.prepare({.start = {.planning = pddl::to_named(desk.task().initial())}}));
+  const auto planning = taken(executive::PlanningService::open(options));
+  auto outcome = taken(planning.prepare({.start = {.planning = pddl::to_named(planning.task().initial())}}));
   if (outcome.status != executive::PrepareStatus::Ready) throw std::runtime_error(outcome.reason);
   return std::move(outcome.prepared);
 }

@@ -13,7 +13,7 @@
 #include "runtime/image/no_io.h"
 #include "runtime/modbus/server/runtime_data.h"
 #include "runtime/modbus/server/server.h"
-#include "runtime/modbus/server/tcp_door.h"
+#include "runtime/modbus/server/tcp_acceptor.h"
 #include "runtime/service/connection.h"
 #include "runtime/service/server.h"
 #include "tests/support/temporary_folder.h"
@@ -89,9 +89,9 @@ RuntimeServer::RuntimeServer() : state_(std::make_unique<State>()) {
   modbus::server::TcpOptions tcp;
   tcp.port = 0;
   tcp.allow = {*modbus::server::IpRange::parse("127.0.0.0/8")};
-  auto door = taken(modbus::server::TcpDoor::open(tcp));
-  s.port = door->port();
-  s.server->add(std::move(door));
+  auto acceptor = taken(modbus::server::TcpAcceptor::open(tcp));
+  s.port = acceptor->port();
+  s.server->add(std::move(acceptor));
   while (!s.data->serving()) std::this_thread::sleep_for(10ms);
   s.server_thread = std::thread([&s] {
     while (!s.quit) s.server->run_for(20ms);

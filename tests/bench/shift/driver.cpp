@@ -88,7 +88,7 @@ void Driver::stand_for(double seconds, double now_s) {
   arrived_at_ = nullptr;
 }
 
-fleet::Whereabouts Driver::whereabouts() const {
+fleet::VehicleLocation Driver::location() const {
   using std::chrono::milliseconds;
   const milliseconds until =
       standing_until_s_ ? milliseconds(std::llround(1e3 * *standing_until_s_)) : milliseconds(0);

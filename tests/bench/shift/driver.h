@@ -34,7 +34,7 @@ class Driver {
   // The stop at which it has stood long enough since the last step.
   std::optional<fleet::Stop> left_stop() const { return left_stop_; }
 
-  fleet::Whereabouts whereabouts() const;
+  fleet::VehicleLocation location() const;
   bool rests() const { return !follower_ && !standing_until_s_; }
   bool stands() const { return standing_until_s_.has_value(); }
   bool lost() const { return follower_ && follower_->lost(); }

@@ -2,7 +2,7 @@
 #include <array>
 #include <optional>
 
-#include "tests/bench/shift/desk.h"
+#include "tests/bench/shift/dispatcher.h"
 #include "tests/bench/shift/what_if.h"
 
 namespace stepwright::bench::shift {

@@ -11,7 +11,7 @@
 #include <numbers>
 #include <optional>
 
-#include "tests/bench/shift/desk.h"
+#include "tests/bench/shift/dispatcher.h"
 #include "tests/bench/shift/driver.h"
 #include "tests/bench/shift/plant.h"
 #include "tests/support/fleet_traffic/traffic_invariants.h"
@@ -36,7 +36,7 @@ class Shift {
         traffic_(std::move(traffic)),
         plant_(std::move(plant)),
         events_(traffic_, fleet.planner()),
-        desk_(scenario, traffic_, fleet.planner(), rule_, run_.figures),
+        dispatcher_(scenario, traffic_, fleet.planner(), rule_, run_.figures),
         judge_(scenario, fleet.settings().vehicle.footprint()),
         closings_(scenario.closings.begin(), scenario.closings.end()) {
     const std::uint32_t n = scenario.settings.vehicles;
@@ -106,7 +106,7 @@ class Shift {
   void happen() {
     while (next_transport_ < scenario_.transports.size() &&
            scenario_.transports[next_transport_].release_s <= now_s_)
-      desk_.release(static_cast<std::uint32_t>(next_transport_++));
+      dispatcher_.release(static_cast<std::uint32_t>(next_transport_++));
     for (; next_pause_ < scenario_.pauses.size() && scenario_.pauses[next_pause_].begin_s <= now_s_;
          ++next_pause_) {
       const Pause& pause = scenario_.pauses[next_pause_];
@@ -170,12 +170,12 @@ class Shift {
         text += fmt::format(" ({} {})", detour.why.front().code, detour.why.front().message);
     }
     note(text);
-    desk_.take(detours);
+    dispatcher_.take(detours);
     renew();
   }
 
   void renew() {
-    for (const std::uint32_t v : desk_.take_rerouted())
+    for (const std::uint32_t v : dispatcher_.take_rerouted())
       if (!traffic_.removed(v)) drivers_[v]->renew();
   }
 
@@ -210,7 +210,7 @@ class Shift {
 
   void bury(std::uint32_t vehicle) {
     const auto detours = timed("died", [&] { return events_.died(vehicle, last_answer_[vehicle], now_); });
-    desk_.died(vehicle);
+    dispatcher_.died(vehicle);
     const geometry::Pose& at = last_answer_[vehicle];
     // Its true outline, where it truly stands.
     stands_dead_[vehicle] = run_.stood.size();
@@ -231,14 +231,14 @@ class Shift {
       if (silent_[v] == kSilent) bury(v);
       if (silent_[v] > 0) continue;
       Driver& driver = *drivers_[v];
-      if (driver.arrived_at() != nullptr) driver.stand_for(std::max(1.0, desk_.service_s(v)), now_s_);
-      if (driver.left_stop()) desk_.stood(v, now_s_);
+      if (driver.arrived_at() != nullptr) driver.stand_for(std::max(1.0, dispatcher_.service_s(v)), now_s_);
+      if (driver.left_stop()) dispatcher_.stood(v, now_s_);
       const std::uint64_t delays = traffic_.delays();
       const double begin_s = cpu_s();
-      traffic_.progress(v, driver.whereabouts(), now_);
+      traffic_.progress(v, driver.location(), now_);
       if (traffic_.delays() != delays) run_.figures.retimes.ms.push_back(1e3 * (cpu_s() - begin_s));
     }
-    if (tick % 5 == 0) desk_.dispatch(now_);
+    if (tick % 5 == 0) dispatcher_.dispatch(now_);
     if (tick % 100 == 0) {
       bool any_held = false;
       for (std::uint32_t v = 0; v < drivers_.size(); ++v)
@@ -264,8 +264,8 @@ class Shift {
         here_m = pose.arc_m;
       }
     }
-    auto detours =
-        timed("came back", [&] { return events_.came_back(vehicle, here_m, !desk_.busy(vehicle), now_); });
+    auto detours = timed(
+        "came back", [&] { return events_.came_back(vehicle, here_m, !dispatcher_.busy(vehicle), now_); });
     if (!detours) {
       note(fmt::format("v{} cannot drive on yet: {}", vehicle + 1, detours.error().front().message));
       return;
@@ -301,7 +301,7 @@ class Shift {
     const bool still = std::abs(measured_[v].speed_m_s) < kStands_m_s;
     VehicleState& state = doing_[v];
     state.waits_for.reset();
-    if (desk_.busy(v)) spent.busy_s += kTick_s;
+    if (dispatcher_.busy(v)) spent.busy_s += kTick_s;
     if (traffic_.removed(v) || silent_[v] > 0) {
       state.doing = Doing::Dead;
       spent.dead_s += kTick_s;
@@ -376,7 +376,7 @@ class Shift {
   fleet::FloorEvents events_;
   EarliestDueNearestVehicle rule_;
   PlantRun run_;
-  Desk desk_;
+  Dispatcher dispatcher_;
   Judge judge_;
   std::vector<std::unique_ptr<Driver>> drivers_;
   std::deque<Closing> closings_;

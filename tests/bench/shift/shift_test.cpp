@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "tests/bench/shift/desk.h"
+#include "tests/bench/shift/dispatcher.h"
 #include "tests/bench/shift/driver.h"
 #include "tests/bench/shift/plant_run.h"
 #include "tests/bench/shift/reach.h"
@@ -93,12 +93,12 @@ TEST(Driver, WhenItIsPausedWhileItDrives_ThenItTellsHowFarItComesUntilItStands) 
   for (; k < 600 && std::abs(at.speed_m_s) < 1.0; ++k)
     at = driven(at, driver.step(at, {1e9, {}}, 0.1 * k, false).command);
   ASSERT_GE(std::abs(at.speed_m_s), 1.0);
-  const double begin_m = driver.whereabouts().arc_m;
+  const double begin_m = driver.location().arc_m;
   for (int left = 10; left >= 0; --left, ++k) {
     at = driven(at, {at.speed_m_s * (left > 0 ? 0.85 : 0.0), at.lock_rad});
     driver.step(at, {1e9, {}}, 0.1 * k, true);
   }
-  const double arc_m = driver.whereabouts().arc_m;
+  const double arc_m = driver.location().arc_m;
   EXPECT_GT(arc_m, begin_m + 0.4);
   const auto place = std::ranges::lower_bound(route.mission.path, arc_m, {}, &geometry::PathPose::arc_m);
   EXPECT_LT(geometry::distance(place->pose.position(), {at.x_m, at.y_m}), 0.15);

@@ -5,7 +5,7 @@
 #include <set>
 #include <string>
 
-#include "tests/bench/shift/desk.h"
+#include "tests/bench/shift/dispatcher.h"
 
 namespace stepwright::bench::shift {
 
@@ -26,9 +26,9 @@ class TimedShift {
   TimedShift(const Scenario& scenario, Fleet& fleet, fleet::Traffic traffic, std::uint32_t vehicles)
       : scenario_(scenario),
         traffic_(std::move(traffic)),
-        desk_(scenario, traffic_, fleet.planner(), rule_, figures_),
+        dispatcher_(scenario, traffic_, fleet.planner(), rule_, figures_),
         next_(vehicles) {
-    desk_.only_standing();
+    dispatcher_.only_standing();
     figures_.spent.resize(vehicles);
   }
 
@@ -41,9 +41,9 @@ class TimedShift {
       for (std::uint32_t v = 0; v < next_.size(); ++v) leave_stops(v, now);
       while (transport_ < scenario_.transports.size() &&
              whole(scenario_.transports[transport_].release_s) <= now)
-        desk_.release(static_cast<std::uint32_t>(transport_++));
-      desk_.dispatch(now);
-      for (const std::uint32_t v : desk_.take_rerouted()) next_[v] = stops_ahead(v);
+        dispatcher_.release(static_cast<std::uint32_t>(transport_++));
+      dispatcher_.dispatch(now);
+      for (const std::uint32_t v : dispatcher_.take_rerouted()) next_[v] = stops_ahead(v);
       now = std::min(end, after(now));
     }
     figures_.simulated_s = scenario_.end_s();
@@ -68,10 +68,10 @@ class TimedShift {
   }
 
   void leave_stops(std::uint32_t vehicle, milliseconds now) {
-    figures_.spent[vehicle].busy_s += desk_.busy(vehicle) ? seconds(now - before_) : 0.0;
+    figures_.spent[vehicle].busy_s += dispatcher_.busy(vehicle) ? seconds(now - before_) : 0.0;
     auto& stops = next_[vehicle];
     while (!stops.empty() && traffic_.expected(vehicle, stops.front().arc_m) <= now) {
-      desk_.stood(vehicle, seconds(now));
+      dispatcher_.stood(vehicle, seconds(now));
       stood_.insert(stops.front().name);
       stops.erase(stops.begin());
     }
@@ -92,7 +92,7 @@ class TimedShift {
   fleet::Traffic traffic_;
   ShiftFigures figures_;
   EarliestDueNearestVehicle rule_;
-  Desk desk_;
+  Dispatcher dispatcher_;
   std::vector<std::vector<Ahead>> next_;  // by vehicle
   std::set<std::string> stood_;
   std::size_t transport_ = 0;

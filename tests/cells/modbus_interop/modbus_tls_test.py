@@ -257,7 +257,7 @@ class Tls(unittest.TestCase):
         with self.connect("operator") as comes:
             self.assertEqual(self.serial(comes), first)
 
-        # A door is not closed by a reload: that needs a restart, and is said to.
+        # An acceptor is not closed by a reload: that needs a restart, and is said to.
         self.cell.write(CELL + "[[modbus.server.client]]\naddress = \"127.0.0.1\"\nread = [\"all\"]\n")
         said = self.reload("the configuration was read again")
         self.assertRegex(said, r"C0465: 'modbus\.server\.tls\.certificate' is left out now")

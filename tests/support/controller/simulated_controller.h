@@ -5,7 +5,7 @@
 // tests/cells.
 //
 //   SimulatedController controller({.seed = 7});
-//   Executive(desk, controller, {}, {}).run();
+//   Executive(service, controller, {}, {}).run();
 //   controller.plant_value("level_a1_percent");
 
 #include <cstdint>

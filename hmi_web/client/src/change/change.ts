@@ -85,7 +85,7 @@ export interface ChangeState {
 // As much of a digest as people compare.
 export const shortDigest = (digest: string): string => digest.slice(0, 12);
 
-// Of the runtime's containers (runtime/host/limits.h) and of sources (hmi_web/api/change_desk.h).
+// Of the runtime's containers (runtime/host/limits.h) and of sources (hmi_web/api/online_change_service.h).
 const MOST_BYTES = 16 * 2 ** 20;
 const MOST_SOURCE_BYTES = 2 * 2 ** 20;
 

@@ -7,7 +7,7 @@
 //   auto context = TlsContext::create(
 //       {.certificate = "plc.crt", .key = "plc.key", .authorities = "plant-ca.crt"});
 //
-// A value that is shared by the transports of a door, each of which keeps the one that it began with.
+// A value that is shared by the transports of an acceptor, each of which keeps the one that it began with.
 // Threads: that of the server. OpenSSL's headers stay in the sources of this folder.
 
 #include <chrono>

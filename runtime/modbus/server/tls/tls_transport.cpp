@@ -105,7 +105,7 @@ Moved TlsTransport::after(int result, std::size_t bytes) {
 
 bool TlsTransport::admit_peer() {
   const Certificate certificate(SSL_get1_peer_certificate(ssl_.get()));
-  // The handshake has seen to both; whoever changes its policy must not open the door by it.
+  // The handshake has seen to both; whoever changes its policy must not let anybody in by it.
   if (!certificate || SSL_get_verify_result(ssl_.get()) != X509_V_OK) return false;
   std::optional<std::string> role = role_of(certificate.get());
   if (!role || inner_->peer() == nullptr) return false;

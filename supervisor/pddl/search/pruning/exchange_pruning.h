@@ -1,8 +1,8 @@
 #pragma once
 
-// What a search for some plan leaves out because objects can change places: states that differ from one it
-// has met by exchanges only, and of operators that differ by objects of which the state says the same all but
-// the first (symmetry reduction, interchangeable.h). Costs of ways are not compared.
+// Pruning of a search for some plan, where objects can change places: left out are states that differ from
+// one it has met by exchanges only, and of operators that differ by objects of which the state says the same
+// all but the first (symmetry reduction, interchangeable.h). Costs of ways are not compared.
 //
 // Thread rule: one search, one object; `objects` is copied.
 //

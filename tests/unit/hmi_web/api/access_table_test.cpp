@@ -7,7 +7,7 @@
 #include <map>
 #include <string>
 
-#include "tests/unit/hmi_web/api/door_fixture.h"
+#include "tests/unit/hmi_web/api/request_guard_fixture.h"
 
 namespace stepwright::api {
 namespace {
@@ -116,14 +116,14 @@ class AccessTableTest : public testing::Test {
     request.own_origin = true;
     request.peer = "127.0.0.1";
     request.peer_is_local = true;
-    const Admission admission = fixture_.door->admit(request);
+    const Admission admission = fixture_.guard->admit(request);
     if (admission.route == nullptr) return admission.refusal.status;
     EXPECT_EQ(admission.route, &row) << target << " is taken for another route";
     return 0;
   }
 
   static constexpr std::array kRoles = {Role::Viewer, Role::Operator, Role::Engineer, Role::Administrator};
-  DoorFixture fixture_;
+  RequestGuardFixture fixture_;
 };
 
 TEST_F(AccessTableTest, EveryRoute_HasARowAndEveryRowARoute) {
@@ -166,14 +166,14 @@ TEST_F(AccessTableTest, EveryRouteThatChanges_WhenItIsNotFromThePage_ThenItIsRef
     request.csrf = session.csrf;
     request.content_type = "application/json";
     const bool changes = row.method != "GET";
-    EXPECT_EQ(fixture_.door->admit(request).refusal.status, changes ? 403u : 200u)
+    EXPECT_EQ(fixture_.guard->admit(request).refusal.status, changes ? 403u : 200u)
         << row.name << " without Origin";
     request.own_origin = true;
     for (const std::string& csrf : {std::string(), std::string("x"), other.csrf}) {
       request.csrf = csrf;
       const bool refused =
           row.name == "live.open" || (changes && row.name != "session.login" && row.name != "session.claim");
-      EXPECT_EQ(fixture_.door->admit(request).route == nullptr, refused)
+      EXPECT_EQ(fixture_.guard->admit(request).route == nullptr, refused)
           << row.name << " with token '" << csrf << "'";
     }
   }

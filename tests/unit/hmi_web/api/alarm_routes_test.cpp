@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "hmi_web/access/durable_file.h"
-#include "tests/unit/hmi_web/api/door_fixture.h"
+#include "tests/unit/hmi_web/api/request_guard_fixture.h"
 
 namespace stepwright::api {
 namespace {
@@ -23,7 +23,7 @@ class AlarmRoutesTest : public testing::Test {
     for (std::string line; std::getline(lines, line);) entries.push_back(json::parse(line));
     return entries;
   }
-  DoorFixture fixture_;
+  RequestGuardFixture fixture_;
 };
 
 TEST_F(AlarmRoutesTest, WhenAnAlarmIsAcknowledged_ThenItIsDoneInTheNameOfWhoeverAskedAndAudited) {

@@ -7,7 +7,7 @@
 
 #include "hmi_web/access/durable_file.h"
 #include "ladder/driver/compile.h"
-#include "tests/unit/hmi_web/api/door_fixture.h"
+#include "tests/unit/hmi_web/api/request_guard_fixture.h"
 
 namespace stepwright::api {
 namespace {
@@ -73,7 +73,7 @@ class ChangeRoutesTest : public testing::Test {
 
   const Bytes first_ = program("gone : INT;");
   const Bytes next_ = program("fresh : TIME;");
-  DoorFixture fixture_;
+  RequestGuardFixture fixture_;
 };
 
 TEST_F(ChangeRoutesTest, WhenAContainerIsBrought_ThenItIsComparedAndNothingHasChanged) {
@@ -265,7 +265,7 @@ TEST_F(ChangeRoutesTest, WhenAVersionsFileIsDamaged_ThenItIsNotBroughtBack) {
 
 TEST_F(ChangeRoutesTest, WhenNoRuntimeAnswers_ThenThatIsSaid) {
   ASSERT_EQ(bring(next_).status, 200u);
-  DoorFixture without;
+  RequestGuardFixture without;
   EXPECT_EQ(
       json::parse(without.ask("GET", "/api/change", "", without.session(Role::Engineer)).text)["running"],
       "");

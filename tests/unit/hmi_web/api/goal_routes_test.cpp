@@ -1,18 +1,18 @@
-// Goals by way of the door: what is asked of the supervisor, what the trail says, what a supervisor may say.
+// Goals by way of the guard: what is asked of the supervisor, what the trail says, what a supervisor may say.
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "tests/unit/hmi_web/api/door_fixture.h"
+#include "tests/unit/hmi_web/api/request_guard_fixture.h"
 
 namespace stepwright::api {
 namespace {
 
 using nlohmann::json;
 
-class GoalRoutesTest : public testing::Test, protected DoorFixture {
+class GoalRoutesTest : public testing::Test, protected RequestGuardFixture {
  protected:
   json last_entry() const {
     std::ifstream in(audit->file());

@@ -4,7 +4,7 @@
 #include <sstream>
 
 #include "hmi_web/access/durable_file.h"
-#include "tests/unit/hmi_web/api/door_fixture.h"
+#include "tests/unit/hmi_web/api/request_guard_fixture.h"
 
 namespace stepwright::api {
 namespace {
@@ -35,7 +35,7 @@ class RecipeRoutesTest : public testing::Test {
     for (std::string line; std::getline(lines, line);) last = line;
     return json::parse(last);
   }
-  DoorFixture fixture_;
+  RequestGuardFixture fixture_;
 };
 
 TEST_F(RecipeRoutesTest, WhenARecipeIsSaved_ThenItIsThereAndTheTrailHasBothSides) {

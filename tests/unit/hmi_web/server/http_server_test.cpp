@@ -123,16 +123,16 @@ class TwoRoutes {
     quick.path = "/api/quick";
     quick.handler = [](const api::Call&) { return api::Answer{200, "quick"}; };
     table_.emplace(std::vector{slow, quick});
-    door_.emplace(*table_, *control_, *audit_, api::DoorOptions{});
+    guard_.emplace(*table_, *control_, *audit_, api::RequestGuardOptions{});
   }
-  const api::Door& door() const { return *door_; }
+  const api::RequestGuard& guard() const { return *guard_; }
 
  private:
   support::TemporaryFolder folder_;
   std::unique_ptr<access::AccessControl> control_;
   std::unique_ptr<access::AuditLog> audit_;
   std::optional<api::RouteTable> table_;
-  std::optional<api::Door> door_;
+  std::optional<api::RequestGuard> guard_;
 };
 
 TEST_F(HttpServerTest, WhenRecordsAreReadForLong_ThenOtherRequestsDoNotWait) {
@@ -142,7 +142,7 @@ TEST_F(HttpServerTest, WhenRecordsAreReadForLong_ThenOtherRequestsDoNotWait) {
   server_ = std::move(*server);
   std::promise<void> ends;
   const TwoRoutes routes(ends.get_future().share());
-  server_->serve_api(routes.door());
+  server_->serve_api(routes.guard());
   network_ = std::thread([this] { server_->run(); });
   RawConnection slow(server_->port());
   slow.send("GET /api/slow HTTP/1.1\r\nHost: localhost:" + std::to_string(server_->port()) +
@@ -153,7 +153,7 @@ TEST_F(HttpServerTest, WhenRecordsAreReadForLong_ThenOtherRequestsDoNotWait) {
   EXPECT_NE(answer.find("\r\n\r\nslow"), std::string::npos);
   EXPECT_NE(answer.find("Content-Disposition: attachment; filename=\"a.csv\""), std::string::npos);
   EXPECT_NE(answer.find("X-Content-Type-Options: nosniff"), std::string::npos);
-  end();  // before the door that it refers to
+  end();  // before the guard that it refers to
 }
 
 TEST(ApiLanes, WhenTooManyWait_ThenTheNextIsRefusedUntilThereIsRoom) {

@@ -37,9 +37,9 @@ class LargeRoute {
     large.most_body = kMost;
     usual.path = "/api/usual";
     table_.emplace(std::vector{large, usual});
-    door_.emplace(*table_, *control_, *audit_, api::DoorOptions{});
+    guard_.emplace(*table_, *control_, *audit_, api::RequestGuardOptions{});
   }
-  const api::Door& door() const { return *door_; }
+  const api::RequestGuard& guard() const { return *guard_; }
   access::OpenedSession session(access::Role role) {
     EXPECT_TRUE(control_->add_user(access::to_string(role), role, "correct horse"));
     return control_->sessions().open(access::to_string(role), role, "127.0.0.1");
@@ -50,7 +50,7 @@ class LargeRoute {
   std::unique_ptr<access::AccessControl> control_;
   std::unique_ptr<access::AuditLog> audit_;
   std::optional<api::RouteTable> table_;
-  std::optional<api::Door> door_;
+  std::optional<api::RequestGuard> guard_;
 };
 
 class LargeBodyTest : public testing::Test {
@@ -59,7 +59,7 @@ class LargeBodyTest : public testing::Test {
     auto server = HttpServer::listen({"127.0.0.1", 0}, {}, feed_);
     EXPECT_TRUE(server) << result::to_string(server.error());
     server_ = std::move(*server);
-    server_->serve_api(routes_.door());
+    server_->serve_api(routes_.guard());
     network_ = std::thread([this] { server_->run(); });
   }
   ~LargeBodyTest() override {

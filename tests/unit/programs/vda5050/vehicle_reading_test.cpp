@@ -159,12 +159,12 @@ TEST_F(VehicleReadingTest, Image_WhenItIsOfTheMissionBefore_ThenItIsNotPlausible
   EXPECT_TRUE(plausible(stale, mission()));
 }
 
-TEST_F(VehicleReadingTest, Whereabouts_WhenTheImageIsOutOfBounds_ThenTheyAreWithin) {
+TEST_F(VehicleReadingTest, VehicleLocation_WhenTheImageIsOutOfBounds_ThenTheyAreWithin) {
   VehicleImage seen = at(1.0);
   seen.left = -5;
-  EXPECT_EQ(whereabouts_of(seen, mission()).left, 0u);
+  EXPECT_EQ(location_of(seen, mission()).left, 0u);
   seen.left = 30'000;
-  EXPECT_EQ(whereabouts_of(seen, mission()).left, mission().grown.visits.size());
+  EXPECT_EQ(location_of(seen, mission()).left, mission().grown.visits.size());
 }
 
 }  // namespace

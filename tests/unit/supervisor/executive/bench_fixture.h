@@ -14,32 +14,32 @@
 
 namespace stepwright::executive {
 
-inline DeskOptions bench_desk_options() {
+inline PlanningOptions bench_planning_options() {
   const std::string cell = STEPWRIGHT_SOURCE_DIR "/tests/cells/bench/";
-  DeskOptions options;
+  PlanningOptions options;
   options.domain = cell + "domain.pddl";
   options.problem = cell + "problem.pddl";
   options.binding = cell + "binding.toml";
   return options;
 }
 
-inline const PlanningDesk& bench_desk() {
-  static const PlanningDesk desk = [] {
-    auto opened = PlanningDesk::open(bench_desk_options());
+inline const PlanningService& bench_planning() {
+  static const PlanningService planning = [] {
+    auto opened = PlanningService::open(bench_planning_options());
     if (!opened) throw std::runtime_error(result::to_string(opened.error()));
     return std::move(*opened);
   }();
-  return desk;
+  return planning;
 }
 
 // The bench with lines of its binding left out: of transmitters without noise and without bias.
-inline PlanningDesk bench_desk_without(const std::string& lines, const std::filesystem::path& folder) {
-  DeskOptions options = bench_desk_options();
+inline PlanningService bench_planning_without(const std::string& lines, const std::filesystem::path& folder) {
+  PlanningOptions options = bench_planning_options();
   std::stringstream text;
   text << std::ifstream(options.binding).rdbuf();
   options.binding = folder / "binding.toml";
   std::ofstream(options.binding) << std::regex_replace(text.str(), std::regex(lines), "");
-  auto opened = PlanningDesk::open(options);
+  auto opened = PlanningService::open(options);
   if (!opened) throw std::runtime_error(result::to_string(opened.error()));
   return std::move(*opened);
 }
@@ -51,9 +51,9 @@ inline assemblies::BenchParameters exact_bench() {
 }
 
 inline run::RunRecord run_bench(support::SimulatedController& controller, ExecutiveOptions options = {},
-                                const PlanningDesk& desk = bench_desk()) {
+                                const PlanningService& planning = bench_planning()) {
   options.cell = "bench";
-  return Executive(desk, controller, std::move(options), {}).run();
+  return Executive(planning, controller, std::move(options), {}).run();
 }
 
 // For messages of failed tests.

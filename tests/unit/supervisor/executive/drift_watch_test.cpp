@@ -39,7 +39,7 @@ class DriftWatchTest : public ::testing::Test {
   }
 
   model::PlannedRun run_;
-  DriftWatch watch_{bench_desk().binding()};
+  DriftWatch watch_{bench_planning().binding()};
 };
 
 TEST_F(DriftWatchTest, WhenEverythingGoesAsPlanned_ThenNothingAddsUp) {

@@ -87,35 +87,36 @@ INSTANTIATE_TEST_SUITE_P(Bench, FaultTest,
                                          FaultCase{"stuck_fc1", 0.0, 12.0}, FaultCase{"stuck_fc2", 1.0, 5.0},
                                          FaultCase{"drift_s2", 2.0, 10.0}, FaultCase{"draw_c1", 15.0, 30.0}));
 
-std::string first_cause(const PlanningDesk& desk, const PlantFault& fault) {
+std::string first_cause(const PlanningService& planning, const PlantFault& fault) {
   SimulatedController controller({}, {fault});
-  const run::RunRecord record = Executive(desk, controller, {}, {}).run();
+  const run::RunRecord record = Executive(planning, controller, {}, {}).run();
   return record.replans.empty() ? story(record) : record.replans.front().cause;
 }
 
-void expect_cause(const PlanningDesk& desk, const PlantFault& fault, const std::string& part) {
-  const std::string cause = first_cause(desk, fault);
+void expect_cause(const PlanningService& planning, const PlantFault& fault, const std::string& part) {
+  const std::string cause = first_cause(planning, fault);
   EXPECT_NE(cause.find(part), std::string::npos) << cause;
 }
 
 // The chart has one FAILED step per action; the cause tells which of its reasons it was.
 TEST(ExecutiveBench, WhenAnActionFails_ThenTheCauseTellsTimeoutLostHoldAndRefusedStartApart) {
-  DeskOptions options = bench_desk_options();
+  PlanningOptions options = bench_planning_options();
   options.monitors = false;  // which would tell of the level before the action is refused
-  const auto desk = PlanningDesk::open(options);
-  ASSERT_TRUE(desk);
-  expect_cause(*desk, {0.0, "weak_b3", 0.0}, "(complete_order a1 c1 level7) did not end within 60 s");
-  expect_cause(*desk, {8.0, "stuck_fc1", 0.0},
+  const auto planning = PlanningService::open(options);
+  ASSERT_TRUE(planning);
+  expect_cause(*planning, {0.0, "weak_b3", 0.0}, "(complete_order a1 c1 level7) did not end within 60 s");
+  expect_cause(*planning, {8.0, "stuck_fc1", 0.0},
                "(load v1 f1 level7) was stopped: 'vehicle at f1' was lost while it ran");
-  expect_cause(*desk, {15.5, "leak_v1", 3.0},
+  expect_cause(*planning, {15.5, "leak_v1", 3.0},
                "(unload v1 a1 level7) could not start: its precondition is not observed");
 }
 
 TEST(ExecutiveBench, WhenAPlanIsWatched_ThenWhatHasNoEffectAndWhatLeaksIsFoundSooner) {
-  expect_cause(bench_desk(), {0.0, "weak_b3", 0.0},
+  expect_cause(bench_planning(), {0.0, "weak_b3", 0.0},
                "(complete_order a1 c1 level7) had no effect in 7.75 s: B3 was on");
-  expect_cause(bench_desk(), {0.0, "weak_b3", 0.2}, "(complete_order a1 c1 level7) did not end within 60 s");
-  expect_cause(bench_desk(), {15.5, "leak_v1", 3.0}, "level of v1 is 8.");
+  expect_cause(bench_planning(), {0.0, "weak_b3", 0.2},
+               "(complete_order a1 c1 level7) did not end within 60 s");
+  expect_cause(bench_planning(), {15.5, "leak_v1", 3.0}, "level of v1 is 8.");
 }
 
 TEST(ExecutiveBench, WhenAClientChangesItsDemand_ThenTheNewDemandIsMet) {
@@ -136,7 +137,7 @@ TEST(ExecutiveBench, WhenTheRuntimeIsKilled_ThenThePlanGoesOnFromTheObservedStat
   const Executive::Observer kill_once = [&](const run::RunRecord& record) {
     if (record.phase == run::Phase::Executing && ++published == 12) controller.kill_runtime();
   };
-  const run::RunRecord record = Executive(bench_desk(), controller, options, kill_once).run();
+  const run::RunRecord record = Executive(bench_planning(), controller, options, kill_once).run();
   EXPECT_EQ(record.phase, run::Phase::Done) << story(record);
   EXPECT_EQ(record.replans.size(), 1u) << story(record);
 }
@@ -152,7 +153,7 @@ TEST(ExecutiveBench, WhenSupervisorAndRuntimeAreRestarted_ThenTheTimeOfTheRecord
   const std::filesystem::path kept = testing::TempDir() + "kept_executive.json";
   SimulatedController first({});
   int published = 0;
-  Executive(bench_desk(), first, options, [&](const run::RunRecord& record) {
+  Executive(bench_planning(), first, options, [&](const run::RunRecord& record) {
     if (record.phase == run::Phase::Executing && ++published == 12) {
       std::filesystem::copy_file(journal, kept, std::filesystem::copy_options::overwrite_existing);
     }
@@ -160,7 +161,7 @@ TEST(ExecutiveBench, WhenSupervisorAndRuntimeAreRestarted_ThenTheTimeOfTheRecord
   options.journal = kept;
   SimulatedController second({});
   Executive* running = nullptr;
-  Executive resumed(bench_desk(), second, options, [&](const run::RunRecord& record) {
+  Executive resumed(bench_planning(), second, options, [&](const run::RunRecord& record) {
     if (record.phase == run::Phase::Replanning) running->request_abort();
   });
   running = &resumed;
@@ -182,9 +183,9 @@ TEST(ExecutiveBench, WhenASupervisorIsRestarted_ThenAlarmsThatWereToldAreNotTold
   const auto kill = [](const run::RunRecord& record) {
     if (record.phase == run::Phase::Replanning) throw Killed{};
   };
-  EXPECT_THROW(Executive(bench_desk(), controller, options, kill).run(), Killed);
+  EXPECT_THROW(Executive(bench_planning(), controller, options, kill).run(), Killed);
   (void)controller.acknowledge(1'000'000);  // of the news that nobody answers any more
-  const run::RunRecord record = Executive(bench_desk(), controller, options, {}).run();
+  const run::RunRecord record = Executive(bench_planning(), controller, options, {}).run();
   ASSERT_GE(record.incidents.size(), 3u) << story(record);
   ASSERT_FALSE(record.incidents[0].alarms.empty());
   EXPECT_EQ(record.incidents[1].kind, run::IncidentKind::LostSupervisor);

@@ -56,12 +56,12 @@ TEST(ExecutiveConveyor, WhenTheSameSeedRunsTwice_ThenTheTracesAreEqual) {
 }
 
 TEST(ExecutiveConveyor, WhenSensorsCountPieces_ThenNoMonitorWantsThemToMoveAllTheWhile) {
-  DeskOptions options = config::desk_options(conveyor_cell());
+  PlanningOptions options = config::planning_options(conveyor_cell());
   options.monitors = true;
-  const auto desk = PlanningDesk::open(options);
-  ASSERT_TRUE(desk);
-  const auto initial = pddl::to_named(desk->task().initial());
-  const auto outcome = desk->prepare({.start = {.planning = initial}});
+  const auto planning = PlanningService::open(options);
+  ASSERT_TRUE(planning);
+  const auto initial = pddl::to_named(planning->task().initial());
+  const auto outcome = planning->prepare({.start = {.planning = initial}});
   ASSERT_TRUE(outcome);
   EXPECT_FALSE(outcome->prepared.translation.monitors.empty());
   for (const translate::Monitor& monitor : outcome->prepared.translation.monitors)
@@ -154,7 +154,7 @@ TEST(ExecutiveConveyorStopped, WhenAnotherRunIsStartedWhileItIsPressed_ThenItsRe
       conveyor_controller(2, {{0.0, "press_estop", 1}, {kReleased_s, "press_estop", 0}});
   ExecutiveOptions options;
   options.settle = conveyor_cell().executive.settle;
-  Executive executive(conveyor_desk(), controller, options, {});
+  Executive executive(conveyor_planning(), controller, options, {});
   const run::RunRecord first = executive.run();
   SCOPED_TRACE(story(first));
   ASSERT_EQ(first.phase, run::Phase::Safe);
@@ -235,13 +235,13 @@ INSTANTIATE_TEST_SUITE_P(Boxes, ExecutiveConveyorExchanged, testing::Range(1, 5)
 
 // Of a number that no list has nothing can be made: the executive stops safely for want of a plan.
 TEST(ExecutiveConveyor, WhenABoxIsReadThatIsOnNoList_ThenThereIsNoPlan) {
-  const PlanningDesk& desk = conveyor_desk();
-  model::NamedState state = pddl::to_named(desk.task().initial());
+  const PlanningService& planning = conveyor_planning();
+  model::NamedState state = pddl::to_named(planning.task().initial());
   state.facts.erase("(free r)");
   state.facts.erase("(announced b1 n1)");
   state.facts.insert({"(at b1 r)", "(occupied r)"});
   state.fluents["(shown r)"] = 7.0;  // of no box
-  const auto outcome = desk.prepare({.start = {.planning = state}});
+  const auto outcome = planning.prepare({.start = {.planning = state}});
   ASSERT_TRUE(outcome);
   EXPECT_EQ(outcome->status, PrepareStatus::Infeasible);
 }
@@ -259,14 +259,14 @@ std::filesystem::path lenient_orders(const support::TemporaryFolder& folder) {
 
 TEST(ExecutiveConveyor, WhenADiverterHasFailed_ThenBoxesThatMayGoElsewhereDo) {
   const support::TemporaryFolder folder;
-  DeskOptions options = config::desk_options(conveyor_cell());
+  PlanningOptions options = config::planning_options(conveyor_cell());
   options.problem = lenient_orders(folder);
-  const auto desk = PlanningDesk::open(options);
-  ASSERT_TRUE(desk) << result::to_string(desk.error());
+  const auto planning = PlanningService::open(options);
+  ASSERT_TRUE(planning) << result::to_string(planning.error());
   SimulatedController controller = conveyor_controller(3, {{10.0, "stuck_push_1", 1}});
   ExecutiveOptions settings;
   settings.cell = "conveyor";
-  const run::RunRecord record = Executive(*desk, controller, settings, {}).run();
+  const run::RunRecord record = Executive(*planning, controller, settings, {}).run();
   SCOPED_TRACE(story(record));
   EXPECT_EQ(record.phase, run::Phase::Done);
   auto boxes = sorted_boxes(controller);

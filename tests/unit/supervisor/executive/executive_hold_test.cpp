@@ -34,7 +34,7 @@ struct HeldBench {
   explicit HeldBench(ExecutiveOptions options_in = {}, std::vector<support::PlantFault> faults = {})
       : controller({}, std::move(faults)), options(std::move(options_in)) {
     options.cell = "bench";
-    executive.emplace(bench_desk(), controller, options, [this](const run::RunRecord& now) { see(now); });
+    executive.emplace(bench_planning(), controller, options, [this](const run::RunRecord& now) { see(now); });
     controller.on_scan = [this](std::span<const std::byte>) { scan(); };
   }
 
@@ -203,7 +203,7 @@ TEST(ExecutiveHold, WhenTheSupervisorIsRestarted_ThenTheRunIsStillHeld) {
   bench.on_held = {};
   bench.when = {};
   bench.phases.clear();
-  bench.executive.emplace(bench_desk(), bench.controller, bench.options,
+  bench.executive.emplace(bench_planning(), bench.controller, bench.options,
                           [&](const run::RunRecord& now) { bench.see(now); });
   const run::RunRecord record = bench.executive->run();
   SCOPED_TRACE(story(record));

@@ -109,7 +109,7 @@ TEST(ExecutiveIncident, WhenNoActionMovesWhatIsLeft_ThenTheSafeStopNamesThePumpA
 
 TEST(ExecutiveIncident, WhenAGoalIsNoGoal_ThenItIsRefused) {
   SimulatedController controller({});
-  Executive executive(bench_desk(), controller, {}, {});
+  Executive executive(bench_planning(), controller, {}, {});
   EXPECT_FALSE(executive.request_goal("(= (level a9) 4)"));
   EXPECT_FALSE(executive.request_goal("(and"));
   EXPECT_TRUE(executive.request_goal("(= (level a1) 4)"));
@@ -136,9 +136,9 @@ TEST(ExecutiveIncident, WhenAPumpHasFailed_ThenTheSafeStopNamesIt) {
 // A switch that somebody has turned for a while: it is told and planned for, and no sensor is blamed.
 TEST(ExecutiveIncident, WhenAPumpStandsStillForAWhile_ThenThatIsAnIncidentOfThePumpAndTheGoalIsReached) {
   const support::TemporaryFolder folder;
-  const PlanningDesk desk = bench_desk_without("must_move = true\n", folder.path());
+  const PlanningService planning = bench_planning_without("must_move = true\n", folder.path());
   SimulatedController controller(exact_bench(), {{7.5, "weak_b1", 0.0}, {16.0, "weak_b1", 1.0, true}});
-  const run::RunRecord record = run_bench(controller, {}, desk);
+  const run::RunRecord record = run_bench(controller, {}, planning);
   EXPECT_EQ(record.phase, run::Phase::Done) << story(record);
   ASSERT_FALSE(record.incidents.empty());
   const run::Incident& first = record.incidents.front();
@@ -154,9 +154,9 @@ TEST(ExecutiveIncident, WhenAPumpStandsStillForAWhile_ThenThatIsAnIncidentOfTheP
 // pump without effect.
 TEST(ExecutiveIncident, WhenASensorWithoutNoiseIsFrozen_ThenTheRunEndsSafely) {
   const support::TemporaryFolder folder;
-  const PlanningDesk desk = bench_desk_without("must_move = true\n", folder.path());
+  const PlanningService planning = bench_planning_without("must_move = true\n", folder.path());
   SimulatedController controller(exact_bench(), {{8.5, "frozen_s1", 1.0}});
-  const run::RunRecord record = run_bench(controller, {}, desk);
+  const run::RunRecord record = run_bench(controller, {}, planning);
   EXPECT_EQ(record.phase, run::Phase::Safe) << story(record);
   EXPECT_EQ(record.incidents.front().kind, run::IncidentKind::FailedActuator) << story(record);
 }
@@ -178,7 +178,7 @@ TEST(ExecutiveIncident, WhenAWishOvertakesAPlanning_ThenItStartsAgain) {
   options.goal_changes = {{20.0, "(demand c1)", 8.0}};
   Executive* running = nullptr;
   int wishes = 0;
-  Executive executive(bench_desk(), controller, options, [&](const run::RunRecord& record) {
+  Executive executive(bench_planning(), controller, options, [&](const run::RunRecord& record) {
     if (record.phase != run::Phase::Replanning || wishes++ > 0) return;
     ASSERT_TRUE(running->request_change("(demand c2)", 9.0));
   });

@@ -34,7 +34,7 @@ struct StartedBench {
   // Another supervisor.
   void again() {
     phases.clear();
-    executive.emplace(bench_desk(), controller, options, [this](const run::RunRecord& now) {
+    executive.emplace(bench_planning(), controller, options, [this](const run::RunRecord& now) {
       if (phases.empty() || phases.back() != to_string(now.phase)) phases.emplace_back(to_string(now.phase));
       if (on_news) on_news(now);
     });
@@ -67,13 +67,13 @@ ExecutiveOptions with_journal(const char* name, ExecutiveOptions options = {}) {
 // a1 stands at 4 and no sensor is tared: it is believed.
 run::RunRecord run_from_four(bool believes_sensors) {
   const support::TemporaryFolder folder;
-  const PlanningDesk desk = bench_desk_without("tare = true\n", folder.path());
+  const PlanningService planning = bench_planning_without("tare = true\n", folder.path());
   assemblies::BenchParameters parameters = exact_bench();
   parameters.tanks[2].initial_percent = 40.0;
   SimulatedController controller(parameters);
   ExecutiveOptions options;
   options.believes_sensors = believes_sensors;
-  const run::RunRecord record = run_bench(controller, options, desk);
+  const run::RunRecord record = run_bench(controller, options, planning);
   EXPECT_EQ(record.phase, run::Phase::Done) << story(record);
   EXPECT_NEAR(controller.plant_value("level_a1_percent"), 50.0, 2.0);
   return record;
@@ -96,14 +96,14 @@ TEST(ExecutiveStart, WhenThePlantIsNotAsTheProblemSays_ThenThatIsWhereTheFirstPl
 // The planner counts 4.7 as 5.
 TEST(ExecutiveStart, WhenALevelOnlyRoundsToTheGoal_ThenTheGoalIsNotCalledMet) {
   const support::TemporaryFolder folder;
-  const PlanningDesk desk = bench_desk_without("tare = true\n", folder.path());
+  const PlanningService planning = bench_planning_without("tare = true\n", folder.path());
   assemblies::BenchParameters parameters = exact_bench();
   parameters.tanks[2].initial_percent = 47.0;
   SimulatedController controller(parameters);
   bool seen = false;
   ExecutiveOptions options;
   options.cell = "bench";
-  (void)Executive(desk, controller, options, [&](const run::RunRecord& now) {
+  (void)Executive(planning, controller, options, [&](const run::RunRecord& now) {
     for (const run::GoalRecord& goal : now.goal) {
       const double level = now.observed.contains("(level a1)") ? now.observed.at("(level a1)") : 0.0;
       if (goal.text.find("(level a1)") == std::string::npos || std::abs(level - 4.7) > 0.1) continue;
@@ -336,7 +336,7 @@ TEST(ExecutiveStart, WhenAPlanIsFollowed_ThenTheOutlookIsWhereItsActionsWillHave
     EXPECT_EQ(outlook.remaining.size(), static_cast<std::size_t>(pending));
     for (const char* level : {"(lev v1)", "(level a1)", "(level a2)"})
       EXPECT_DOUBLE_EQ(outlook.state.fluents.at(level), std::round(outlook.state.fluents.at(level)));
-    EXPECT_TRUE(bench_desk().worth_of({.planning = outlook.state}, outlook.remaining)) << active->text;
+    EXPECT_TRUE(bench_planning().worth_of({.planning = outlook.state}, outlook.remaining)) << active->text;
   };
   ASSERT_EQ(bench.run().phase, run::Phase::Done);
   EXPECT_TRUE(looked);

@@ -32,10 +32,10 @@ struct Raised {
 // The optimal plan's program on a bench with exact sensors, for so many scans.
 class MonitoredRun {
  public:
-  explicit MonitoredRun(std::vector<PlantFault> faults, const PlanningDesk& desk = bench_desk())
+  explicit MonitoredRun(std::vector<PlantFault> faults, const PlanningService& planning = bench_planning())
       : controller_(exact_bench(), std::move(faults)) {
-    const auto initial = pddl::to_named(desk.task().initial());
-    prepared_ = std::move(desk.prepare({.start = {.planning = initial}})->prepared);
+    const auto initial = pddl::to_named(planning.task().initial());
+    prepared_ = std::move(planning.prepare({.start = {.planning = initial}})->prepared);
     std::vector<std::string> names = {
         translate::kAlarmCount, "S1_filtered", "S2_filtered", "S3_filtered", "fc1", "fc2", "fc3"};
     for (std::size_t i = 0; i < prepared_.translation.monitors.size(); ++i) {
@@ -162,7 +162,7 @@ TEST(Monitors, WhenAnActionIsRefused_ThenThePartOfItsPreconditionIsNamed) {
 // What two levels must be together is no comparison of counts but an expression over their values.
 TEST(Monitors, WhenAPreconditionAddsLevels_ThenTheirSumIsWatchedToo) {
   const support::TemporaryFolder folder;
-  DeskOptions options = bench_desk_options();
+  PlanningOptions options = bench_planning_options();
   std::stringstream text;
   text << std::ifstream(options.domain).rdbuf();
   std::string domain = text.str();
@@ -171,9 +171,9 @@ TEST(Monitors, WhenAPreconditionAddsLevels_ThenTheirSumIsWatchedToo) {
   domain.insert(domain.find(guard), "(>= (+ (lev ?v) (level ?d)) (+ (amount ?l) 4)) ");
   options.domain = folder / "domain.pddl";
   std::ofstream(options.domain) << domain;
-  const auto desk = PlanningDesk::open(options);
-  ASSERT_TRUE(desk) << result::to_string(desk.error());
-  MonitoredRun run({{15.5, "leak_v1", 6.0}}, *desk);
+  const auto planning = PlanningService::open(options);
+  ASSERT_TRUE(planning) << result::to_string(planning.error());
+  MonitoredRun run({{15.5, "leak_v1", 6.0}}, *planning);
   run.run(4'000);
   const auto sum = std::find_if(run.raised().begin(), run.raised().end(), [](const Raised& raised) {
     return raised.monitor.kind == MonitorKind::Precondition && raised.monitor.reading == "S1_value";
@@ -189,13 +189,13 @@ TEST(Monitors, WhenAPreconditionAddsLevels_ThenTheirSumIsWatchedToo) {
 // that is a fault of its own.
 TEST(Monitors, WhenAPumpStandsStillHalfway_ThenTheAlarmComesAfterTheNominalTimeOfThreeUnits) {
   const support::TemporaryFolder folder;
-  const PlanningDesk plain = bench_desk_without("must_move = true\n", folder.path());
-  for (const PlanningDesk* desk : {&bench_desk(), &plain}) {
-    MonitoredRun run({{5.0, "weak_b1", 0.0}}, *desk);
+  const PlanningService plain = bench_planning_without("must_move = true\n", folder.path());
+  for (const PlanningService* planning : {&bench_planning(), &plain}) {
+    MonitoredRun run({{5.0, "weak_b1", 0.0}}, *planning);
     run.run(1'200);
     std::map<MonitorKind, std::vector<Raised>> of;
     for (const Raised& raised : run.raised()) of[raised.monitor.kind].push_back(raised);
-    EXPECT_EQ(of[MonitorKind::Motion].size(), desk == &plain ? 0u : 1u);
+    EXPECT_EQ(of[MonitorKind::Motion].size(), planning == &plain ? 0u : 1u);
     ASSERT_EQ(of[MonitorKind::Standstill].size(), 1u);
     const Raised& still = of[MonitorKind::Standstill].front();
     EXPECT_EQ(still.action.rfind("(load v1 f1", 0), 0u) << still.action;
@@ -207,11 +207,11 @@ TEST(Monitors, WhenAPumpStandsStillHalfway_ThenTheAlarmComesAfterTheNominalTimeO
 }
 
 TEST(Monitors, WhenTheBindingHasTheirNames_ThenRefused) {
-  const auto initial = pddl::to_named(bench_desk().task().initial());
-  auto prepared = bench_desk().prepare({.start = {.planning = initial}});
+  const auto initial = pddl::to_named(bench_planning().task().initial());
+  auto prepared = bench_planning().prepare({.start = {.planning = initial}});
   ASSERT_TRUE(prepared);
   translate::Translation& made = prepared->prepared.translation;  // it has them already
-  const auto again = translate::add_monitors(made, prepared->prepared.run, bench_desk().binding(), {});
+  const auto again = translate::add_monitors(made, prepared->prepared.run, bench_planning().binding(), {});
   ASSERT_FALSE(again);
   EXPECT_EQ(again.error().front().code, "T0006");
 }

@@ -11,51 +11,52 @@ namespace {
 using std::chrono::milliseconds;
 
 PlanRequest request() {
-  return {.start = {.planning = pddl::to_named(bench_desk().task().initial())}};
+  return {.start = {.planning = pddl::to_named(bench_planning().task().initial())}};
 }
 
-TEST(PlanningJob, WhenLeftAlone_ThenItsPlanIsThatOfTheDesk) {
-  PlanningJob job(bench_desk(), request());
+TEST(PlanningJob, WhenLeftAlone_ThenItsPlanIsThatOfTheService) {
+  PlanningJob job(bench_planning(), request());
   while (!job.wait(milliseconds(50))) {
   }
   const auto outcome = job.take();
   ASSERT_TRUE(outcome);
   EXPECT_EQ(outcome->status, PrepareStatus::Ready);
-  EXPECT_EQ(outcome->prepared.container, bench_desk().prepare(request())->prepared.container);
+  EXPECT_EQ(outcome->prepared.container, bench_planning().prepare(request())->prepared.container);
 }
 
 TEST(PlanningJob, WhenCancelledAtOnce_ThenItEndsWithoutAProofSoon) {
   const auto start = std::chrono::steady_clock::now();
   {
-    PlanningJob job(bench_desk(), request());
+    PlanningJob job(bench_planning(), request());
     job.cancel();
   }
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
 }
 
-TEST(PlanningDesk, WhenWhatIsLeftStillLeadsToTheGoal_ThenItIsKept) {
-  auto first = bench_desk().prepare(request());
+TEST(PlanningService, WhenWhatIsLeftStillLeadsToTheGoal_ThenItIsKept) {
+  auto first = bench_planning().prepare(request());
   ASSERT_TRUE(first);
   PlanRequest again = request();
   again.remaining = first->prepared.plan.actions;
-  const auto kept = bench_desk().prepare(again);
+  const auto kept = bench_planning().prepare(again);
   ASSERT_TRUE(kept);
   EXPECT_EQ(kept->prepared.episode.origin, "kept");
   EXPECT_EQ(kept->prepared.episode.kept, again.remaining.size());
   EXPECT_EQ(kept->prepared.plan.actions, first->prepared.plan.actions);
 }
 
-TEST(PlanningDesk, WhenAnotherGoalIsGiven_ThenItIsPlannedForAndJudged) {
+TEST(PlanningService, WhenAnotherGoalIsGiven_ThenItIsPlannedForAndJudged) {
   PlanRequest other = request();
   other.start.goal = "(and (= (level a1) 3) (is-at v1 f1))";
-  const auto outcome = bench_desk().prepare(other);
+  const auto outcome = bench_planning().prepare(other);
   ASSERT_TRUE(outcome);
   ASSERT_EQ(outcome->status, PrepareStatus::Ready);
   EXPECT_LT(outcome->prepared.plan.actions.size(), 6u);
-  const auto goals = bench_desk().goal_status(outcome->prepared.run.actions.back().after, other.start.goal);
+  const auto goals =
+      bench_planning().goal_status(outcome->prepared.run.actions.back().after, other.start.goal);
   ASSERT_EQ(goals.size(), 2u);
   EXPECT_TRUE(goals[0].met && goals[1].met);
-  EXPECT_FALSE(bench_desk().check_goal("(= (level a9) 3)"));
+  EXPECT_FALSE(bench_planning().check_goal("(= (level a9) 3)"));
 }
 
 }  // namespace

@@ -26,11 +26,11 @@ class RestWatchTest : public ::testing::Test {
     model::NamedState start;
     start.facts = {"(is-at v1 f1)"};
     start.fluents = {{"(lev v1)", 2.0}, {"(level a1)", 2.0}, {"(level a2)", 2.0}};
-    watch_.emplace(bench_desk().binding(), translate::Tare{}, start);
+    watch_.emplace(bench_planning().binding(), translate::Tare{}, start);
   }
 
   std::optional<std::string> see(double s2_level) {
-    const auto& sensors = bench_desk().binding().sensors;
+    const auto& sensors = bench_planning().binding().sensors;
     values_["S1"] = sensors[0].calibration.counts_at(2.0);
     values_["S2"] = sensors[1].calibration.counts_at(s2_level);
     values_["S3"] = sensors[2].calibration.counts_at(2.0);
@@ -90,7 +90,7 @@ class MovingPlant {
   // The plan's own program drives the plant while its start is watched.
   void watch_driven(double until_s) {
     const StartState now = look();
-    const auto plan = bench_desk().prepare({.start = now});
+    const auto plan = bench_planning().prepare({.start = now});
     start(plan->prepared);
     watch(until_s);
   }
@@ -111,11 +111,12 @@ class MovingPlant {
 
   void start(const PreparedPlan& program) {
     std::vector<std::string> variables;
-    for (const translate::Sensor& sensor : bench_desk().binding().sensors) {
+    for (const translate::Sensor& sensor : bench_planning().binding().sensors) {
       variables.push_back(translate::filtered_variable(sensor));
       variables.push_back(sensor.tag);
     }
-    for (const translate::ObservedFact& fact : bench_desk().binding().facts) variables.push_back(fact.tag);
+    for (const translate::ObservedFact& fact : bench_planning().binding().facts)
+      variables.push_back(fact.tag);
     reader_ = *run::ImageReader::create(program.container, program.translation.instance, variables);
     ASSERT_TRUE(controller_.download(program.container));
     ASSERT_TRUE(controller_.start(false));
@@ -131,13 +132,13 @@ class MovingPlant {
   }
 
   StartState look() {
-    const PreparedPlan observer = *bench_desk().observer(false, std::chrono::milliseconds(3'000));
+    const PreparedPlan observer = *bench_planning().observer(false, std::chrono::milliseconds(3'000));
     start(observer);
     while (!means_) step(observer);
-    const model::NamedState known = pddl::to_named(bench_desk().task().initial());
-    const translate::Tare tare = *translate::identify_tare(bench_desk().binding(), *means_, known);
-    const auto seen = *translate::estimate(bench_desk().binding(), *means_, tare, known);
-    watch_.emplace(bench_desk().binding(), tare, seen.measured);
+    const model::NamedState known = pddl::to_named(bench_planning().task().initial());
+    const translate::Tare tare = *translate::identify_tare(bench_planning().binding(), *means_, known);
+    const auto seen = *translate::estimate(bench_planning().binding(), *means_, tare, known);
+    watch_.emplace(bench_planning().binding(), tare, seen.measured);
     return {.planning = seen.planning, .measured = seen.measured.fluents, .tare = tare, .goal = {}};
   }
 

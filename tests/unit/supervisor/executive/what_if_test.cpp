@@ -22,7 +22,7 @@ using std::chrono::milliseconds;
 
 Outlook at_the_beginning() {
   Outlook outlook;
-  outlook.state = pddl::to_named(bench_desk().task().initial());
+  outlook.state = pddl::to_named(bench_planning().task().initial());
   return outlook;
 }
 
@@ -37,15 +37,15 @@ json answer_of(const WhatIf& what_if) {
 }
 
 TEST(WhatIf, WhenNobodyHasAsked_ThenThereIsNothing) {
-  WhatIf what_if(bench_desk(), {});
+  WhatIf what_if(bench_planning(), {});
   EXPECT_EQ(what_if.answer(), "null");
   EXPECT_EQ(what_if.cancel("").error().front().code, "X0008");
 }
 
 TEST(WhatIf, WhenAGoalIsGiven_ThenItsPlanIsToldWithCostTimeAndTheSameOfWhatIsLeft) {
-  WhatIf what_if(bench_desk(), {});
+  WhatIf what_if(bench_planning(), {});
   Outlook outlook = at_the_beginning();
-  const auto running = bench_desk().prepare({.start = {.planning = outlook.state}});
+  const auto running = bench_planning().prepare({.start = {.planning = outlook.state}});
   outlook.remaining = running->prepared.plan.actions;
   ASSERT_TRUE(what_if.ask({"7f", "(and (is-at v1 f1) (= (level a1) 3))", outlook}));
   const json told = answer_of(what_if);
@@ -66,7 +66,7 @@ TEST(WhatIf, WhenAGoalIsGiven_ThenItsPlanIsToldWithCostTimeAndTheSameOfWhatIsLef
 }
 
 TEST(WhatIf, WhenTheMetricHasRunUpAlready_ThenTheCostAheadCountsFromHere) {
-  WhatIf what_if(bench_desk(), {});
+  WhatIf what_if(bench_planning(), {});
   Outlook outlook = at_the_beginning();
   outlook.state.fluents["(distance-travelled)"] = 100.0;
   ASSERT_TRUE(what_if.ask({"a", "(is-at v1 a1)", outlook}));
@@ -77,7 +77,7 @@ TEST(WhatIf, WhenTheMetricHasRunUpAlready_ThenTheCostAheadCountsFromHere) {
 }
 
 TEST(WhatIf, WhenTheGoalIsEmpty_ThenItIsTheOneThatThereIs) {
-  WhatIf what_if(bench_desk(), {});
+  WhatIf what_if(bench_planning(), {});
   Outlook outlook = at_the_beginning();
   outlook.goal = "(is-at v1 f1)";
   ASSERT_TRUE(what_if.ask({"a", "", outlook}));
@@ -87,7 +87,7 @@ TEST(WhatIf, WhenTheGoalIsEmpty_ThenItIsTheOneThatThereIs) {
 }
 
 TEST(WhatIf, WhenNoPlanExists_ThenItIsSaidWhy) {
-  WhatIf what_if(bench_desk(), {});
+  WhatIf what_if(bench_planning(), {});
   ASSERT_TRUE(what_if.ask({"a", "(= (level a1) 11)", at_the_beginning()}));
   const json told = answer_of(what_if);
   EXPECT_EQ(told["state"], "no_plan") << told;
@@ -96,7 +96,7 @@ TEST(WhatIf, WhenNoPlanExists_ThenItIsSaidWhy) {
 }
 
 TEST(WhatIf, WhenTheGoalIsNone_ThenItIsRefusedWithItsPlace) {
-  WhatIf what_if(bench_desk(), {});
+  WhatIf what_if(bench_planning(), {});
   const auto refused = what_if.ask({"a", "(and\n  (is-at v1 f1)\n  (= (level a9) 3))", at_the_beginning()});
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().front().where.line, 3u);
@@ -105,10 +105,10 @@ TEST(WhatIf, WhenTheGoalIsNone_ThenItIsRefusedWithItsPlace) {
 }
 
 // The bench with so much to be brought that no proof of the best plan ends while a test waits.
-const PlanningDesk& slow_desk() {
-  static const PlanningDesk desk = [] {
+const PlanningService& slow_planning() {
+  static const PlanningService planning = [] {
     const support::TemporaryFolder folder;
-    DeskOptions options = bench_desk_options();
+    PlanningOptions options = bench_planning_options();
     std::stringstream text;
     text << std::ifstream(options.problem).rdbuf();
     std::string problem = text.str();
@@ -120,17 +120,17 @@ const PlanningDesk& slow_desk() {
     }
     options.problem = folder / "problem.pddl";
     std::ofstream(options.problem) << problem;
-    auto opened = PlanningDesk::open(options);
+    auto opened = PlanningService::open(options);
     if (!opened) throw std::runtime_error(result::to_string(opened.error()));
     return std::move(*opened);
   }();
-  return desk;
+  return planning;
 }
 
 TEST(WhatIf, WhenOneIsPlannedFor_ThenAnotherIsRefusedUntilItIsCancelled) {
-  WhatIf what_if(slow_desk(), {.time = std::chrono::minutes(5)});
+  WhatIf what_if(slow_planning(), {.time = std::chrono::minutes(5)});
   Outlook outlook;
-  outlook.state = pddl::to_named(slow_desk().task().initial());
+  outlook.state = pddl::to_named(slow_planning().task().initial());
   ASSERT_TRUE(what_if.ask({"one", "", outlook}));
   EXPECT_EQ(what_if.ask({"two", "", outlook}).error().front().code, "X0008");
   EXPECT_EQ(what_if.cancel("two").error().front().code, "X0008") << "that is somebody else's";
@@ -141,9 +141,9 @@ TEST(WhatIf, WhenOneIsPlannedFor_ThenAnotherIsRefusedUntilItIsCancelled) {
 }
 
 TEST(WhatIf, WhenTheBudgetEndsFirst_ThenItSaysSoAndTheNextMayAsk) {
-  WhatIf what_if(slow_desk(), {.time = milliseconds(1)});
+  WhatIf what_if(slow_planning(), {.time = milliseconds(1)});
   Outlook outlook;
-  outlook.state = pddl::to_named(slow_desk().task().initial());
+  outlook.state = pddl::to_named(slow_planning().task().initial());
   for (const char* id : {"one", "two"}) {
     ASSERT_TRUE(what_if.ask({id, "", outlook}));
     const json told = answer_of(what_if);
@@ -157,7 +157,7 @@ TEST(WhatIf, WhenTheBudgetEndsFirst_ThenItSaysSoAndTheNextMayAsk) {
 }
 
 TEST(GoalForm, WhenTheBenchIsDescribed_ThenItHasWordsObjectsAndWhatTheBindingKnows) {
-  const json form = json::parse(goal_form_json(bench_desk()));
+  const json form = json::parse(goal_form_json(bench_planning()));
   EXPECT_EQ(form["available"], true);
   EXPECT_EQ(form["objects"]["place"], json({"f1", "a1", "a2"}));
   EXPECT_EQ(form["predicates"][0]["name"], "is-at");
@@ -174,11 +174,11 @@ TEST(GoalForm, WhenTheBenchIsDescribed_ThenItHasWordsObjectsAndWhatTheBindingKno
 }
 
 TEST(GoalForm, WhenTheOutlookIsTold_ThenItHasWhatGoalsCanSpeakOfAndTheWhatIf) {
-  const json told = json::parse(OutlookWriter(bench_desk()).json(at_the_beginning(), R"({"id": "7f"})"));
+  const json told = json::parse(OutlookWriter(bench_planning()).json(at_the_beginning(), R"({"id": "7f"})"));
   EXPECT_EQ(told["facts"], json({"(is-at v1 f1)"}));
   EXPECT_EQ(told["fluents"]["(level a1)"], 2.0);
   EXPECT_EQ(told["what_if"]["id"], "7f");
-  EXPECT_TRUE(bench_desk().check_goal(told["goal"]));
+  EXPECT_TRUE(bench_planning().check_goal(told["goal"]));
   EXPECT_TRUE(told["goal"].get<std::string>().starts_with("(and\n  "));
   EXPECT_EQ(json::parse(no_goal_form_json("a fleet"))["available"], false);
 }

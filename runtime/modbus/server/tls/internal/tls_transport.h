@@ -9,7 +9,7 @@
 #include <string>
 
 #include "runtime/modbus/server/tls/internal/native.h"
-#include "runtime/modbus/server/tls/tls_door.h"
+#include "runtime/modbus/server/tls/tls_acceptor.h"
 #include "runtime/modbus/server/transport.h"
 
 namespace stepwright::modbus::server {

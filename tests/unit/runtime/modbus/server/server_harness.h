@@ -21,7 +21,7 @@
 #include "runtime/host/doorbell.h"
 #include "runtime/modbus/pdu/wire.h"
 #include "runtime/modbus/server/server.h"
-#include "runtime/modbus/server/tcp_door.h"
+#include "runtime/modbus/server/tcp_acceptor.h"
 #include "tests/unit/runtime/modbus/pdu/table_model.h"
 
 namespace stepwright::modbus::server {
@@ -155,10 +155,10 @@ class ServerHarness {
     if (options.clients.empty()) options.clients.push_back(everything());
     tcp.port = 0;
     if (tcp.allow.empty()) tcp.allow = {*IpRange::parse("127.0.0.0/8")};
-    auto door = std::move(*TcpDoor::open(tcp));
-    port = door->port();
+    auto acceptor = std::move(*TcpAcceptor::open(tcp));
+    port = acceptor->port();
     server = std::move(*Server::create(std::move(options), data));
-    server->add(std::move(door));
+    server->add(std::move(acceptor));
     thread_ = std::thread([this] {
       while (!quit_) server->run_for(5ms);
     });

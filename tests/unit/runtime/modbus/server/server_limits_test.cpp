@@ -54,19 +54,19 @@ TEST(ServerLimits, WhenAnAddressIsNotAllowed_ThenItIsTurnedAway) {
   EXPECT_EQ(harness.server->figures().turned_away, 1u);
 }
 
-TEST(ServerLimits, WhenACrowdThatMayNotComeInIsAtTheDoor_ThenOneCallTakesSoManyAndAllAreCounted) {
+TEST(ServerLimits, WhenACrowdThatMayNotComeInIsAtTheAcceptor_ThenOneCallTakesSoManyAndAllAreCounted) {
   TcpOptions tcp;
   tcp.port = 0;
   tcp.allow = {*IpRange::parse("127.0.0.2")};
-  auto door = std::move(*TcpDoor::open(tcp));
+  auto acceptor = std::move(*TcpAcceptor::open(tcp));
   std::vector<Client> crowd;
-  for (int i = 0; i < 3 * Listener::kMostRefused; ++i) crowd.emplace_back(door->port());
-  const Client welcome(door->port(), "127.0.0.2");
+  for (int i = 0; i < 3 * Listener::kMostRefused; ++i) crowd.emplace_back(acceptor->port());
+  const Client welcome(acceptor->port(), "127.0.0.2");
   std::unique_ptr<Transport> let_in;
   std::uint64_t refused = 0;
   for (int turn = 0; turn < 100 && let_in == nullptr; ++turn) {
-    let_in = door->admit();
-    const std::uint64_t now = door->take_refused();
+    let_in = acceptor->admit();
+    const std::uint64_t now = acceptor->take_refused();
     EXPECT_LE(now, static_cast<std::uint64_t>(Listener::kMostRefused));
     refused += now;
   }

@@ -19,9 +19,9 @@ using nlohmann::json;
 
 FleetOutcome planned() {
   SmallHall hall;
-  FleetLedger ledger(hall.desk().problem());
+  FleetLedger ledger(hall.planning().problem());
   EXPECT_TRUE(ledger.order("box", "dock B", "dock A", 1));  // ways that cross
-  auto outcome = hall.desk().plan(ledger, {.rest = {.starts = hall.desk().first_starts()}});
+  auto outcome = hall.planning().plan(ledger, {.rest = {.starts = hall.planning().first_starts()}});
   EXPECT_TRUE(outcome);
   return *std::move(outcome);
 }

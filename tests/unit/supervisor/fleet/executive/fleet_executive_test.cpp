@@ -89,7 +89,7 @@ TEST(FleetExecutiveRun, WhenTheSupervisorIsKilled_ThenTheNextOneGoesOnWithTheSam
 
 TEST(FleetExecutiveRequests, WhenTheyCannotBeMeant_ThenTheyAreRefusedAtOnce) {
   SmallHall hall;
-  FleetExecutive executive(hall.desk(), hall.controller(), hall.options(), {});
+  FleetExecutive executive(hall.planning(), hall.controller(), hall.options(), {});
   for (const FleetChange& change :
        {FleetChange(OrderChange{"box", "dock B", "nowhere", 1}), FleetChange(ReturnChange{"truck 9"})}) {
     const auto refused = executive.request(change);
@@ -99,15 +99,15 @@ TEST(FleetExecutiveRequests, WhenTheyCannotBeMeant_ThenTheyAreRefusedAtOnce) {
   EXPECT_TRUE(executive.request(OrderChange{"box", "dock B", "shelf 2", 1}));
 }
 
-TEST(FleetDeskOpen, WhenTheProblemIsMissingOrHasOtherVehicles_ThenThatIsSaid) {
+TEST(FleetPlanningOpen, WhenTheProblemIsMissingOrHasOtherVehicles_ThenThatIsSaid) {
   SmallHall hall;
-  FleetDeskOptions options = hall.desk().options();
+  FleetPlanningOptions options = hall.planning().options();
   options.terminals = terminals_in_a_row(2);
-  const auto fewer = FleetDesk::open(options);
+  const auto fewer = FleetPlanning::open(options);
   ASSERT_FALSE(fewer);
   EXPECT_EQ(fewer.error().front().code, "F1105");
   options.problem = "nowhere.json";
-  const auto missing = FleetDesk::open(options);
+  const auto missing = FleetPlanning::open(options);
   ASSERT_FALSE(missing);
   EXPECT_EQ(missing.error().front().where.file, "nowhere.json");
 }

@@ -21,11 +21,11 @@ geometry::ConvexPolygon box(double x, double y, double width_m, double height_m)
 // stands in it with the crate, for the right half, and truck 2 with the drum, for the left one.
 class FaceToFace : public testing::Test {
  protected:
-  FaceToFace() : ledger(hall.desk().problem()) {
+  FaceToFace() : ledger(hall.planning().problem()) {
     ledger.made(0, {.kind = StopKind::PickUp, .location = "dock A", .goal = "crate", .amount = 1}, 10s);
     ledger.made(1, {.kind = StopKind::PickUp, .location = "shelf 2", .goal = "drum", .amount = 1}, 10s);
     for (const std::size_t drive : {0U, 1U, 2U}) ledger.give_up_task(drive);
-    request.rest = {.elapsed = 20s, .starts = hall.desk().first_starts()};
+    request.rest = {.elapsed = 20s, .starts = hall.planning().first_starts()};
     request.rest.starts[0].start = {12.0, 3.0, 0.0};
     request.rest.starts[1].start = {22.0, 3.0, std::numbers::pi};
     request.blocked = {box(8.0, 4.6, 20.0, 2.6), box(10.0, 8.8, 2.0, 6.6), box(10.0, 16.8, 2.0, 7.0)};
@@ -37,7 +37,7 @@ class FaceToFace : public testing::Test {
 };
 
 TEST_F(FaceToFace, WhenAllIsPlannedAnewFromRest_ThenOneGivesWayAndTheProgramDrivesThat) {
-  const auto outcome = hall.desk().plan(ledger, request);
+  const auto outcome = hall.planning().plan(ledger, request);
   ASSERT_TRUE(outcome) << result::to_string(outcome.error());
   ASSERT_TRUE(outcome->prepared.program) << outcome->reason;
   const FleetAnswer& answer = outcome->prepared.answer;
@@ -58,15 +58,15 @@ TEST_F(FaceToFace, WhenAllIsPlannedAnewFromRest_ThenOneGivesWayAndTheProgramDriv
 
 // The numbers of a plan are those of all vehicles, also of the ones that are planned without.
 TEST_F(FaceToFace, WhenOneIsLost_ThenWhoGivesWayIsNamedAllTheSame) {
-  FleetLedger other(hall.desk().problem());
+  FleetLedger other(hall.planning().problem());
   for (const std::size_t drive : {0U, 1U, 2U}) other.give_up_task(drive);
   other.made(1, {.kind = StopKind::PickUp, .location = "shelf 2", .goal = "drum", .amount = 1}, 10s);
   other.made(2, {.kind = StopKind::PickUp, .location = "dock A", .goal = "crate", .amount = 1}, 10s);
   other.lose(0, "it has run into something");
   request.rest.starts[2].start = request.rest.starts[0].start;
   const geometry::Pose lost{22.0, 20.0, 0.0};
-  request.standing = {{0, lost, geometry::footprint_at(lost, hall.desk().model(0).footprint())}};
-  const auto outcome = hall.desk().plan(other, request);
+  request.standing = {{0, lost, geometry::footprint_at(lost, hall.planning().model(0).footprint())}};
+  const auto outcome = hall.planning().plan(other, request);
   ASSERT_TRUE(outcome) << result::to_string(outcome.error());
   ASSERT_TRUE(outcome->prepared.program) << outcome->reason;
   const FleetAnswer& answer = outcome->prepared.answer;

@@ -385,8 +385,8 @@ TEST(FleetRecovery, WhenThePlaceUnderAVehicleIsBlockedForAWhile_ThenItGoesOnOnce
 TEST(FleetRecovery, WhenAVehicleDrivesAndTheNextProgramHasNoWayForIt_ThenItStands) {
   SmallHall hall;
   auto& controller = hall.controller();
-  const auto outcome =
-      hall.desk().plan(FleetLedger(hall.desk().problem()), {.rest = {.starts = hall.desk().first_starts()}});
+  const auto outcome = hall.planning().plan(FleetLedger(hall.planning().problem()),
+                                            {.rest = {.starts = hall.planning().first_starts()}});
   ASSERT_TRUE(outcome && outcome->prepared.program);
   ASSERT_TRUE(controller.download(outcome->prepared.container));
   ASSERT_TRUE(controller.start(false));
@@ -405,7 +405,7 @@ TEST(FleetRecovery, WhenAVehicleDrivesAndTheNextProgramHasNoWayForIt_ThenItStand
     }
   };
   std::vector<geometry::Pose> before;
-  const std::size_t vehicles = hall.desk().problem().vehicles.size();
+  const std::size_t vehicles = hall.planning().problem().vehicles.size();
   run(250);
   for (std::size_t v = 0; v < vehicles; ++v) before.push_back(place(v));
   run(10);
@@ -414,12 +414,12 @@ TEST(FleetRecovery, WhenAVehicleDrivesAndTheNextProgramHasNoWayForIt_ThenItStand
   standing.schedule.verdict = Verdict::Scheduled;
   for (std::uint32_t v = 0; v < vehicles; ++v) {
     fastest_m = std::max(fastest_m, geometry::distance(place(v).position(), before[v].position()));
-    const VehicleModel model = hall.desk().model(v);
-    insert_standing(standing, v, hall.desk().problem().vehicles[v].name, model, place(v),
+    const VehicleModel model = hall.planning().model(v);
+    insert_standing(standing, v, hall.planning().problem().vehicles[v].name, model, place(v),
                     place_around(place(v), model.footprint(), 2.5, 0.3));
   }
   ASSERT_GT(fastest_m, 0.1) << "somebody drives";
-  const auto prepared = hall.desk().program_of(standing, 2);
+  const auto prepared = hall.planning().program_of(standing, 2);
   ASSERT_TRUE(prepared) << result::to_string(prepared.error());
   ASSERT_TRUE(controller.change(prepared->container));
   run(200);

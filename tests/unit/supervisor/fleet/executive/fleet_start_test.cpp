@@ -25,7 +25,7 @@ struct WaitingHall {
     FleetExecutiveOptions options = hall.options();
     options.operator_starts = true;
     options.journal = std::move(journal);
-    executive.emplace(hall.desk(), hall.controller(), options, [this](const RunRecord& now) {
+    executive.emplace(hall.planning(), hall.controller(), options, [this](const RunRecord& now) {
       if (phases.empty() || phases.back() != to_string(now.phase)) phases.emplace_back(to_string(now.phase));
       if (now.phase == Phase::Ready && on_ready) on_ready(now);
     });

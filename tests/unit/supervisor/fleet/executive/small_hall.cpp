@@ -46,14 +46,14 @@ FleetExecutiveOptions SmallHall::options() const {
 
 run::RunRecord SmallHall::run(FleetExecutiveOptions options, FleetExecutive::Observer observer) {
   options.journal = folder_.path() / "executive.json";
-  return FleetExecutive(desk(), controller_, std::move(options), std::move(observer)).run();
+  return FleetExecutive(planning(), controller_, std::move(options), std::move(observer)).run();
 }
 
-FleetDesk& SmallHall::desk() {
-  static std::map<std::string, FleetDesk> desks;
-  const auto found = desks.find(constraints_);
-  if (found != desks.end()) return found->second;
-  return desks.emplace(constraints_, or_throw(config::open_fleet_desk(config_))).first->second;
+FleetPlanning& SmallHall::planning() {
+  static std::map<std::string, FleetPlanning> plannings;
+  const auto found = plannings.find(constraints_);
+  if (found != plannings.end()) return found->second;
+  return plannings.emplace(constraints_, or_throw(config::open_fleet_planning(config_))).first->second;
 }
 
 void SmallHall::tell_time() {

@@ -26,7 +26,7 @@ class SmallHall {
   FleetExecutiveOptions options() const;
   run::RunRecord run(FleetExecutiveOptions options, FleetExecutive::Observer observer = {});
   // Made once for each problem: what it plans does not depend on what it has planned.
-  FleetDesk& desk();
+  FleetPlanning& planning();
   support::SimulatedController& controller() { return controller_; }
   // The executive looks at the clock every half second, also while nobody who rests causes an event.
   void tell_time();

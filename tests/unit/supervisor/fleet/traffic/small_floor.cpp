@@ -91,7 +91,7 @@ void SmallFloor::tick(const std::set<std::uint32_t>& stand) {
   for (std::uint32_t v = 0; v < traffic_->vehicles(); ++v) {
     if (traffic_->removed(v)) continue;
     const Route& route = traffic_->route(v);
-    Whereabouts at{traffic_->arc_m(v), 0.0, standing_until_[v]};
+    VehicleLocation at{traffic_->arc_m(v), 0.0, standing_until_[v]};
     if (!stand.contains(v) && now_ >= standing_until_[v]) {
       double most_m = std::min(route.end_m(), traffic_->permission(v, now_).permitted_m - kHaltBefore_m);
       const Stop* next = nullptr;

@@ -101,7 +101,7 @@ TEST(ControllerReleases, Bases_WhenPolygonsAreLeftInAnyOrder_ThenNoneLeadsBeyond
     for (const Order& order : orders->begin({}, places)) held[order.header.serial_number] = order;
     for (int step = 0; step < 500; ++step) {
       const auto v = static_cast<std::uint32_t>(random.below(plan.missions.size()));
-      Whereabouts& at = places[plan.missions[v].vehicle];
+      VehicleLocation& at = places[plan.missions[v].vehicle];
       // To leave a polygon it has to be in the next one, by the controller's rule.
       const std::uint32_t next = at.left + 1;
       bool may = next < polygons_of(plan.missions[v]);

@@ -11,9 +11,9 @@
 namespace stepwright::campaign {
 namespace {
 
-const executive::PlanningDesk& desk() {
-  static const executive::PlanningDesk opened = [] {
-    auto made = campaign_desk();
+const executive::PlanningService& planning() {
+  static const executive::PlanningService opened = [] {
+    auto made = campaign_planning();
     if (!made) throw std::runtime_error(result::to_string(made.error()));
     return std::move(*made);
   }();
@@ -21,7 +21,7 @@ const executive::PlanningDesk& desk() {
 }
 
 TEST(Campaign, WhenDisturbedAtRandom_ThenNoRunIsLost) {
-  const Figures figures = campaign(desk(), 0, 55, 2);
+  const Figures figures = campaign(planning(), 0, 55, 2);
   const ClassFigures all = figures.all();
   EXPECT_EQ(all.runs, 55u);
   EXPECT_EQ(all.lost, 0u) << table(figures);
@@ -34,7 +34,7 @@ TEST(Campaign, WhenDisturbedAtRandom_ThenNoRunIsLost) {
 
 TEST(Campaign, WhenCancelled_ThenNoFurtherRunBegins) {
   const std::atomic<bool> cancel{true};
-  EXPECT_EQ(campaign(desk(), 0, 1'000'000, 2, {}, &cancel).all().runs, 0u);
+  EXPECT_EQ(campaign(planning(), 0, 1'000'000, 2, {}, &cancel).all().runs, 0u);
 }
 
 // 2235: a level that a weak pump left at the edge of its tolerance was taken for one that rises by itself,
@@ -46,7 +46,7 @@ TEST(Campaign, WhenCancelled_ThenNoFurtherRunBegins) {
 TEST(Campaign, WhenASeedWasLostOnce_ThenItIsNotAgain) {
   for (const std::uint64_t seed : {160u, 1297u, 1412u, 1940u, 2235u, 2290u, 2945u, 2950u, 3269u, 3326u, 3458u,
                                    4446u, 4553u, 4927u, 8698u, 8797u, 9866u}) {
-    const RunResult run = run_once(desk(), disturbance_of(seed));
+    const RunResult run = run_once(planning(), disturbance_of(seed));
     EXPECT_NE(run.verdict, Verdict::Lost) << seed << ": " << run.why;
   }
 }
@@ -55,8 +55,8 @@ TEST(Campaign, WhenASeedWasLostOnce_ThenItIsNotAgain) {
 // the time that is left for repairs.
 TEST(Campaign, WhenASeedRunsTwice_ThenItIsDisturbedAndEndsInTheSameWay) {
   for (const std::uint64_t seed : {0u, 1u, 3u, 7u, 10u}) {
-    const RunResult a = run_once(desk(), disturbance_of(seed));
-    const RunResult b = run_once(desk(), disturbance_of(seed));
+    const RunResult a = run_once(planning(), disturbance_of(seed));
+    const RunResult b = run_once(planning(), disturbance_of(seed));
     EXPECT_EQ(a.disturbance.story, b.disturbance.story) << seed;
     EXPECT_EQ(a.verdict, b.verdict) << seed;
     ASSERT_EQ(a.record.incidents.empty(), b.record.incidents.empty()) << seed;

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/modbus/server/line/line_door.h"
+#include "runtime/modbus/server/line/line_acceptor.h"
 #include "tests/unit/runtime/modbus/server/line/pty.h"
 
 namespace stepwright::modbus::server {
@@ -55,9 +55,9 @@ std::string read_all(Transport& transport) {
 
 TEST(SerialLine, Bytes_WhenAnyAreSent_ThenArriveAsTheyAre) {
   const Pty pty;
-  const auto door = LineDoor::create(options_of(pty), nullptr, kRetry);
-  ASSERT_TRUE(is_readable(door->descriptor(), kPatienceMs));
-  const auto line = door->admit();
+  const auto acceptor = LineAcceptor::create(options_of(pty), nullptr, kRetry);
+  ASSERT_TRUE(is_readable(acceptor->descriptor(), kPatienceMs));
+  const auto line = acceptor->admit();
   ASSERT_NE(line, nullptr);
   std::string all;
   for (int i = 0; i < 256; ++i)
@@ -130,41 +130,41 @@ TEST(SerialLine, Open_WhenItCannotBe_ThenDiagnosticsSayWhy) {
   EXPECT_THAT(error_of(options_of(pty)), HasSubstr("R0112"));
 }
 
-TEST(LineDoor, Line_WhenItIsMissing_ThenIsTriedAgainAndTroubleToldOnce) {
+TEST(LineAcceptor, Line_WhenItIsMissing_ThenIsTriedAgainAndTroubleToldOnce) {
   LineOptions options;
   options.device = "/dev/no-such-line";
   std::vector<std::string> troubles;
-  const auto door = LineDoor::create(
+  const auto acceptor = LineAcceptor::create(
       options, [&](const auto& why) { troubles.push_back(result::to_string(why)); }, kRetry);
   for (int i = 0; i < 3; ++i) {
-    ASSERT_TRUE(is_readable(door->descriptor(), kPatienceMs));
-    EXPECT_EQ(door->admit(), nullptr);
-    EXPECT_FALSE(is_readable(door->descriptor(), 0)) << "the door must wait before it tries again";
+    ASSERT_TRUE(is_readable(acceptor->descriptor(), kPatienceMs));
+    EXPECT_EQ(acceptor->admit(), nullptr);
+    EXPECT_FALSE(is_readable(acceptor->descriptor(), 0)) << "the acceptor must wait before it tries again";
   }
   EXPECT_THAT(troubles, ElementsAre(HasSubstr("R0111")));
 }
 
-TEST(LineDoor, Line_WhenItWasLost_ThenIsOpenedAgain) {
+TEST(LineAcceptor, Line_WhenItWasLost_ThenIsOpenedAgain) {
   const Pty pty;
-  const auto door = LineDoor::create(options_of(pty), nullptr, kRetry);
-  ASSERT_TRUE(is_readable(door->descriptor(), kPatienceMs));
-  auto line = door->admit();
+  const auto acceptor = LineAcceptor::create(options_of(pty), nullptr, kRetry);
+  ASSERT_TRUE(is_readable(acceptor->descriptor(), kPatienceMs));
+  auto line = acceptor->admit();
   ASSERT_NE(line, nullptr);
-  EXPECT_FALSE(is_readable(door->descriptor(), 3 * static_cast<int>(kRetry.count())))
+  EXPECT_FALSE(is_readable(acceptor->descriptor(), 3 * static_cast<int>(kRetry.count())))
       << "there is one line only";
   line.reset();
-  ASSERT_TRUE(is_readable(door->descriptor(), kPatienceMs));
-  EXPECT_NE(door->admit(), nullptr);
+  ASSERT_TRUE(is_readable(acceptor->descriptor(), kPatienceMs));
+  EXPECT_NE(acceptor->admit(), nullptr);
 }
 
-TEST(LineDoor, Line_WhenTurnedAway_ThenTheDescriptorRests) {
+TEST(LineAcceptor, Line_WhenTurnedAway_ThenTheDescriptorRests) {
   const Pty pty;
-  const auto door = LineDoor::create(options_of(pty), nullptr, kRetry);
-  ASSERT_TRUE(is_readable(door->descriptor(), kPatienceMs));
-  door->turn_away();
-  EXPECT_FALSE(is_readable(door->descriptor(), 0));
-  EXPECT_TRUE(is_readable(door->descriptor(), kPatienceMs));
-  EXPECT_EQ(door->name(), "rtu " + pty.device + " 19200 8N2 unit 1");
+  const auto acceptor = LineAcceptor::create(options_of(pty), nullptr, kRetry);
+  ASSERT_TRUE(is_readable(acceptor->descriptor(), kPatienceMs));
+  acceptor->turn_away();
+  EXPECT_FALSE(is_readable(acceptor->descriptor(), 0));
+  EXPECT_TRUE(is_readable(acceptor->descriptor(), kPatienceMs));
+  EXPECT_EQ(acceptor->name(), "rtu " + pty.device + " 19200 8N2 unit 1");
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "runtime/modbus/pdu/crc16.h"
-#include "runtime/modbus/server/line/line_door.h"
+#include "runtime/modbus/server/line/line_acceptor.h"
 #include "runtime/modbus/server/server.h"
 #include "tests/unit/runtime/modbus/server/line/pty.h"
 #include "tests/unit/runtime/modbus/server/support/table_data.h"
@@ -50,7 +50,7 @@ class RtuServer : public testing::Test {
     line.device = pty.device;
     line.parity = Parity::None;
     line.unit = kUnit;
-    server->add(LineDoor::create(line, nullptr, milliseconds(20)));
+    server->add(LineAcceptor::create(line, nullptr, milliseconds(20)));
     while (server->figures().connections == 0) server->turn(milliseconds(10));
   }
 

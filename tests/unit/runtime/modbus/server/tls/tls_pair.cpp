@@ -15,9 +15,9 @@ namespace {
 constexpr int kTurns = 200;
 
 // Lets one client in: the transport that it is given.
-class OneDoor final : public Door {
+class OneAcceptor final : public Acceptor {
  public:
-  explicit OneDoor(std::unique_ptr<Transport> transport) : transport_(std::move(transport)) {}
+  explicit OneAcceptor(std::unique_ptr<Transport> transport) : transport_(std::move(transport)) {}
   int descriptor() const override { return -1; }
   std::unique_ptr<Transport> admit() override { return std::move(transport_); }
   void turn_away() override { transport_.reset(); }
@@ -66,11 +66,11 @@ TlsPair::TlsPair(const TlsContext& context, const ClientOptions& options) {
 
   auto inside = std::make_unique<BufferTransport>(to_server_, from_server_);
   inside_ = inside.get();
-  door_ = std::make_unique<TlsDoor>(std::make_unique<OneDoor>(std::move(inside)), context,
-                                    [this](const std::string& address, const std::string& reason) {
-                                      refused.push_back(address + ": " + reason);
-                                    });
-  server_ = door_->admit();
+  acceptor_ = std::make_unique<TlsAcceptor>(std::make_unique<OneAcceptor>(std::move(inside)), context,
+                                            [this](const std::string& address, const std::string& reason) {
+                                              refused.push_back(address + ": " + reason);
+                                            });
+  server_ = acceptor_->admit();
 }
 
 TlsPair::~TlsPair() {

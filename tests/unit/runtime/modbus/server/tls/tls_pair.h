@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/modbus/server/tls/tls_door.h"
+#include "runtime/modbus/server/tls/tls_acceptor.h"
 #include "runtime/modbus/server/transport.h"
 
 namespace stepwright::modbus::server {
@@ -75,7 +75,7 @@ class TlsPair {
   Stream from_server_;
   SSL_CTX* client_context_ = nullptr;
   SSL* client_ = nullptr;
-  std::unique_ptr<Door> door_;
+  std::unique_ptr<Acceptor> acceptor_;
   std::unique_ptr<Transport> server_;
   BufferTransport* inside_ = nullptr;
 };

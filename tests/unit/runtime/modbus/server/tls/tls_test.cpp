@@ -80,10 +80,10 @@ TEST_F(Tls, Client_WhenItsCertificateIsOfTheRecipe_ThenHasItsRoleAndIsServed) {
   EXPECT_THAT(pair.refused, ElementsAre());
 }
 
-// The transports of a door that has got new certificates.
-class OneClientDoor final : public Door {
+// The transports of an acceptor that has got new certificates.
+class OneClientAcceptor final : public Acceptor {
  public:
-  OneClientDoor(Stream& in, Stream& out) : in_(in), out_(out) {}
+  OneClientAcceptor(Stream& in, Stream& out) : in_(in), out_(out) {}
   int descriptor() const override { return -1; }
   std::unique_ptr<Transport> admit() override { return std::make_unique<BufferTransport>(in_, out_); }
   void turn_away() override {}
@@ -94,7 +94,7 @@ class OneClientDoor final : public Door {
   Stream& out_;
 };
 
-TEST_F(Tls, Door_WhenItsContextIsRenewed_ThenNewConnectionsMeetItAndOldOnesGoOn) {
+TEST_F(Tls, Acceptor_WhenItsContextIsRenewed_ThenNewConnectionsMeetItAndOldOnesGoOn) {
   TlsOptions other = options();
   other.authorities = plant_->file("other-ca.crt");
   const TlsContext before = context(options());
@@ -103,14 +103,14 @@ TEST_F(Tls, Door_WhenItsContextIsRenewed_ThenNewConnectionsMeetItAndOldOnesGoOn)
   ASSERT_TRUE(stays.shake_hands());
   Stream in;
   Stream out;
-  TlsDoor door(std::make_unique<OneClientDoor>(in, out), before, {});
-  EXPECT_EQ(&door.context().native(), &before.native());
-  door.renew(after);
-  EXPECT_EQ(&door.context().native(), &after.native());
+  TlsAcceptor acceptor(std::make_unique<OneClientAcceptor>(in, out), before, {});
+  EXPECT_EQ(&acceptor.context().native(), &before.native());
+  acceptor.renew(after);
+  EXPECT_EQ(&acceptor.context().native(), &after.native());
   EXPECT_EQ(stays.to_server("request"), "request");
-  TlsPair comes(door.context(), client("stranger"));
+  TlsPair comes(acceptor.context(), client("stranger"));
   EXPECT_TRUE(comes.shake_hands());
-  TlsPair refused(door.context(), client("operator"));
+  TlsPair refused(acceptor.context(), client("operator"));
   EXPECT_FALSE(refused.shake_hands());
 }
 
@@ -211,8 +211,8 @@ TEST_F(Tls, PlainModbus_WhenSentToThePortOfTls_ThenIsRefused) {
   Stream in, out;
   for (const int byte : {0, 1, 0, 0, 0, 6, 1, 3, 0, 0, 0, 1}) in.push_back(static_cast<std::byte>(byte));
   std::vector<std::string> refused;
-  struct PlainDoor final : Door {
-    PlainDoor(Stream& i, Stream& o) : in(i), out(o) {}
+  struct PlainAcceptor final : Acceptor {
+    PlainAcceptor(Stream& i, Stream& o) : in(i), out(o) {}
     int descriptor() const override { return -1; }
     std::unique_ptr<Transport> admit() override { return std::make_unique<BufferTransport>(in, out); }
     void turn_away() override {}
@@ -220,9 +220,9 @@ TEST_F(Tls, PlainModbus_WhenSentToThePortOfTls_ThenIsRefused) {
     Stream& in;
     Stream& out;
   };
-  TlsDoor door(std::make_unique<PlainDoor>(in, out), context(options()),
-               [&](const std::string&, const std::string& reason) { refused.push_back(reason); });
-  const auto transport = door.admit();
+  TlsAcceptor acceptor(std::make_unique<PlainAcceptor>(in, out), context(options()),
+                       [&](const std::string&, const std::string& reason) { refused.push_back(reason); });
+  const auto transport = acceptor.admit();
   std::array<std::byte, 16> buffer;
   EXPECT_EQ(transport->read(buffer).state, Moved::State::Closed);
   EXPECT_THAT(refused, ElementsAre("wrong version number"));
@@ -295,17 +295,17 @@ TEST_F(Tls, Key_WhenItWantsAPassphrase_ThenNobodyIsAskedAndItIsRefused) {
               testing::AllOf(HasSubstr("R0114"), HasSubstr("locked.key"), HasSubstr("passphrase")));
 }
 
-TEST_F(Tls, Door_WhenAsked_ThenIsCalledAfterWhatItGuards) {
-  struct NoDoor final : Door {
+TEST_F(Tls, Acceptor_WhenAsked_ThenIsCalledAfterWhatItGuards) {
+  struct NoAcceptor final : Acceptor {
     int descriptor() const override { return 7; }
     std::unique_ptr<Transport> admit() override { return nullptr; }
     void turn_away() override {}
     std::string name() const override { return "tcp [::]:802"; }
   };
-  TlsDoor door(std::make_unique<NoDoor>(), context(options()), nullptr);
-  EXPECT_EQ(door.name(), "tls [::]:802");
-  EXPECT_EQ(door.descriptor(), 7);
-  EXPECT_EQ(door.admit(), nullptr);
+  TlsAcceptor acceptor(std::make_unique<NoAcceptor>(), context(options()), nullptr);
+  EXPECT_EQ(acceptor.name(), "tls [::]:802");
+  EXPECT_EQ(acceptor.descriptor(), 7);
+  EXPECT_EQ(acceptor.admit(), nullptr);
 }
 
 }  // namespace
