@@ -71,8 +71,8 @@ std::string reason_of(const PrepareOutcome& outcome) {
 
 }  // namespace
 
-WhatIf::WhatIf(const PlanningService& planning, const WhatIfOptions& options)
-    : planning_(planning), options_(options) {}
+WhatIf::WhatIf(const PlanningService& service, const WhatIfOptions& options)
+    : service_(service), options_(options) {}
 
 WhatIf::~WhatIf() {
   cancel_ = true;
@@ -87,8 +87,8 @@ result::Result<void> WhatIf::ask(WhatIfQuestion question) {
   if (planning_) {
     return result::fail("X0008", {}, "another what-if is being planned", "wait for it, or cancel it");
   }
-  if (question.goal.empty()) question.goal = planning_.goal_text(question.outlook.goal);
-  if (auto checked = planning_.check_goal(question.goal); !checked) return checked;
+  if (question.goal.empty()) question.goal = service_.goal_text(question.outlook.goal);
+  if (auto checked = service_.check_goal(question.goal); !checked) return checked;
   if (thread_.joinable()) thread_.join();  // it has said its last word
   cancel_ = false;
   planning_ = true;
@@ -139,21 +139,21 @@ void WhatIf::plan(const WhatIfQuestion& question) {
   const auto began = std::chrono::steady_clock::now();
   const Outlook& outlook = question.outlook;
   const StartState start{.planning = outlook.state, .goal = question.goal};
-  const auto outcome = planning_.sketch({.start = start,
-                                         .without = outlook.without,
-                                         .budget = {options_.time, options_.memory_mb},
-                                         .cancel = &cancel_});
+  const auto outcome = service_.sketch({.start = start,
+                                        .without = outlook.without,
+                                        .budget = {options_.time, options_.memory_mb},
+                                        .cancel = &cancel_});
   json told = beginning_of(question, outcome ? state_of(outcome->status) : "failed");
   told["wall_ms"] =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - began).count();
   if (!outcome) told["reason"] = result::to_string(outcome.error());
   if (outcome && outcome->status != PrepareStatus::Ready) told["reason"] = reason_of(*outcome);
   if (outcome && outcome->status == PrepareStatus::Ready) {
-    const auto here = planning_.worth_of(start, {});
+    const auto here = service_.worth_of(start, {});
     told["plan"] = plan_json(outcome->prepared.episode, here ? here->cost_before : 0.0);
   }
   const auto running =
-      planning_.worth_of({.planning = outlook.state, .goal = outlook.goal}, outlook.remaining);
+      service_.worth_of({.planning = outlook.state, .goal = outlook.goal}, outlook.remaining);
   const bool comparable = running && !outlook.remaining.empty();
   told["running"] = comparable ? worth_json(*running, outlook.remaining.size()) : json(nullptr);
   publish(run::internal::text_of(told));

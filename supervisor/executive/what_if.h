@@ -40,7 +40,7 @@ inline constexpr std::size_t kMostListedActions = 1'000;
 
 class WhatIf {
  public:
-  WhatIf(const PlanningService& planning, const WhatIfOptions& options);
+  WhatIf(const PlanningService& service, const WhatIfOptions& options);
   ~WhatIf();
   WhatIf(const WhatIf&) = delete;
   WhatIf& operator=(const WhatIf&) = delete;
@@ -59,7 +59,7 @@ class WhatIf {
   void plan(const WhatIfQuestion& question);
   void publish(std::string answer);
 
-  const PlanningService& planning_;
+  const PlanningService& service_;
   const WhatIfOptions options_;
   std::mutex turn_;  // one that asks at a time
   mutable std::mutex mutex_;
