@@ -30,8 +30,8 @@ std::string unit_tests() {
   std::string text;
   for (const auto& entry : fs::recursive_directory_iterator(kRoot / "tests/unit/ladder"))
     if (entry.path().extension() == ".cpp") text += read(entry.path());
-  for (const char* file : {"chart_texts_test.cpp", "for_loops_test.cpp"})
-    text += read(kRoot / "tests/st" / file);
+  for (const auto& entry : fs::directory_iterator(kRoot / "tests/st"))
+    if (entry.path().extension() == ".cpp") text += read(entry.path());
   return text;
 }
 
