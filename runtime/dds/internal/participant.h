@@ -137,8 +137,9 @@ class Reader final : private fdds::DataReaderListener {
   bool ok() const { return reader_ != nullptr; }
   // True while a writer of the topic is known: up to a second longer than it lives.
   bool matched() const { return matched_.load(std::memory_order_acquire) > 0; }
-  // True while a writer of heartbeats lives; for Profile::Heartbeat only.
-  bool alive() const { return alive_.load(std::memory_order_acquire) > 0; }
+  // True while a writer of heartbeats lives; for Profile::Heartbeat only. Fast DDS tells of leases that end
+  // and begin again from several threads, and the older news may come last: whoever is heard of is alive.
+  bool alive() const { return alive_.load(std::memory_order_acquire) > 0 || heard_within(kHeartbeatLease); }
   // What has come so far; `refused` is for the owner, who knows what the samples mean.
   TopicTraffic traffic() const {
     TopicTraffic traffic;
@@ -159,6 +160,10 @@ class Reader final : private fdds::DataReaderListener {
  private:
   using Clock = std::chrono::steady_clock;
 
+  bool heard_within(Clock::duration age) const {
+    const auto newest = Clock::time_point(Clock::duration(newest_.load(std::memory_order_acquire)));
+    return received_.load(std::memory_order_acquire) > 0 && Clock::now() - newest < age;
+  }
   void on_data_available(fdds::DataReader* reader) override {
     Sample sample;
     fdds::SampleInfo info;
