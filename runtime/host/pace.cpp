@@ -22,7 +22,7 @@ void Pace::end(std::int64_t wall_ns, std::int64_t scan_ns) {
 }
 
 std::int64_t Pace::wait_ns(std::int64_t wall_ns, std::int64_t next_ns) {
-  if (speed_ <= 0.0) return 0;
+  if (!keeps_step()) return 0;
   const double ahead_ns = static_cast<double>(next_ns - even_scan_ns_) / speed_;
   const std::int64_t wait_ns = even_wall_ns_ + static_cast<std::int64_t>(ahead_ns) - wall_ns;
   if (-wait_ns > kMaxLagNs) {

@@ -24,6 +24,8 @@ class Pace {
   void begin(std::int64_t wall_ns, std::int64_t scan_ns, std::int64_t next_ns);
   void end(std::int64_t wall_ns, std::int64_t scan_ns);
 
+  // Without a speed no scan waits, and nobody needs to look at the clock.
+  bool keeps_step() const { return speed_ > 0.0; }
   // How long the scan at `next_ns` has to wait yet. What the simulation lags behind more than 100 ms is not
   // caught up.
   std::int64_t wait_ns(std::int64_t wall_ns, std::int64_t next_ns);

@@ -144,9 +144,10 @@ void ScanLoop::turn_simulated() {
   // So does a recording that cannot follow; its writer looks for news by itself.
   if (!tap_.has_room(program_->image().bytes().size())) return wait(kRecordingWaitNs);
   // What a person steps through waits for that person only.
-  const std::int64_t early_ns =
-      stepper_.on() ? 0 : pace_.wait_ns(clock_.now_ns(), program_->cycle().next_time_ns());
-  if (early_ns > 0) return wait(early_ns);
+  if (pace_.keeps_step() && !stepper_.on()) {
+    const std::int64_t early_ns = pace_.wait_ns(clock_.now_ns(), program_->cycle().next_time_ns());
+    if (early_ns > 0) return wait(early_ns);
+  }
   scan_once();
 }
 

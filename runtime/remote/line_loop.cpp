@@ -62,7 +62,8 @@ void LineLoop::wait(std::int64_t timeout_ns) {
 LineLoop::Done LineLoop::turn_lock_step() {
   const bool held = !running() || now_.waiting_for_supervisor || !stepper_.may_scan() || box_.full();
   if (!held) {
-    const std::int64_t early_ns = stepper_.on() ? 0 : pace_.wait_ns(wall_ns(), next_ns_);
+    const bool paced = pace_.keeps_step() && !stepper_.on();
+    const std::int64_t early_ns = paced ? pace_.wait_ns(wall_ns(), next_ns_) : 0;
     if (early_ns <= 0) return scan_once();
     publish_if_due();
     wait(early_ns);

@@ -149,8 +149,7 @@ class Reader final : private fdds::DataReaderListener {
     traffic.refused = refused_.load(std::memory_order_acquire);
     traffic.lost = lost_.load(std::memory_order_acquire);
     if (traffic.received > 0) {
-      const auto newest = Clock::time_point(Clock::duration(newest_.load(std::memory_order_acquire)));
-      traffic.age_s = std::max(0.0, std::chrono::duration<double>(Clock::now() - newest).count());
+      traffic.age_s = std::max(0.0, std::chrono::duration<double>(age_of_newest()).count());
     }
     return traffic;
   }
@@ -160,9 +159,12 @@ class Reader final : private fdds::DataReaderListener {
  private:
   using Clock = std::chrono::steady_clock;
 
+  // Of what was received, if anything was.
+  Clock::duration age_of_newest() const {
+    return Clock::now() - Clock::time_point(Clock::duration(newest_.load(std::memory_order_acquire)));
+  }
   bool heard_within(Clock::duration age) const {
-    const auto newest = Clock::time_point(Clock::duration(newest_.load(std::memory_order_acquire)));
-    return received_.load(std::memory_order_acquire) > 0 && Clock::now() - newest < age;
+    return received_.load(std::memory_order_acquire) > 0 && age_of_newest() < age;
   }
   void on_data_available(fdds::DataReader* reader) override {
     Sample sample;

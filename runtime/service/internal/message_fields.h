@@ -155,7 +155,8 @@ void fields(A& a, T& m) {
   a(m.first);
 }
 template <typename A, typename T>
-requires Like<T, ReadForces> || Like<T, Continue> || Like<T, EndRecording> || Like<T, ReadRecording>
+requires Like<T, ReadForces> || Like<T, Continue> || Like<T, EndRecording> || Like<T, ReadRecording> ||
+    Like<T, Reload>
 void fields(A&, T&) {}
 template <typename A, Like<Step> T>
 void fields(A& a, T& m) {
@@ -165,8 +166,6 @@ template <typename A, Like<BeginRecording> T>
 void fields(A& a, T& m) {
   a(m.file, m.max_bytes, m.hash_every, m.keyframe_every);
 }
-template <typename A, Like<Reload> T>
-void fields(A&, T&) {}
 template <typename A, Like<Request> T>
 void fields(A& a, T& m) {
   a(m.client, m.id, m.body);

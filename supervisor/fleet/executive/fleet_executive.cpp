@@ -185,7 +185,7 @@ bool FleetExecutive::finish() {
     if (nobody_comes()) return give_up(text, IncidentKind::Position);
     if (!bring_to_rest() || !stay(text, IncidentKind::Position)) return false;
     ledger_.reopen();
-    return bring_to_rest() && plan_rest();
+    return plan_rest();
   }
   (void)controller_.stop("all missions are done");  // a lost runtime has stopped already
   set_phase(Phase::Done, "everything is delivered, and every vehicle rests");

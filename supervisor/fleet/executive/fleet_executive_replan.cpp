@@ -76,7 +76,7 @@ FleetRequest FleetExecutive::next_request() {
 bool FleetExecutive::plan_rest() {
   auto begin = std::chrono::steady_clock::now();
   const auto wait_for_people = [&](const std::string& reason, IncidentKind kind) {
-    const bool goes_on = stay(reason, kind) && bring_to_rest();  // who comes back is reset by that
+    const bool goes_on = stay(reason, kind);
     begin = std::chrono::steady_clock::now();
     return goes_on;
   };
@@ -118,7 +118,8 @@ bool FleetExecutive::nobody_comes() const {
   return !options_.attended && next_request_ == options_.requests.size();
 }
 
-// All vehicles rest until somebody lets the fleet go on, which plans anew. False if the run is over.
+// All vehicles rest until somebody lets the fleet go on, and then for the next plan; who comes back is reset
+// by that. False if the run is over.
 bool FleetExecutive::stay(const std::string& reason, IncidentKind kind) {
   if (nobody_comes()) return give_up(reason, kind);
   decide(Response::Replan);
@@ -129,7 +130,7 @@ bool FleetExecutive::stay(const std::string& reason, IncidentKind kind) {
   if (!cause) return false;
   open_incident(*cause);
   set_phase(Phase::Replanning, cause->evidence.front());
-  return true;
+  return bring_to_rest();
 }
 
 // Gives up what keeps the rest from being done; false if there is nothing more to give up. What was given up
