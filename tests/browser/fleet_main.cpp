@@ -28,7 +28,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-constexpr auto kPatience = 60s;
+constexpr auto kPatience = 300s;
 
 // A vehicle of which the document says that it is lost.
 struct Lost {

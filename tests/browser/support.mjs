@@ -8,7 +8,7 @@ import { join } from 'node:path';
 import { createInterface } from 'node:readline';
 
 // Far more than anything here takes, on a machine that is busy with other tests too.
-const PATIENCE_MS = 120_000;
+const PATIENCE_MS = 600_000;
 const WHOLE_TEST_MS = 1_740_000; // a minute less than ctest waits
 
 export function options() {
@@ -73,7 +73,7 @@ export async function launchBrowser({ modules, chromium }, more = []) {
 // A page that remembers what it must not do: log errors, break the content policy, call another host.
 export async function openPage(context, url) {
   const page = await context.newPage();
-  page.setDefaultTimeout(90_000); // of a busy machine: a button that moves is not clicked until it rests
+  page.setDefaultTimeout(600_000); // of a busy machine: a button that moves is not clicked until it rests
   const problems = [];
   page.on('console', (message) => {
     // A server that is stopped on purpose is reported by the browser itself.

@@ -14,7 +14,7 @@
 
 namespace stepwright::support {
 
-inline constexpr std::chrono::seconds kPatience{30};
+inline constexpr std::chrono::seconds kPatience{300};
 
 class TestProcess {
  public:

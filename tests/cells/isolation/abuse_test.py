@@ -104,7 +104,7 @@ class Abuse(unittest.TestCase):
                 for client in clients:
                     client.close()
                 subprocess.run([TESTS / "cells_load", self.cell.socket, "1000", "damaged"], capture_output=True,
-                               check=False, timeout=60)
+                               check=False, timeout=600)
 
         no_worse(self, self.quiet, watch(self.cell, crowd))
 

@@ -21,7 +21,7 @@ class Refused(Exception):
 
 
 class Client:
-    def __init__(self, port, host="127.0.0.1", source=None, timeout=20):
+    def __init__(self, port, host="127.0.0.1", source=None, timeout=600):
         self.socket = socket.create_connection((host, port), timeout=timeout,
                                                source_address=(source, 0) if source else None)
         self.socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)

@@ -43,9 +43,9 @@ class Servers(unittest.TestCase):
             where, master_end = line.slave, line.master
         server = Process([*SERVERS[name], kind, where], self.folder / f"{name}-{kind}.log")
         self.addCleanup(server.end)
-        server.wait_for("ready", 30)
+        server.wait_for("ready")
         done = subprocess.run([TESTS / "modbus_interop_master", kind, str(master_end)], capture_output=True, text=True,
-                              timeout=60, check=False)
+                              timeout=600, check=False)
         server.end()
         found = dict(line.split(" ", 1) for line in done.stdout.splitlines())
         self.assertEqual(found, EXPECTED[name], done.stderr + server.output())

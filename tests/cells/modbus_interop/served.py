@@ -68,9 +68,9 @@ class Served(Cell):
         """Waits until the server has found the runtime's program."""
         def ask():
             done = subprocess.run(["mbpoll", "-m", "tcp", "-p", str(PORT), "-0", "-1", "-t", "4", "-r", "0", "127.0.0.1"],
-                                  capture_output=True, text=True, timeout=30, check=False)
+                                  capture_output=True, text=True, timeout=600, check=False)
             return done.returncode == 0
-        assert eventually(ask, 20), "the server never answered"
+        assert eventually(ask), "the server never answered"
 
 
 def temporary_folder(test):

@@ -19,6 +19,7 @@ HERE = pathlib.Path(__file__).parent
 PLC = HERE.parent / "modbus_io" / "pymodbus_plc.py"
 BREAKS = int(os.environ.get("STEPWRIGHT_CUTS", "100"))
 GOOD = 192
+PATIENCE_S = 300
 SETTLED_S = 3
 
 HEAD = """\
@@ -41,7 +42,7 @@ UNIT = """\
 name = "unitUNIT"
 line = "LINE"
 unit = UNIT
-timeout_ms = 150
+timeout_ms = 600
 retry_most_ms = 2_000
 on_loss = "hold"
 [[modbus.device.group]]
@@ -55,8 +56,8 @@ BREAKING = """\
 [[modbus.device]]
 name = "plc"
 line = "LINE"
-timeout_ms = 150
-loss_after_ms = AFTER
+timeout_ms = 1_000
+loss_after_ms = 3_000
 on_loss = "LOSS"
 [[modbus.device.group]]
 period_ms = 20
@@ -108,7 +109,7 @@ class BreakableLine:
     def mend(self):
         self.master.unlink(missing_ok=True)  # a killed socat leaves its link
         self.process = subprocess.Popen(["socat", f"FD:{self.ours}", f"pty,raw,echo=0,link={self.master}"], pass_fds=[self.ours])
-        assert eventually(self.master.exists, 10, 0.001), "socat made no line"
+        assert eventually(self.master.exists, PATIENCE_S, 0.001), "socat made no line"
 
     def close(self):
         self.cut()
@@ -135,7 +136,7 @@ class OnALine(unittest.TestCase):
     def start_slave(self, arguments, said, **options):
         slave = Process(arguments, self.cell.folder / "slave.log", **options)
         self.cell.processes.append(slave)
-        slave.wait_for(said, 30)
+        slave.wait_for(said, PATIENCE_S)
         return slave
 
     def start_plc(self, *units):
@@ -169,16 +170,22 @@ def units_of(*units):
 
 class Units(OnALine):
     def watch(self, names, seconds=SETTLED_S):
-        """The oldest that each device's value was while it was looked at, in ms; -1 where it was not good."""
+        """The oldest that each device's value was while it was looked at, in ms; -1 where it was not good although the
+        device itself had always answered in time."""
         oldest = dict.fromkeys(names, 0)
+        before = self.devices()
         end = time.monotonic() + seconds
         while time.monotonic() < end:
             for name, device in self.devices().items():
+                if name not in oldest or oldest[name] < 0 or device["timeouts"] != before[name]["timeouts"]:
+                    continue
                 tag = device["tags"][0]
-                if name in oldest and oldest[name] >= 0:
-                    oldest[name] = -1 if tag["quality"] != GOOD else max(oldest[name], tag["age_ms"])
+                oldest[name] = -1 if tag["quality"] != GOOD else max(oldest[name], tag["age_ms"])
             time.sleep(0.005)
         return oldest
+
+    def failed_tries(self):
+        return sum(each["timeouts"] for each in self.devices().values())
 
     def all_good(self, names):
         devices = self.devices()
@@ -187,21 +194,24 @@ class Units(OnALine):
     def check(self, living, dead):
         names = [f"unit{each}" for each in living]
         client = self.cell.start("modbus-client")
-        self.assertTrue(eventually(lambda: self.all_good(names), 20), client.output())
+        self.assertTrue(eventually(lambda: self.all_good(names), PATIENCE_S), client.output())
         self.assertIn("on 1 connections", client.output())
         gone = f"unit{dead}"
-        self.assertTrue(eventually(lambda: self.devices()[gone]["timeouts"] >= 3, 20))
-        tries = self.devices()[gone]["timeouts"]
+        self.assertTrue(eventually(lambda: self.devices()[gone]["timeouts"] >= 3, PATIENCE_S))
+        before = self.devices()
         oldest = self.watch(names)
-        device = self.devices()[gone]
+        after = self.devices()
+        device = after[gone]
+        tries = device["timeouts"] - before[gone]["timeouts"]
         self.assertLess(device["tags"][0]["quality"], 64)
         self.assertFalse(device["online"])
         # A try costs the others one timeout; there are few of them: the pauses grow.
-        print(f"{type(self).__name__}: oldest values of {SETTLED_S} s: {oldest} ms; {device['timeouts'] - tries} tries of {gone}")
+        print(f"{type(self).__name__}: oldest values of {SETTLED_S} s: {oldest} ms; {tries} tries of {gone}")
         for name in names:
             self.assertGreaterEqual(oldest[name], 0, "a dead unit is no reason for another's quality")
-            self.assertLess(oldest[name], 150 + 50 + 250)
-        self.assertLessEqual(device["timeouts"] - tries, 4)
+            # Behind each try everybody else has his turn.
+            self.assertGreaterEqual(after[name]["requests"] - before[name]["requests"], tries)
+        self.assertLessEqual(tries, 4)
 
     def test_pymodbus(self):
         self.make(units_of(1, 2, 3, 4))
@@ -220,22 +230,26 @@ class Units(OnALine):
         for unit in (1, 2, 3):
             self.assertEqual(self.tag(f"unit{unit}", f"level{unit}")["value"], 100 * unit)
         tell("speak", 4)
-        begin = time.monotonic()
-        self.assertTrue(eventually(lambda: self.all_good(["unit4"]), 20, 0.005))
-        self.assertLess(time.monotonic() - begin, 3.5)  # the longest pause, and the try
+        slaves.wait_for("speak 4")
+        failed = self.devices()["unit4"]["timeouts"]
+        self.assertTrue(eventually(lambda: self.all_good(["unit4"]), PATIENCE_S, 0.005))
+        # The try that may have been under way, and one that the slave was too slow for.
+        self.assertLessEqual(self.devices()["unit4"]["timeouts"], failed + 2)
         # The whole line falls silent, as when its cable is pulled behind the adapter, and comes back.
         for unit in (1, 2, 3, 4):
             tell("silence", unit)
         names = [f"unit{unit}" for unit in (1, 2, 3, 4)]
-        self.assertTrue(eventually(lambda: not any(each["online"] for each in self.devices().values()), 20))
+        self.assertTrue(eventually(lambda: not any(each["online"] for each in self.devices().values()), PATIENCE_S))
         time.sleep(4)
+        spoken = slaves.output().count("speak 4")
         for unit in (1, 2, 3, 4):
             tell("speak", unit)
-        slaves.wait_for("speak 4")
-        begin = time.monotonic()
-        self.assertTrue(eventually(lambda: self.all_good(names), 20, 0.005))
+        self.assertTrue(eventually(lambda: slaves.output().count("speak 4") > spoken, PATIENCE_S))
+        begin, failed = time.monotonic(), self.failed_tries()
+        self.assertTrue(eventually(lambda: self.all_good(names), PATIENCE_S, 0.005))
         print(f"a line of 4 units that was silent is back after {time.monotonic() - begin:.2f} s")
-        self.assertLess(time.monotonic() - begin, 2)
+        # The first who answers has all others asked.
+        self.assertLessEqual(self.failed_tries() - failed, len(names))
 
     def test_our_own_server(self):
         self.make(units_of(17, 18))
@@ -267,14 +281,14 @@ read = ["all"]
 
 
 class Breaks(OnALine):
-    def start_all(self, loss, after_ms=300):
-        self.make(BREAKING.replace("LOSS", loss).replace("AFTER", str(after_ms)), PROGRAM)
+    def start_all(self, loss):
+        self.make(BREAKING.replace("LOSS", loss), PROGRAM)
         self.start_plc(1)
         self.client = self.cell.start("modbus-client")
-        self.assertTrue(eventually(lambda: (self.tag("plc", "half") or {}).get("quality") == GOOD, 20), self.client.output())
+        self.assertTrue(eventually(lambda: (self.tag("plc", "half") or {}).get("quality") == GOOD, PATIENCE_S), self.client.output())
         self.runtime = self.cell.start("runtime")
         self.runtime.wait_for("listens on")
-        self.assertTrue(eventually(lambda: (self.tag("plc", "half") or {}).get("value", 0) > 0, 20), self.client.output())
+        self.assertTrue(eventually(lambda: (self.tag("plc", "half") or {}).get("value", 0) > 0, PATIENCE_S), self.client.output())
 
     def fresh(self, since):
         """The slave's answer to something that was written after that instant has come."""
@@ -283,32 +297,34 @@ class Breaks(OnALine):
             return False
         return True
 
-    def test_a_line_that_breaks_is_back_within_a_second_each_time(self):
+    def test_a_line_that_breaks_is_back_with_the_next_try_each_time(self):
         self.start_all("hold")
         dice = random.Random(5)
-        times = []
+        times, most = [], 0
         for number in range(BREAKS):
             time.sleep(dice.uniform(0, 0.1))
             self.line.cut(dice.choice([signal.SIGKILL, signal.SIGTERM]))
             time.sleep(dice.choice([0, dice.uniform(0, 0.05), dice.uniform(0, 0.5)]))
             self.mark = self.tag("plc", "half")["value"]
             self.line.mend()
-            begin = time.monotonic()
-            self.assertTrue(eventually(lambda: self.fresh(begin), 20, 0.002), f"break {number}\n{self.client.output()}")
+            begin, failed = time.monotonic(), self.devices()["plc"]["timeouts"]
+            self.assertTrue(eventually(lambda: self.fresh(begin), PATIENCE_S, 0.002), f"break {number}\n{self.client.output()}")
             times.append(time.monotonic() - begin)
+            most = max(most, self.devices()["plc"]["timeouts"] - failed)
         times.sort()
         print(f"{len(times)} breaks: back after p50 {times[len(times) // 2] * 1e3:.0f} ms, "
-              f"p99 {times[len(times) * 99 // 100] * 1e3:.0f} ms, max {times[-1] * 1e3:.0f} ms")
-        self.assertLess(times[-1], 1)
+              f"p99 {times[len(times) * 99 // 100] * 1e3:.0f} ms, max {times[-1] * 1e3:.0f} ms, at most {most} tries failed")
+        # What the broken line has garbled, and its repetition.
+        self.assertLessEqual(most, 2)
 
     def test_a_lost_device_gives_its_value_on_loss_and_says_what_it_is_worth(self):
-        self.start_all("value", after_ms=3_000)  # a busy machine's slave may be silent for some tenths of a second
+        self.start_all("value")
         self.assertEqual(self.value("worst"), 0)
         self.line.cut()
-        self.assertTrue(eventually(lambda: self.value("half") == -7, 20))
+        self.assertTrue(eventually(lambda: self.value("half") == -7, PATIENCE_S))
         self.assertEqual(self.value("quality"), 8)  # bad: not connected
         self.line.mend()
-        self.assertTrue(eventually(lambda: self.value("half") >= 0, 20))
+        self.assertTrue(eventually(lambda: self.value("half") >= 0, PATIENCE_S))
         self.assertEqual(self.value("quality"), GOOD)
         self.assertEqual(self.value("worst"), -7)
         self.assertEqual(self.value("least"), 8)
@@ -319,7 +335,7 @@ class Breaks(OnALine):
         self.runtime.wait_for("does not answer")
         self.line.mend()
         # 14 is written to it, and half of that comes back.
-        self.assertTrue(eventually(lambda: self.tag("plc", "half")["value"] == 7 and self.tag("plc", "half")["quality"] == GOOD, 20),
+        self.assertTrue(eventually(lambda: self.tag("plc", "half")["value"] == 7 and self.tag("plc", "half")["quality"] == GOOD, PATIENCE_S),
                         self.client.output())
         time.sleep(0.5)
         self.assertEqual(self.tag("plc", "half")["value"], 7)  # a device that answers again starts nothing
@@ -328,7 +344,7 @@ class Breaks(OnALine):
         self.start_all("hold")
         self.client.end(signal.SIGKILL)
         again = self.cell.start("modbus-client")
-        self.assertTrue(eventually(lambda: (self.tag("plc", "half") or {}).get("quality") == GOOD, 20), again.output())
+        self.assertTrue(eventually(lambda: (self.tag("plc", "half") or {}).get("quality") == GOOD, PATIENCE_S), again.output())
 
     def test_a_second_client_of_another_cell_does_not_get_the_line(self):
         self.start_all("hold")

@@ -92,7 +92,7 @@ class Guest:
                 return end
             end.close()
             return None
-        end = eventually(attempt, 20)
+        end = eventually(attempt)
         assert end, "QEMU does not listen: " + self.qemu.output()
         end.settimeout(PATIENCE_S)
         return end

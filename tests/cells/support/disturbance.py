@@ -40,7 +40,7 @@ def watch(cell, work):
         work()
         last, seconds = cell.metrics(), time.monotonic() - began
     finally:
-        cycles, overruns = (int(word) for word in bare.communicate(timeout=60)[0].split())
+        cycles, overruns = (int(word) for word in bare.communicate(timeout=600)[0].split())
 
     def grown(name):
         return last[(name, key)] - first[(name, key)]

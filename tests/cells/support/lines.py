@@ -16,7 +16,7 @@ class Line:
     def __init__(self, folder, name="line"):
         self.slave, self.master = folder / f"{name}-slave", folder / f"{name}-master"
         self.process = subprocess.Popen(["socat", f"pty,raw,echo=0,link={self.slave}", f"pty,raw,echo=0,link={self.master}"])
-        assert eventually(lambda: self.slave.exists() and self.master.exists(), 10), "socat made no line"
+        assert eventually(lambda: self.slave.exists() and self.master.exists()), "socat made no line"
 
     def close(self):
         self.process.terminate()

@@ -22,7 +22,7 @@ int main(int argc, char** argv) {
                                         .trap_at_end = what == "trap",
                                         .interval_us = static_cast<std::uint32_t>(std::atoi(argv[2]))});
   if (what == "damaged") program[program.size() / 2] ^= std::byte{1};
-  constexpr std::chrono::seconds kPatience{30};
+  constexpr std::chrono::seconds kPatience{300};
   auto digest = (*connection)->download(program, kPatience);
   if (!digest) return std::fprintf(stderr, "%s\n", result::to_string(digest.error()).c_str()), 1;
   auto started = (*connection)->call(service::Start{.barrier = what == "barrier"}, kPatience);

@@ -56,9 +56,9 @@ class Page:
 
     def connection(self):
         if not self.tls:
-            return http.client.HTTPConnection("127.0.0.1", self.port, timeout=30)
+            return http.client.HTTPConnection("127.0.0.1", self.port, timeout=600)
         trust = ssl.create_default_context(cafile=self.certificate)
-        return http.client.HTTPSConnection("127.0.0.1", self.port, timeout=30, context=trust)
+        return http.client.HTTPSConnection("127.0.0.1", self.port, timeout=600, context=trust)
 
     def headers(self):
         return {"Origin": f"{self.scheme}://127.0.0.1:{self.port}", "Content-Type": "application/json",

@@ -14,7 +14,7 @@ BIN = pathlib.Path(os.environ["STEPWRIGHT_BIN_DIR"])
 TESTS = pathlib.Path(os.environ.get("STEPWRIGHT_TEST_DIR", BIN.parent / "tests"))
 SOURCES = pathlib.Path(os.environ.get("STEPWRIGHT_SOURCE_DIR", pathlib.Path(__file__).parents[3]))
 STEPWRIGHT = BIN / "stepwright"
-PATIENCE_S = 60
+PATIENCE_S = 600
 NO_PLANT = '[plant]\nkind = "none"\n'
 
 
@@ -148,7 +148,7 @@ class Cell:
 
 def get(port, path="/metrics", host=None, address="127.0.0.1"):
     """A real HTTP request: the answer and its text."""
-    connection = http.client.HTTPConnection(address, port, timeout=30)
+    connection = http.client.HTTPConnection(address, port, timeout=600)
     connection.request("GET", path, headers={"Host": host or f"{address}:{port}"})
     answer = connection.getresponse()
     text = answer.read().decode()

@@ -16,7 +16,7 @@ from vehicle_peer import MANUFACTURER, Vehicle
 
 SOURCE = pathlib.Path(os.environ["STEPWRIGHT_SOURCE_DIR"])
 MASTER = os.path.join(os.environ["STEPWRIGHT_TEST_DIR"], "vda5050_master")
-VEHICLES, SEED, PATIENCE_S = 4, 3, 60
+VEHICLES, SEED, PATIENCE_S = 4, 3, 600
 
 
 def judges() -> dict:

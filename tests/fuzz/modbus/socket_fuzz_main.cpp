@@ -18,7 +18,7 @@ namespace {
 using namespace stepwright::fuzz::modbus;
 using Clock = std::chrono::steady_clock;
 
-constexpr std::chrono::milliseconds kPatience{10'000};
+constexpr std::chrono::milliseconds kPatience{300'000};
 constexpr std::uint64_t kBatch = 200;  // frames between two valid requests
 const Bytes kValid{0x03, 0x00, 0x00, 0x00, 0x02};
 

@@ -21,7 +21,7 @@ using internal::Participant;
 using internal::Profile;
 using FrameWriter = internal::Writer<idl::FramePubSubType>;
 
-constexpr auto kPatience = 20s;
+constexpr auto kPatience = 300s;
 constexpr std::uint32_t kOther = service::kProtocolVersion + 1;
 
 template <typename Condition>

@@ -15,7 +15,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto kPatience = 20s;
+constexpr auto kPatience = 300s;
 
 TEST(PlanChannel, WhenAViewerJoinsLate_ThenItGetsTheNewestDocument) {
   auto publisher = *PlanPublisher::create({51, "supervisor", test_runtime_id()});

@@ -18,7 +18,7 @@ using namespace std::chrono_literals;
 using service::Reply;
 using service::Request;
 
-constexpr auto kPatience = 20s;
+constexpr auto kPatience = 300s;
 
 std::unique_ptr<RuntimeClient> client_of(std::uint32_t domain, ClientRole role = ClientRole::Supervisor) {
   auto client = RuntimeClient::connect({domain, "test", test_runtime_id()}, role);

@@ -171,7 +171,7 @@ class Harness {
 
   // Waits until `condition` holds; it is asked again whenever the runtime has news, and every millisecond.
   bool wait(const std::function<bool()>& condition) {
-    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(300);
     while (std::chrono::steady_clock::now() < deadline) {
       runtime->clear();
       if (condition()) return true;

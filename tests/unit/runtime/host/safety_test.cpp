@@ -88,7 +88,7 @@ struct Machine {
   }
 
   bool wait(const std::function<bool()>& condition) {
-    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(300);
     while (std::chrono::steady_clock::now() < deadline) {
       while (runtime->take_completion()) {
       }

@@ -93,7 +93,7 @@ TEST(RetainKill, WhenTheProcessIsKilledAtAnyInstant_ThenNoValueIsTornOrOlderThan
     if (child == 0) count_until_killed(loaded, folder.store(), acknowledged);
     // Every other one is killed behind its first acknowledgement, however slow the machine is.
     if (kill_number % 2 == 1) {
-      const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+      const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds(300);
       while (acknowledged.load() < 0 && std::chrono::steady_clock::now() < patience) usleep(100);
     }
     usleep(instant_us(random));

@@ -72,7 +72,7 @@ class RetainedMachine {
 
   // True once the disk has everything that was published; false after a generous time.
   bool settled() {
-    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(300);
     while (keeper_->committed() < keeper_->published()) {
       if (std::chrono::steady_clock::now() > deadline) return false;
       std::this_thread::sleep_for(std::chrono::milliseconds(1));

@@ -22,7 +22,7 @@
 
 namespace stepwright::remote {
 
-inline constexpr std::chrono::seconds kPatience{20};
+inline constexpr std::chrono::seconds kPatience{300};
 
 // Counts what is written, and gives as inputs what it is told.
 class TestPlant final : public image::IoDriver {

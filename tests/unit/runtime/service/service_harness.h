@@ -19,7 +19,7 @@
 
 namespace stepwright::service {
 
-inline constexpr std::chrono::milliseconds kPatience{20'000};
+inline constexpr std::chrono::milliseconds kPatience{300'000};
 
 using support::TemporaryFolder;
 

@@ -22,7 +22,7 @@ using testing::IsEmpty;
 using testing::SizeIs;
 
 constexpr milliseconds kRetry{20};
-constexpr int kPatienceMs = 5'000;
+constexpr int kPatienceMs = 300'000;
 
 LineOptions options_of(const Pty& pty) {
   LineOptions out;

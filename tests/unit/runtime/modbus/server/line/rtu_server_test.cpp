@@ -23,7 +23,7 @@ using Bytes = std::vector<std::uint8_t>;
 using Clock = std::chrono::steady_clock;
 
 constexpr std::uint8_t kUnit = 17;
-constexpr milliseconds kPatience{60'000};
+constexpr milliseconds kPatience{300'000};
 constexpr milliseconds kShort{80};  // longer than the silence that the server notices
 
 Bytes framed(std::uint8_t address, Bytes pdu) {
