@@ -43,6 +43,7 @@ name = "unitUNIT"
 line = "LINE"
 unit = UNIT
 timeout_ms = 600
+loss_after_ms = 30_000
 retry_most_ms = 2_000
 on_loss = "hold"
 [[modbus.device.group]]
