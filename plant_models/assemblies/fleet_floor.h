@@ -22,7 +22,7 @@
 #include <vector>
 
 #include "plant_models/assemblies/fleet_ports.h"
-#include "plant_models/assemblies/outline_judge.h"
+#include "plant_models/assemblies/overlap_monitor.h"
 #include "plant_models/body2d/world.h"
 #include "plant_models/core/counter_random.h"
 #include "plant_models/core/plant.h"

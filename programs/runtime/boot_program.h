@@ -22,10 +22,10 @@
 #include <vector>
 
 #include "programs/config/retain_config.h"
-#include "runtime/host/doorbell.h"
 #include "runtime/host/host_runtime.h"
+#include "runtime/host/notifier.h"
 #include "runtime/result/result.h"
-#include "runtime/service/program_keeper.h"
+#include "runtime/service/program_persistence.h"
 
 namespace stepwright::cell_runtime {
 

@@ -27,7 +27,7 @@
 #include "runtime/host/host_config.h"
 #include "runtime/host/plant_access.h"
 #include "runtime/host/program_preparer.h"
-#include "runtime/host/program_shelf.h"
+#include "runtime/host/program_registry.h"
 #include "runtime/host/runtime_port.h"
 #include "runtime/host/scan_loop.h"
 #include "runtime/host/scan_monitor.h"

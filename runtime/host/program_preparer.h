@@ -27,7 +27,7 @@
 #include "runtime/host/change_plan.h"
 #include "runtime/host/messages.h"
 #include "runtime/host/prepared_program.h"
-#include "runtime/host/program_shelf.h"
+#include "runtime/host/program_registry.h"
 
 namespace stepwright::host {
 

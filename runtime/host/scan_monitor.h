@@ -22,7 +22,7 @@
 #include <vector>
 
 #include "runtime/bytecode/interrupt.h"
-#include "runtime/host/doorbell.h"
+#include "runtime/host/notifier.h"
 #include "runtime/host/real_time.h"
 #include "runtime/scan/task_watchdog.h"
 

@@ -23,7 +23,7 @@
 #include "runtime/host/snapshot_memory.h"
 #include "runtime/host/stepper.h"
 #include "runtime/remote/controller_link.h"
-#include "runtime/remote/mailbox.h"
+#include "runtime/remote/line_queues.h"
 #include "runtime/remote/plant_feed.h"
 #include "runtime/remote/remote_config.h"
 #include "runtime/scan/histogram.h"

@@ -18,7 +18,7 @@
 
 #include "runtime/host/runtime_port.h"
 #include "runtime/result/result.h"
-#include "runtime/service/program_keeper.h"
+#include "runtime/service/program_persistence.h"
 #include "runtime/service/service_observer.h"
 
 namespace stepwright::service {

@@ -30,7 +30,7 @@
 
 #include "runtime/result/result.h"
 #include "supervisor/executive/classify.h"
-#include "supervisor/executive/device_ledger.h"
+#include "supervisor/executive/device_failures.h"
 #include "supervisor/executive/drift_watch.h"
 #include "supervisor/executive/outlook.h"
 #include "supervisor/executive/planning_job.h"

@@ -23,7 +23,7 @@
 #include <vector>
 
 #include "runtime/modbus/client/poll/poll_schedule.h"
-#include "runtime/modbus/client/poll/tag_board.h"
+#include "runtime/modbus/client/poll/tag_cache.h"
 #include "runtime/modbus/client/poll/unit.h"
 #include "runtime/modbus/client/settings.h"
 #include "runtime/modbus/master/master.h"

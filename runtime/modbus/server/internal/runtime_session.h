@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/host/doorbell.h"
+#include "runtime/host/notifier.h"
 #include "runtime/modbus/map/register_map.h"
 #include "runtime/modbus/server/runtime_data.h"
 #include "runtime/service/connection.h"

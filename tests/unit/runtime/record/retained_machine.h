@@ -17,7 +17,7 @@
 #include <string>
 #include <thread>
 
-#include "runtime/record/retain_keeper.h"
+#include "runtime/record/retain_manager.h"
 #include "tests/support/compiled_program.h"
 #include "tests/support/temporary_folder.h"
 

@@ -3,7 +3,7 @@
 #include <atomic>
 #include <thread>
 
-#include "runtime/remote/mailbox.h"
+#include "runtime/remote/line_queues.h"
 #include "tests/unit/runtime/remote/harness.h"
 
 namespace stepwright::remote {

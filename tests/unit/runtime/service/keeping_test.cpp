@@ -5,7 +5,7 @@
 #include <mutex>
 #include <vector>
 
-#include "runtime/host/doorbell.h"
+#include "runtime/host/notifier.h"
 #include "runtime/service/digest.h"
 #include "runtime/service/server.h"
 #include "tests/support/step_program.h"

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "runtime/host/doorbell.h"
+#include "runtime/host/notifier.h"
 #include "runtime/host/runtime_port.h"
 #include "runtime/host/snapshot_memory.h"
 #include "tests/unit/runtime/service/service_harness.h"

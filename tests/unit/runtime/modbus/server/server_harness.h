@@ -18,7 +18,7 @@
 #include <string>
 #include <thread>
 
-#include "runtime/host/doorbell.h"
+#include "runtime/host/notifier.h"
 #include "runtime/modbus/pdu/wire.h"
 #include "runtime/modbus/server/server.h"
 #include "runtime/modbus/server/tcp_acceptor.h"

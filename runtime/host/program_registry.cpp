@@ -1,4 +1,4 @@
-#include "runtime/host/program_shelf.h"
+#include "runtime/host/program_registry.h"
 
 #include <algorithm>
 #include <iterator>

@@ -1,4 +1,4 @@
-#include "runtime/host/task_crew.h"
+#include "runtime/host/task_threads.h"
 
 #include <utility>
 

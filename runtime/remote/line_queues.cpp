@@ -1,4 +1,4 @@
-#include "runtime/remote/mailbox.h"
+#include "runtime/remote/line_queues.h"
 
 #include <utility>
 

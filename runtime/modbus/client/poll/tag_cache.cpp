@@ -1,4 +1,4 @@
-#include "runtime/modbus/client/poll/tag_board.h"
+#include "runtime/modbus/client/poll/tag_cache.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "hmi_web/server/waiting_room.h"
+#include "hmi_web/server/pending_connections.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "runtime/host/doorbell.h"
+#include "runtime/host/notifier.h"
 
 #include <poll.h>
 #include <sys/eventfd.h>

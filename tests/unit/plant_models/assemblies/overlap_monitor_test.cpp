@@ -1,4 +1,4 @@
-#include "plant_models/assemblies/outline_judge.h"
+#include "plant_models/assemblies/overlap_monitor.h"
 
 #include <gtest/gtest.h>
 

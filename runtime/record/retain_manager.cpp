@@ -1,4 +1,4 @@
-#include "runtime/record/retain_keeper.h"
+#include "runtime/record/retain_manager.h"
 
 #include <utility>
 

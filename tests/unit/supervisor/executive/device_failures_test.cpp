@@ -1,4 +1,4 @@
-#include "supervisor/executive/device_ledger.h"
+#include "supervisor/executive/device_failures.h"
 
 #include <gtest/gtest.h>
 

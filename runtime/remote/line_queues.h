@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "runtime/host/command.h"
-#include "runtime/host/doorbell.h"
 #include "runtime/host/messages.h"
+#include "runtime/host/notifier.h"
 #include "runtime/image/force_table.h"
 #include "runtime/remote/remote_program.h"
 
