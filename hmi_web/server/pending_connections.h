@@ -1,12 +1,12 @@
 #pragma once
 
-// The connections of which a request is still awaited, so that none of them keeps others out: when there is
-// no room for another connection, one of them makes it. That is the one that waits for longest of the address
-// that has most of them: whoever fills the server with sockets that say nothing loses them first.
+// Registry of the connections whose request has not arrived yet. When there is no room for another
+// connection, it closes the one that has waited longest, of the address that has most of them: whoever opens
+// sockets and sends nothing loses them first.
 //
-//   const auto ticket = room.enter("192.0.2.7", [] { close the connection; });
-//   room.leave(ticket);               // its request is here
-//   if (!room.turn_one_out()) ...     // nobody waits: there really is no room
+//   const auto ticket = pending.add("192.0.2.7", [] { close the connection; });
+//   pending.remove(ticket);           // its request is here
+//   if (!pending.close_one()) ...     // none is pending: there is no room
 //
 // Threads: one (the network's).
 
@@ -17,18 +17,18 @@
 
 namespace stepwright::server {
 
-class WaitingRoom {
+class PendingConnections {
  public:
-  using Ticket = std::uint64_t;  // 0: of nobody
+  using Ticket = std::uint64_t;  // 0: none
 
-  Ticket enter(std::string address, std::function<void()> turn_out);
-  void leave(Ticket ticket) { waiting_.erase(ticket); }
-  bool turn_one_out();
+  Ticket add(std::string address, std::function<void()> close);
+  void remove(Ticket ticket) { waiting_.erase(ticket); }
+  bool close_one();
 
  private:
   struct Entry {
     std::string address;
-    std::function<void()> turn_out;
+    std::function<void()> close;
   };
   Ticket last_ = 0;
   std::map<Ticket, Entry> waiting_;  // the oldest first

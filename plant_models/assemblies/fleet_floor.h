@@ -116,7 +116,7 @@ class FleetFloor final : public core::Plant {
   std::vector<Vehicle> vehicles_;
   std::vector<Pallet> pallets_;
   std::vector<body2d::BodyId> blockages_;
-  OutlineJudge judge_;
+  OverlapMonitor overlap_monitor_;
   bool emergency_stop_ = false;
   int contacts_ = 0;
   double greatest_force_n_ = 0.0;

@@ -1,25 +1,25 @@
 #pragma once
 
-// Wakes one thread from another: a descriptor (eventfd) that is readable after `ring` until `clear`.
+// Wakes one thread from another: a descriptor (eventfd) that is readable after `notify` until `clear`.
 //
-// Threads: ring and clear from any thread. No heap or lock.
+// Threads: notify and clear from any thread. No heap or lock.
 
 #include <cstdint>
 
 namespace stepwright::host {
 
-class Doorbell {
+class Notifier {
  public:
-  Doorbell();
-  ~Doorbell();
-  Doorbell(const Doorbell&) = delete;
-  Doorbell& operator=(const Doorbell&) = delete;
+  Notifier();
+  ~Notifier();
+  Notifier(const Notifier&) = delete;
+  Notifier& operator=(const Notifier&) = delete;
 
   bool ok() const { return descriptor_ >= 0; }
   int descriptor() const { return descriptor_; }
-  void ring();
+  void notify();
   void clear();
-  // Waits until it rings or `timeout_ns` has passed (negative: without end), then clears it.
+  // Waits for a notification or until `timeout_ns` has passed (negative: without end), then clears it.
   void wait(std::int64_t timeout_ns);
 
  private:

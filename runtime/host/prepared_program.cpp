@@ -58,19 +58,19 @@ PreparedProgram::PreparedProgram(reader::LoadedProgram loaded, Machine machine, 
              {.safe_state = around.config.safety.safe_state.matrix(),
               .tasks = machine_.plan.options,
               .timings = timings_,
-              .watch = around.lifeline,
+              .watch = around.liveness,
               .own_tasks = machine_.plan.own_tasks,
               .clock_origin_ns = around.config.clock == ClockMode::Real ? around.clock_origin_ns
                                                                         : scan::ScanConfig::kNoOrigin}),
       steps_(loaded_.program()),
       events_(loaded_.program().image_size(), around.plant_values) {
   image_.reset(loaded_.program().container().section(bytecode::Section::InitialData));
-  const CrewSetup setup{machine_.merge_map,     around.clock,
-                        around.monitor,         around.config.safety.stall_ns,
-                        around.clock_origin_ns, scan::ScanConfig{}.budget,
-                        around.task_failed};
-  crew_ = std::make_unique<TaskCrew>(loaded_.program(), image_, cycle_, setup, machine_.plan,
-                                     std::move(machine_.engines), published_);
+  const WorkerSetup setup{machine_.merge_map,     around.clock,
+                          around.monitor,         around.config.safety.stall_ns,
+                          around.clock_origin_ns, scan::ScanConfig{}.budget,
+                          around.task_failed};
+  tasks_ = std::make_unique<TaskThreads>(loaded_.program(), image_, cycle_, setup, machine_.plan,
+                                         std::move(machine_.engines), published_);
 }
 
 void PreparedProgram::publish_timings() {

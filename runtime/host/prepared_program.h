@@ -38,11 +38,11 @@ class PreparedProgram {
     AreaDriver& io;
     scan::Clock& clock;
     const HostConfig& config;
-    Lifeline* lifeline = nullptr;      // of the scan thread; null: nobody looks at it
-    ScanMonitor* monitor = nullptr;    // looks at the threads of other tasks; null: nobody does
-    std::int64_t clock_origin_ns = 0;  // what the clock shows at scan time 0
+    ThreadLiveness* liveness = nullptr;  // of the scan thread; null: nobody looks at it
+    ScanMonitor* monitor = nullptr;      // looks at the threads of other tasks; null: nobody does
+    std::int64_t clock_origin_ns = 0;    // what the clock shows at scan time 0
     std::size_t plant_values = 0;
-    std::function<void()> task_failed = [] {};  // see CrewSetup::failed
+    std::function<void()> task_failed = [] {};  // see WorkerSetup::failed
   };
 
   // Verifies the container and takes its memory and threads. Fails with the diagnostics of the verifier, with
@@ -71,7 +71,7 @@ class PreparedProgram {
   scan::ScanCycle& cycle() { return cycle_; }
   StepWatch& steps() { return steps_; }
   const BoolBytes& bools() const { return machine_.bools; }
-  TaskCrew& crew() { return *crew_; }
+  TaskThreads& task_threads() { return *tasks_; }
   // Publishes how punctual the scan thread's own tasks are.
   void publish_timings();
   // Pushed by the scan thread, popped by the service thread.
@@ -103,7 +103,7 @@ class PreparedProgram {
   scan::ScanCycle cycle_;
   StepWatch steps_;
   EventRing events_;
-  std::unique_ptr<TaskCrew> crew_;                   // last: its threads use the rest
+  std::unique_ptr<TaskThreads> tasks_;               // last: its threads use the rest
   std::shared_ptr<record::RetainChannel> retained_;  // shared with the thread that writes the store
 };
 

@@ -8,42 +8,42 @@
 namespace stepwright::server {
 namespace {
 
-class WaitingRoomTest : public testing::Test {
+class PendingConnectionsTest : public testing::Test {
  protected:
-  WaitingRoom::Ticket enter(const std::string& address, const std::string& name) {
-    return room_.enter(address, [this, name] { out_ += name; });
+  PendingConnections::Ticket add(const std::string& address, const std::string& name) {
+    return pending_.add(address, [this, name] { out_ += name; });
   }
 
-  WaitingRoom room_;
+  PendingConnections pending_;
   std::string out_;
 };
 
-TEST_F(WaitingRoomTest, WhenNobodyWaits_ThenThereIsNoRoom) {
-  EXPECT_FALSE(room_.turn_one_out());
-  room_.leave(enter("a", "1"));
-  EXPECT_FALSE(room_.turn_one_out());
-  room_.leave(0);
+TEST_F(PendingConnectionsTest, WhenNobodyWaits_ThenThereIsNoRoom) {
+  EXPECT_FALSE(pending_.close_one());
+  pending_.remove(add("a", "1"));
+  EXPECT_FALSE(pending_.close_one());
+  pending_.remove(0);
   EXPECT_EQ(out_, "");
 }
 
-TEST_F(WaitingRoomTest, WhenOneAddressHasMost_ThenItsOldestGoes) {
-  enter("person", "p");
-  for (const char* name : {"1", "2", "3"}) enter("crowd", name);
-  EXPECT_TRUE(room_.turn_one_out());
-  EXPECT_TRUE(room_.turn_one_out());
+TEST_F(PendingConnectionsTest, WhenOneAddressHasMost_ThenItsOldestGoes) {
+  add("person", "p");
+  for (const char* name : {"1", "2", "3"}) add("crowd", name);
+  EXPECT_TRUE(pending_.close_one());
+  EXPECT_TRUE(pending_.close_one());
   EXPECT_EQ(out_, "12");
-  EXPECT_TRUE(room_.turn_one_out());
-  EXPECT_TRUE(room_.turn_one_out());
+  EXPECT_TRUE(pending_.close_one());
+  EXPECT_TRUE(pending_.close_one());
   EXPECT_EQ(out_.size(), 4u);
-  EXPECT_FALSE(room_.turn_one_out());
+  EXPECT_FALSE(pending_.close_one());
 }
 
-TEST_F(WaitingRoomTest, WhenOneLeavesAndComesBack_ThenItIsTheNewest) {
-  const auto first = enter("a", "1");
-  enter("a", "2");
-  room_.leave(first);
-  enter("a", "1");
-  EXPECT_TRUE(room_.turn_one_out());
+TEST_F(PendingConnectionsTest, WhenOneLeavesAndComesBack_ThenItIsTheNewest) {
+  const auto first = add("a", "1");
+  add("a", "2");
+  pending_.remove(first);
+  add("a", "1");
+  EXPECT_TRUE(pending_.close_one());
   EXPECT_EQ(out_, "2");
 }
 

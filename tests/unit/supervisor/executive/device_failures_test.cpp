@@ -13,33 +13,33 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-TEST(DeviceLedger, WhenADeviceIsSuspectedTwice_ThenItHasFailed) {
-  DeviceLedger ledger;
-  EXPECT_EQ(ledger.suspect({"pump", "valve"}), Names{});
-  EXPECT_EQ(ledger.suspect({"pump"}), Names{"pump"});
-  EXPECT_EQ(ledger.failed(), std::set<std::string>{"pump"});
-  EXPECT_EQ(ledger.suspect({"pump"}), Names{});  // is known
+TEST(DeviceFailures, WhenADeviceIsSuspectedTwice_ThenItHasFailed) {
+  DeviceFailures failures;
+  EXPECT_EQ(failures.suspect({"pump", "valve"}), Names{});
+  EXPECT_EQ(failures.suspect({"pump"}), Names{"pump"});
+  EXPECT_EQ(failures.failed(), std::set<std::string>{"pump"});
+  EXPECT_EQ(failures.suspect({"pump"}), Names{});  // is known
 }
 
-TEST(DeviceLedger, WhenItWorkedInBetween_ThenItIsSuspectedAnew) {
-  DeviceLedger ledger;
-  EXPECT_EQ(ledger.suspect({"pump", "valve"}), Names{});
-  ledger.clear({"pump"});
-  EXPECT_EQ(ledger.suspect({"pump", "valve"}), Names{"valve"});
-  EXPECT_EQ(ledger.suspect({"pump"}), Names{"pump"});
+TEST(DeviceFailures, WhenItWorkedInBetween_ThenItIsSuspectedAnew) {
+  DeviceFailures failures;
+  EXPECT_EQ(failures.suspect({"pump", "valve"}), Names{});
+  failures.clear({"pump"});
+  EXPECT_EQ(failures.suspect({"pump", "valve"}), Names{"valve"});
+  EXPECT_EQ(failures.suspect({"pump"}), Names{"pump"});
 }
 
-TEST(DeviceLedger, WhenTwoBranchesFailTogether_ThenADeviceOfBothIsSuspectedOnce) {
-  DeviceLedger ledger;
-  EXPECT_EQ(ledger.suspect({"pump", "pump"}), Names{});
-  EXPECT_TRUE(ledger.failed().empty());
+TEST(DeviceFailures, WhenTwoBranchesFailTogether_ThenADeviceOfBothIsSuspectedOnce) {
+  DeviceFailures failures;
+  EXPECT_EQ(failures.suspect({"pump", "pump"}), Names{});
+  EXPECT_TRUE(failures.failed().empty());
 }
 
-TEST(DeviceLedger, WhenAnEarlierSupervisorKnewIt_ThenItStaysFailed) {
-  DeviceLedger ledger;
-  ledger.restore({"pump"});
-  ledger.clear({"pump"});
-  EXPECT_TRUE(ledger.failed().contains("pump"));
+TEST(DeviceFailures, WhenAnEarlierSupervisorKnewIt_ThenItStaysFailed) {
+  DeviceFailures failures;
+  failures.restore({"pump"});
+  failures.clear({"pump"});
+  EXPECT_TRUE(failures.failed().contains("pump"));
 }
 
 TEST(Recurrence, WhenTheSameComesForTheThirdTimeWithoutProgress_ThenItIsInVain) {

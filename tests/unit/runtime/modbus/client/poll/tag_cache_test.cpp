@@ -30,141 +30,141 @@ Device device_of(LossValue on_loss, OnLoss policy = OnLoss::Safe) {
   return device;
 }
 
-class Board {
+class CachedTag {
  public:
-  explicit Board(const Device& device) : board({device}, start) {}
+  explicit CachedTag(const Device& device) : cache({device}, start) {}
   std::uint64_t value() { return field({0, 0, ImageType::Uint}); }
   Quality quality() { return static_cast<Quality>(field({4, 0, ImageType::Usint})); }
   std::uint64_t age() { return field({6, 0, ImageType::Uint}); }
   bool online() { return field({5, 0, ImageType::Bool}) != 0; }
   void read(std::uint16_t word) {
-    board.read(0, kRequest, std::array{word}, start + at);
-    board.online(0, start + at);
+    cache.read(0, kRequest, std::array{word}, start + at);
+    cache.online(0, start + at);
   }
-  void fail(Quality why) { board.not_read(0, kRequest.tags, why, "told"); }
-  bool lost() { return board.lost(start + at); }
+  void fail(Quality why) { cache.not_read(0, kRequest.tags, why, "told"); }
+  bool lost() { return cache.lost(start + at); }
 
   static inline const ReadRequest kRequest{Table::HoldingRegisters, 0, 1, {0}};
-  TagBoard::Clock::time_point start = TagBoard::Clock::now();
+  TagCache::Clock::time_point start = TagCache::Clock::now();
   std::chrono::milliseconds at{0};
-  TagBoard board;
+  TagCache cache;
 
  private:
   std::uint64_t field(const ImageField& where) {
     std::vector<std::byte> area(16);
-    board.collect(start + at, area);
+    cache.collect(start + at, area);
     return get_field(area, where);
   }
 };
 
-TEST(TagBoard, WhenNothingWasReadYet_ThenTheValueIsBadAndTheProgramMustNotDrive) {
-  Board board(device_of(LossValue::Value));
-  EXPECT_EQ(board.quality(), Quality::NotConnected);
-  EXPECT_EQ(board.value(), 77u);
-  EXPECT_EQ(board.age(), 65'535u);
-  EXPECT_TRUE(board.lost());
-  EXPECT_FALSE(board.online());
+TEST(TagCache, WhenNothingWasReadYet_ThenTheValueIsBadAndTheProgramMustNotDrive) {
+  CachedTag tag(device_of(LossValue::Value));
+  EXPECT_EQ(tag.quality(), Quality::NotConnected);
+  EXPECT_EQ(tag.value(), 77u);
+  EXPECT_EQ(tag.age(), 65'535u);
+  EXPECT_TRUE(tag.lost());
+  EXPECT_FALSE(tag.online());
 }
 
-TEST(TagBoard, WhenReadsFail_ThenTheValueIsUncertainThenBad) {
-  Board board(device_of(LossValue::Value));
-  board.read(5);
-  EXPECT_EQ(board.quality(), Quality::Good);
-  EXPECT_EQ(board.value(), 5u);
-  EXPECT_TRUE(board.online());
-  EXPECT_FALSE(board.lost());
-  board.at = 300ms;
-  board.fail(Quality::CommFailure);
-  EXPECT_EQ(board.quality(), Quality::LastUsable);
-  EXPECT_EQ(board.value(), 5u);
-  EXPECT_EQ(board.age(), 300u);
-  EXPECT_FALSE(board.lost());
-  board.at = 1'001ms;
-  EXPECT_EQ(board.quality(), Quality::CommFailure);
-  EXPECT_EQ(board.value(), 77u);
-  EXPECT_TRUE(board.lost());
-  board.fail(Quality::DeviceFailure);
-  EXPECT_EQ(board.quality(), Quality::DeviceFailure);
-  board.read(6);
-  EXPECT_EQ(board.quality(), Quality::Good);
-  EXPECT_EQ(board.value(), 6u);
-  EXPECT_FALSE(board.lost());
+TEST(TagCache, WhenReadsFail_ThenTheValueIsUncertainThenBad) {
+  CachedTag tag(device_of(LossValue::Value));
+  tag.read(5);
+  EXPECT_EQ(tag.quality(), Quality::Good);
+  EXPECT_EQ(tag.value(), 5u);
+  EXPECT_TRUE(tag.online());
+  EXPECT_FALSE(tag.lost());
+  tag.at = 300ms;
+  tag.fail(Quality::CommFailure);
+  EXPECT_EQ(tag.quality(), Quality::LastUsable);
+  EXPECT_EQ(tag.value(), 5u);
+  EXPECT_EQ(tag.age(), 300u);
+  EXPECT_FALSE(tag.lost());
+  tag.at = 1'001ms;
+  EXPECT_EQ(tag.quality(), Quality::CommFailure);
+  EXPECT_EQ(tag.value(), 77u);
+  EXPECT_TRUE(tag.lost());
+  tag.fail(Quality::DeviceFailure);
+  EXPECT_EQ(tag.quality(), Quality::DeviceFailure);
+  tag.read(6);
+  EXPECT_EQ(tag.quality(), Quality::Good);
+  EXPECT_EQ(tag.value(), 6u);
+  EXPECT_FALSE(tag.lost());
 }
 
-TEST(TagBoard, WhenAValueIsLost_ThenItIsWhatIsSaidAboutIt) {
+TEST(TagCache, WhenAValueIsLost_ThenItIsWhatIsSaidAboutIt) {
   for (const auto& [on_loss, value] :
        {std::pair{LossValue::Hold, 5u}, {LossValue::Zero, 0u}, {LossValue::Value, 77u}}) {
-    Board board(device_of(on_loss));
-    board.read(5);
-    board.at = 1'001ms;
-    EXPECT_EQ(board.value(), value);
+    CachedTag tag(device_of(on_loss));
+    tag.read(5);
+    tag.at = 1'001ms;
+    EXPECT_EQ(tag.value(), value);
   }
 }
 
 // The poller may be late without a fault: that is no news either.
-TEST(TagBoard, WhenNobodyReads_ThenTheValueGetsOldAllTheSame) {
-  Board board(device_of(LossValue::Hold));
-  board.read(5);
-  board.at = 1'001ms;
-  EXPECT_EQ(board.quality(), Quality::CommFailure);
-  EXPECT_TRUE(board.lost());
+TEST(TagCache, WhenNobodyReads_ThenTheValueGetsOldAllTheSame) {
+  CachedTag tag(device_of(LossValue::Hold));
+  tag.read(5);
+  tag.at = 1'001ms;
+  EXPECT_EQ(tag.quality(), Quality::CommFailure);
+  EXPECT_TRUE(tag.lost());
 }
 
-TEST(TagBoard, WhenTheGroupIsSlow_ThenTwoOfItsPeriodsAreAllowed) {
+TEST(TagCache, WhenTheGroupIsSlow_ThenTwoOfItsPeriodsAreAllowed) {
   Device device = device_of(LossValue::Hold);
   device.groups[0].period = 3s;
-  Board board(device);
-  board.read(5);
-  board.at = 5'999ms;
-  EXPECT_EQ(board.quality(), Quality::Good);
-  board.at = 6'001ms;
-  EXPECT_EQ(board.quality(), Quality::CommFailure);
+  CachedTag tag(device);
+  tag.read(5);
+  tag.at = 5'999ms;
+  EXPECT_EQ(tag.quality(), Quality::Good);
+  tag.at = 6'001ms;
+  EXPECT_EQ(tag.quality(), Quality::CommFailure);
 }
 
-TEST(TagBoard, WhenTheProgramGoesOnWithoutTheDevice_ThenNothingIsLost) {
-  Board board(device_of(LossValue::Hold, OnLoss::Carry));
-  EXPECT_FALSE(board.lost());
+TEST(TagCache, WhenTheProgramGoesOnWithoutTheDevice_ThenNothingIsLost) {
+  CachedTag tag(device_of(LossValue::Hold, OnLoss::Carry));
+  EXPECT_FALSE(tag.lost());
 }
 
-TEST(TagBoard, WhenAnOutputIsNotAcknowledged_ThenTheIoIsLostInTime) {
-  Board board(device_of(LossValue::Hold));
+TEST(TagCache, WhenAnOutputIsNotAcknowledged_ThenTheIoIsLostInTime) {
+  CachedTag tag(device_of(LossValue::Hold));
   const std::array<std::uint32_t, 1> outputs{0};
-  board.read(5);
-  board.board.not_written(0, outputs, Quality::DeviceFailure, "told", board.start + 100ms);
-  board.at = 900ms;
-  board.read(5);
-  EXPECT_FALSE(board.lost());
-  board.at = 1'101ms;
-  EXPECT_TRUE(board.lost());
+  tag.read(5);
+  tag.cache.not_written(0, outputs, Quality::DeviceFailure, "told", tag.start + 100ms);
+  tag.at = 900ms;
+  tag.read(5);
+  EXPECT_FALSE(tag.lost());
+  tag.at = 1'101ms;
+  EXPECT_TRUE(tag.lost());
   const std::array<std::uint8_t, 1> exact{0};
-  board.board.written(0, outputs, exact, board.start + board.at);
-  EXPECT_FALSE(board.lost());
+  tag.cache.written(0, outputs, exact, tag.start + tag.at);
+  EXPECT_FALSE(tag.lost());
 }
 
-TEST(TagBoard, WhenADeviceComesAndGoes_ThenItIsToldOnce) {
-  Board board(device_of(LossValue::Hold));
-  board.board.offline(0, Quality::NotConnected, "refused", board.start);
-  board.board.offline(0, Quality::NotConnected, "refused", board.start);
-  board.board.online(0, board.start);
-  board.board.online(0, board.start);
-  const auto news = board.board.take_news();
+TEST(TagCache, WhenADeviceComesAndGoes_ThenItIsToldOnce) {
+  CachedTag tag(device_of(LossValue::Hold));
+  tag.cache.offline(0, Quality::NotConnected, "refused", tag.start);
+  tag.cache.offline(0, Quality::NotConnected, "refused", tag.start);
+  tag.cache.online(0, tag.start);
+  tag.cache.online(0, tag.start);
+  const auto news = tag.cache.take_news();
   ASSERT_EQ(news.size(), 2u);
   EXPECT_FALSE(news[0].online);
   EXPECT_EQ(news[0].reason, "refused");
   EXPECT_TRUE(news[1].online);
-  EXPECT_TRUE(board.board.take_news().empty());
+  EXPECT_TRUE(tag.cache.take_news().empty());
 }
 
-TEST(TagBoard, WhenTheNumberIsOutOfRange_ThenTheQualitySaysSoAndNanKeepsTheValueBefore) {
+TEST(TagCache, WhenTheNumberIsOutOfRange_ThenTheQualitySaysSoAndNanKeepsTheValueBefore) {
   Device device = device_of(LossValue::Hold);
   device.groups[0].inputs[0].wire = WireType::Real;
-  Board board(device);
+  CachedTag tag(device);
   const ReadRequest request{Table::HoldingRegisters, 0, 2, {0}};
-  board.board.read(0, request, std::array<std::uint16_t, 2>{0x4120, 0}, board.start);  // 10.0
-  EXPECT_EQ(board.value(), 10u);
-  board.board.read(0, request, std::array<std::uint16_t, 2>{0x7FC0, 0}, board.start);
-  EXPECT_EQ(board.value(), 10u);
-  EXPECT_EQ(board.quality(), Quality::RangeExceeded);
+  tag.cache.read(0, request, std::array<std::uint16_t, 2>{0x4120, 0}, tag.start);  // 10.0
+  EXPECT_EQ(tag.value(), 10u);
+  tag.cache.read(0, request, std::array<std::uint16_t, 2>{0x7FC0, 0}, tag.start);
+  EXPECT_EQ(tag.value(), 10u);
+  EXPECT_EQ(tag.quality(), Quality::RangeExceeded);
 }
 
 }  // namespace
