@@ -34,7 +34,7 @@ namespace stepwright::host {
 class PreparedProgram {
  public:
   // What a program runs in.
-  struct Surroundings {
+  struct Environment {
     AreaDriver& io;
     scan::Clock& clock;
     const HostConfig& config;
@@ -52,7 +52,7 @@ class PreparedProgram {
   // process. Throws std::bad_alloc where the system gives no memory after all. What is passed by reference
   // must outlive the program.
   [[nodiscard]] static result::Result<std::unique_ptr<PreparedProgram>> create(
-      std::vector<std::byte> container, std::string digest, const Surroundings& surroundings);
+      std::vector<std::byte> container, std::string digest, const Environment& environment);
 
   PreparedProgram(const PreparedProgram&) = delete;
   PreparedProgram& operator=(const PreparedProgram&) = delete;
@@ -91,7 +91,7 @@ class PreparedProgram {
     std::vector<std::byte> safe_outputs;
   };
   PreparedProgram(reader::LoadedProgram loaded, Machine machine, std::string digest,
-                  const Surroundings& surroundings);
+                  const Environment& environment);
 
   std::string digest_;
   reader::LoadedProgram loaded_;
