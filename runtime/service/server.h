@@ -29,8 +29,8 @@ struct ServerConfig {
   std::chrono::milliseconds supervisor_lost_after{1'000};
   std::string version = {};             // of the program, for its status
   ServiceObserver* observer = nullptr;  // told of everything that happens; outlives the server
-  ProgramPersistence* persistence =
-      nullptr;  // null: programs are not kept for the next start; outlives the server
+  // Null: programs are not kept for the next start. Outlives the server.
+  ProgramPersistence* persistence = nullptr;
   // Within this time a connection says hello, or its place is another's.
   std::chrono::milliseconds greeting_within{2'000};
 };
