@@ -68,7 +68,7 @@ tl::expected<OpenedSession, Refusal> AccessControl::claim(std::string_view token
   if (auto added = users_->add(name, Role::Administrator, *hash); !added)
     return tl::unexpected(refusal(added.error()));
   setup_token_.clear();
-  familiar_.remember(name, address);
+  known_logins_.remember(name, address);
   return sessions_.open(name, Role::Administrator, address);
 }
 
@@ -77,7 +77,7 @@ tl::expected<OpenedSession, Refusal> AccessControl::log_in(const std::string& na
                                                            const std::string& address) {
   // Who is at home here answers for his own failures only, and not for those of others with his name or
   // address.
-  const bool familiar = familiar_.knows(name, address);
+  const bool familiar = known_logins_.knows(name, address);
   const std::string key = familiar ? name + "\n" + address : name;
   if (auto wait = locked(key, familiar ? "" : address)) return tl::unexpected(*std::move(wait));
   const auto user = users_->find(name);
@@ -94,7 +94,7 @@ tl::expected<OpenedSession, Refusal> AccessControl::log_in(const std::string& na
   if (!present || present->password_hash != user->password_hash)
     return refuse("H0026", "name or password are wrong");
   names_.succeeded(key);
-  familiar_.remember(name, address);
+  known_logins_.remember(name, address);
   return sessions_.open(name, present->role, address);
 }
 

@@ -83,7 +83,7 @@ class AccessControl {
   SessionTable sessions_;
   LoginGuard names_;
   LoginGuard addresses_;
-  FamiliarLogins familiar_;
+  KnownLogins known_logins_;
   // Held while rights change and sessions end, and while a session is opened with the rights that were found.
   std::mutex rights_;
   std::mutex hashing_;

@@ -34,7 +34,7 @@ void LoginGuard::succeeded(const std::string& key) {
   entries_.erase(key);
 }
 
-void FamiliarLogins::remember(const std::string& name, const std::string& address) {
+void KnownLogins::remember(const std::string& name, const std::string& address) {
   const std::lock_guard lock(mutex_);
   pairs_[{name, address}] = ++last_;
   if (pairs_.size() <= kMostKeys) return;
@@ -42,7 +42,7 @@ void FamiliarLogins::remember(const std::string& name, const std::string& addres
                                 [](const auto& a, const auto& b) { return a.second < b.second; }));
 }
 
-bool FamiliarLogins::knows(const std::string& name, const std::string& address) const {
+bool KnownLogins::knows(const std::string& name, const std::string& address) const {
   const std::lock_guard lock(mutex_);
   return pairs_.contains({name, address});
 }

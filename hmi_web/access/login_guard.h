@@ -51,9 +51,9 @@ class LoginGuard {
   std::map<std::string, Entry> entries_;  // guarded by mutex_
 };
 
-// Who has logged in from where since the start: locks are for those who guess, and not for who has shown that
-// name and address are theirs. Threads: every function from any. At most kMostKeys pairs, the oldest go.
-class FamiliarLogins {
+// Pairs of name and address that have logged in since the start. The lock against guessing does not count for
+// them. Threads: every function from any. At most kMostKeys pairs, the oldest go.
+class KnownLogins {
  public:
   static constexpr std::size_t kMostKeys = 1'024;
 

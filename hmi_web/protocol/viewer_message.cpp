@@ -108,9 +108,9 @@ Show read_show(Members& members) {
   return show;
 }
 
-Possessions read_has(const json& object, std::string& wrong) {
+ViewerState read_has(const json& object, std::string& wrong) {
   Members members(object, wrong);
-  Possessions has;
+  ViewerState has;
   has.sequence = members.whole("seq");
   has.tags = members.flag("tags");
   has.program = members.whole("program");

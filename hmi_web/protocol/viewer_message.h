@@ -49,7 +49,7 @@ struct Show {
 };
 
 // What a viewer has from an earlier connection to the same run of the server.
-struct Possessions {
+struct ViewerState {
   std::uint64_t sequence = 0;  // of the newest state or delta; 0 = none
   bool tags = false;           // the values of all tags that it wants are those of `sequence`
   std::uint64_t program = 0;   // revisions
@@ -66,7 +66,7 @@ struct ViewerMessage {
   // Of a message that begins:
   std::int64_t protocol = 0;
   std::string epoch;  // empty: nothing is known yet
-  Possessions has;
+  ViewerState has;
   Show show;
 };
 

@@ -127,7 +127,7 @@ std::optional<std::string> Feed::hear(Cursor& cursor, std::string_view text) con
 }
 
 // What the viewer has of this run it does not get again.
-void Feed::go_on(Cursor& cursor, const protocol::Possessions& has) const {
+void Feed::go_on(Cursor& cursor, const protocol::ViewerState& has) const {
   cursor.state = known(has.sequence, sequence_);
   cursor.shown = has.tags && cursor.state != 0;
   cursor.program = known(has.program, program_revision_);

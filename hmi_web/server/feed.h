@@ -87,7 +87,7 @@ class Feed {
   bool take_plan(const CellView& view);
   void take_routes(std::string routes);
   bool take_trend(const protocol::CellState& state, Time now);
-  void go_on(Cursor& cursor, const protocol::Possessions& has) const;
+  void go_on(Cursor& cursor, const protocol::ViewerState& has) const;
   bool is_current(const protocol::TagChoice& tags) const;
   std::optional<std::string> refusal(const protocol::TagChoice& tags) const;
   MessageText next_state(Cursor& cursor) const;

@@ -17,7 +17,7 @@
 #include "hmi_web/server/internal/response.h"
 #include "hmi_web/server/internal/viewer_session.h"
 #include "hmi_web/server/internal/wire.h"
-#include "hmi_web/server/waiting_room.h"
+#include "hmi_web/server/pending_connections.h"
 #include "runtime/result/last_barrier.h"
 
 namespace stepwright::server {
@@ -44,7 +44,7 @@ struct HttpServer::State {
   ServerLimits limits;
   std::optional<RequestPolicy> policy;
   std::size_t connections = 0;
-  WaitingRoom waiting;  // before the context: connections that end with it leave the room
+  PendingConnections pending;  // before the context: connections that end with it are removed from here
   asio::io_context io{1};
   tcp::acceptor acceptor{io};
   asio::steady_timer accept_retry{io};
@@ -86,7 +86,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
         wire_(std::in_place, internal::make_wire(std::move(socket), server.tls.get())),
         server_(server) {}
   ~HttpConnection() {
-    server_.waiting.leave(waits_);
+    server_.pending.remove(waits_);
     if (!upgraded_) server_.end_connection();
   }
 
@@ -109,7 +109,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
   // Until its request is here others may have its place.
   void wait_for_request() {
     if (waits_ != 0) return;
-    waits_ = server_.waiting.enter(peer_.to_string(), [self = weak_from_this()] {
+    waits_ = server_.pending.add(peer_.to_string(), [self = weak_from_this()] {
       const auto connection = self.lock();
       if (!connection) return;
       connection->waits_ = 0;
@@ -117,7 +117,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
       connection->transport().socket().close(ignored);
     });
   }
-  void has_request() { server_.waiting.leave(std::exchange(waits_, 0)); }
+  void has_request() { server_.pending.remove(std::exchange(waits_, 0)); }
 
   void read() {
     wait_for_request();
@@ -313,7 +313,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
   std::optional<http::response_serializer<http::string_body>> serializer_;
   std::optional<api::Admission> large_;  // of a request whose head was admitted for its large body
   bool upgraded_ = false;
-  WaitingRoom::Ticket waits_ = 0;
+  PendingConnections::Ticket waits_ = 0;
 };
 
 }  // namespace
@@ -329,7 +329,7 @@ void HttpServer::State::accept() {
       });
       return;
     }
-    if (connections < limits.connections || waiting.turn_one_out()) {
+    if (connections < limits.connections || pending.close_one()) {
       ++connections;
       beast::error_code ignored;
       socket.set_option(tcp::no_delay(true), ignored);

@@ -35,7 +35,7 @@ FleetFloor::FleetFloor(const FleetParameters& parameters)
       ports_(make_ports(parameters)),
       description_(describe_fleet(parameters)),
       world_({.step_s = kFleetStepS}),
-      judge_(parameters) {}
+      overlap_monitor_(parameters) {}
 
 result::Result<std::unique_ptr<FleetFloor>> FleetFloor::create(const FleetParameters& parameters) {
   if (auto valid = validate(parameters); !valid) return result::forward(valid);
@@ -198,11 +198,11 @@ double FleetFloor::truth(core::TruthId id) const {
     case FleetTruth::GreatestForce:
       return greatest_force_n_;
     case FleetTruth::Overlaps:
-      return static_cast<double>(judge_.overlaps());
+      return static_cast<double>(overlap_monitor_.overlaps());
     case FleetTruth::ObstacleOverlaps:
-      return static_cast<double>(judge_.obstacle_overlaps());
+      return static_cast<double>(overlap_monitor_.obstacle_overlaps());
     case FleetTruth::SmallestGap:
-      return judge_.smallest_gap_m();
+      return overlap_monitor_.smallest_gap_m();
   }
   return 0.0;
 }

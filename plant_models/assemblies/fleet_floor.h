@@ -22,7 +22,7 @@
 #include <vector>
 
 #include "plant_models/assemblies/fleet_ports.h"
-#include "plant_models/assemblies/outline_judge.h"
+#include "plant_models/assemblies/overlap_monitor.h"
 #include "plant_models/body2d/world.h"
 #include "plant_models/core/counter_random.h"
 #include "plant_models/core/plant.h"
@@ -116,7 +116,7 @@ class FleetFloor final : public core::Plant {
   std::vector<Vehicle> vehicles_;
   std::vector<Pallet> pallets_;
   std::vector<body2d::BodyId> blockages_;
-  OutlineJudge judge_;
+  OverlapMonitor overlap_monitor_;
   bool emergency_stop_ = false;
   int contacts_ = 0;
   double greatest_force_n_ = 0.0;

@@ -27,7 +27,7 @@ void FleetFloor::apply_fault(std::size_t fault, double value, bool active) {
   const bool on = active && value != 0.0;
   if (target.kind == FleetFault::Block) {
     world_.set_present(blockages_[target.index], on);
-    judge_.set_present(target.index, on);
+    overlap_monitor_.set_present(target.index, on);
   } else if (target.kind == FleetFault::EmergencyStop) {
     emergency_stop_ = on;
   } else {

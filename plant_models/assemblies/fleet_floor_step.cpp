@@ -39,9 +39,9 @@ bool FleetFloor::step() {
   for (Vehicle& vehicle : vehicles_) feel_contacts(vehicle);
   for (std::size_t i = 0; i < vehicles_.size(); ++i) {
     move_forks(i);
-    judge_.put(i, vehicles_[i].forklift->pose());
+    overlap_monitor_.put(i, vehicles_[i].forklift->pose());
   }
-  judge_.look();
+  overlap_monitor_.look();
   return true;
 }
 

@@ -39,7 +39,7 @@ enum class FleetTruth : std::uint8_t {
   Blocked,      // index: of the blockage
   Contacts,
   GreatestForce,
-  Overlaps,  // as the judge counts them (outline_judge.h)
+  Overlaps,  // as OverlapMonitor counts them
   ObstacleOverlaps,
   SmallestGap,
 };

@@ -16,7 +16,7 @@
 
 #include "programs/gateway/follow_plan.h"
 #include "runtime/host/messages.h"
-#include "runtime/remote/mailbox.h"
+#include "runtime/remote/line_queues.h"
 
 namespace stepwright::gateway {
 

@@ -101,9 +101,9 @@ int run(const config::CellConfig& config) {
   auto server = Server::create(server_options(config), **data);
   if (!server) return process::fail(server.error(), ExitCode::RuntimeFault);
   for (auto& acceptor : acceptors->all) (*server)->add(std::move(acceptor));
-  FiguresBoard board;
+  LatestStatus status;
   auto figures = metrics::MetricsServer::start(config.modbus_server.metrics, "modbus.server.metrics",
-                                               [&] { return server_metrics(config.name, board.newest()); });
+                                               [&] { return server_metrics(config.name, status.newest()); });
   if (!figures) return process::fail(figures.error(), ExitCode::BadInput);
   (*server)->watch(stop.descriptor());
   (*server)->watch(reload.descriptor());
@@ -118,7 +118,7 @@ int run(const config::CellConfig& config) {
   while (!stop.came()) {
     (*server)->run_for(kTurn);
     heartbeat.turn();
-    board.publish(status_of(**server, **data, acceptors->tls));
+    status.publish(status_of(**server, **data, acceptors->tls));
     if (reload.take()) log::reload_log(running, **log, init, reloaded);
     (*log)->tick();
     if (Clock::now() < next_figures) continue;

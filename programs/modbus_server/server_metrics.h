@@ -1,11 +1,10 @@
 #pragma once
 
-// Metrics of the Modbus server for Prometheus, and the board on which its thread leaves its newest figures
-// for others. Threads: any.
+// Metrics of the Modbus server for Prometheus, and the newest status of its thread for others. Threads: any.
 //
-//   FiguresBoard board;
-//   board.publish({server.figures(), data.serving(), expires});              // the server's thread, at times
-//   const std::string text = server_metrics("bench", board.newest());        // any other
+//   LatestStatus latest;
+//   latest.publish({server.figures(), data.serving(), expires});              // the server's thread
+//   const std::string text = server_metrics("bench", latest.newest());       // any other
 
 #include <chrono>
 #include <mutex>
@@ -24,7 +23,7 @@ struct ServerStatus {
 };
 
 // The newest status of a thread that others ask about.
-class FiguresBoard {
+class LatestStatus {
  public:
   void publish(const ServerStatus& status) {
     const std::lock_guard lock(mutex_);

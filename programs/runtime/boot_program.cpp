@@ -91,7 +91,7 @@ std::optional<result::Diagnostics> BootProgram::outcome() {
 void BootProgram::decide(std::optional<result::Diagnostics> outcome) {
   outcome_ = std::move(outcome);
   runtime_.set_note("program", outcome_->empty() ? std::string() : outcome_->front().message);
-  decided_.ring();
+  decided_.notify();
 }
 
 // What could not be kept is tried again until it is, or until another program comes.

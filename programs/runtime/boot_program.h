@@ -8,7 +8,7 @@
 // the disk refuses is tried again. Invariant: the kept file is always one whole program.
 //
 //   BootProgram boot(config.boot, *runtime);
-//   auto server = Server::create({.socket = socket, .keeper = boot.keeper()}, *runtime);
+//   auto server = Server::create({.socket = socket, .persistence = boot.persistence()}, *runtime);
 //   if (const auto problems = boot.run(); !problems.empty()) ...
 
 #include <condition_variable>
@@ -22,10 +22,10 @@
 #include <vector>
 
 #include "programs/config/retain_config.h"
-#include "runtime/host/doorbell.h"
 #include "runtime/host/host_runtime.h"
+#include "runtime/host/notifier.h"
 #include "runtime/result/result.h"
-#include "runtime/service/program_keeper.h"
+#include "runtime/service/program_persistence.h"
 
 namespace stepwright::cell_runtime {
 
@@ -39,7 +39,7 @@ struct FoundProgram {
 [[nodiscard]] result::Result<std::optional<FoundProgram>> find_boot_program(
     const config::BootSection& config);
 
-class BootProgram final : private service::ProgramKeeper {
+class BootProgram final : private service::ProgramPersistence {
  public:
   BootProgram(config::BootSection config, host::HostRuntime& runtime);
   // What is to be kept is kept when it returns.
@@ -47,8 +47,8 @@ class BootProgram final : private service::ProgramKeeper {
   BootProgram(const BootProgram&) = delete;
   BootProgram& operator=(const BootProgram&) = delete;
 
-  // For ServerConfig::keeper; null if nothing is to be kept.
-  service::ProgramKeeper* keeper() { return config_.keep.empty() ? nullptr : this; }
+  // For ServerConfig::persistence; null if nothing is to be kept.
+  service::ProgramPersistence* persistence() { return config_.keep.empty() ? nullptr : this; }
 
   // Loads and starts the program, as far as it is asked for. Returns why not, with its place: R0024 and R0026
   // of the file, those of the verifier, R0025 of what it retains.
@@ -67,7 +67,7 @@ class BootProgram final : private service::ProgramKeeper {
   host::HostRuntime& runtime_;
   std::string booted_;  // digest of what was loaded at the start, until another program comes
 
-  host::Doorbell decided_;
+  host::Notifier decided_;
   std::mutex mutex_;  // of all below but the thread
   std::condition_variable news_;
   std::optional<std::vector<std::byte>> next_;  // the newest program, until it is kept

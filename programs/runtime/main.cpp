@@ -109,7 +109,7 @@ int run(const config::CellConfig& config) {
   ProcessMonitor monitor(config, log, init);
   BootProgram boot(config.boot, **runtime);
   auto server = service::Server::create(
-      {config.socket_path(), config.supervisor_lost_after, STEPWRIGHT_VERSION, &monitor, boot.keeper()},
+      {config.socket_path(), config.supervisor_lost_after, STEPWRIGHT_VERSION, &monitor, boot.persistence()},
       **runtime);
   if (!server) return fail(server.error(), ExitCode::BadInput);
   monitor.attach(**server, **runtime);

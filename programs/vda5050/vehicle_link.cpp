@@ -85,9 +85,10 @@ void VehicleLink::handle(const mqtt::Message& message, const FleetOrders& orders
   } else if (topic->topic == Topic::InstantActions) {
     const auto actions = read_instant_actions(message.payload, message.topic);
     if (!actions) return refuse(actions.error());
-    const Wishes wishes = side_.take(*actions, orders.cancelling(setup_.address.serial_number), utc_now());
-    if (wishes.factsheet) say_factsheet(news);
-    asked_ |= wishes.state;
+    const RequestedMessages requested =
+        side_.take(*actions, orders.cancelling(setup_.address.serial_number), utc_now());
+    if (requested.factsheet) say_factsheet(news);
+    asked_ |= requested.state;
   }
 }
 

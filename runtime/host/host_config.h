@@ -10,7 +10,7 @@
 #include "runtime/host/engine_choice.h"
 #include "runtime/host/safety_config.h"
 #include "runtime/host/task_settings.h"
-#include "runtime/record/retain_keeper.h"
+#include "runtime/record/retain_manager.h"
 
 namespace stepwright::host {
 

@@ -83,12 +83,12 @@ HostRuntime::HostRuntime(const HostConfig& config, image::IoDriver& driver, Plan
       snapshots_(std::move(snapshots)),
       reader_(std::move(reader)),
       incarnation_(random_incarnation()),
-      retain_(record::RetainKeeper::open(config_.retain)),
+      retain_(record::RetainManager::open(config_.retain)),
       loop_(std::make_unique<ScanLoop>(config_, io_, plant, *snapshots_, *retain_)),
       monitor_(config.safety.monitor_ns, [this] { io_.beat(); }),
       preparer_([this](PreparationJob job) { return prepare(std::move(job)); },
-                [this] { loop_->news().ring(); }) {
-  monitor_.watch(loop_->lifeline());
+                [this] { loop_->news().notify(); }) {
+  monitor_.watch(loop_->liveness());
 }
 
 HostRuntime::~HostRuntime() {
@@ -176,16 +176,16 @@ std::optional<Completion> HostRuntime::take_completion() {
   if (!completion) return std::nullopt;
   --commands_under_way_;
   blocks_.erase(completion->ticket);
-  const ProgramShelf::Held* held = programs_.done(completion->ticket);
+  const ProgramRegistry::Held* held = programs_.done(completion->ticket);
   if (held != nullptr && held->plan != nullptr) explain(*held, *completion);
   return completion;
 }
 
 std::optional<StepEvent> HostRuntime::take_event() {
   const ScanFigures figures = loop_->figures();
-  const ProgramShelf::Held* held = programs_.next_event();
+  const ProgramRegistry::Held* held = programs_.next_event();
   if (held == nullptr) {
-    if (!changing_) preparer_.discard(programs_.clear(figures.program, figures.kept));
+    if (!changing_) preparer_.discard(programs_.take_unused(figures.program, figures.kept));
     return std::nullopt;
   }
   EventRing& ring = held->program->events();

@@ -27,7 +27,7 @@
 #include "runtime/host/host_config.h"
 #include "runtime/host/plant_access.h"
 #include "runtime/host/program_preparer.h"
-#include "runtime/host/program_shelf.h"
+#include "runtime/host/program_registry.h"
 #include "runtime/host/runtime_port.h"
 #include "runtime/host/scan_loop.h"
 #include "runtime/host/scan_monitor.h"
@@ -97,7 +97,7 @@ class HostRuntime final : public RuntimePort {
   [[nodiscard]] result::Result<Preparation> prepare(PreparationJob job);
   void take_preparations();
   [[nodiscard]] result::Result<void> hand_over(Preparation prepared);
-  void explain(const ProgramShelf::Held& held, Completion& completion) const;
+  void explain(const ProgramRegistry::Held& held, Completion& completion) const;
   // What the newest event says, for as long as it is why the runtime is as it is.
   static bool still_holds(const NewestEvent& event, const ScanFigures& figures);
   StepEvent to_event(const PreparedProgram& program, const EventRing::Slot& slot) const;
@@ -108,7 +108,7 @@ class HostRuntime final : public RuntimePort {
   std::unique_ptr<SnapshotWriter> snapshots_;
   std::unique_ptr<SnapshotReader> reader_;
   std::uint64_t incarnation_;
-  std::unique_ptr<record::RetainKeeper> retain_;
+  std::unique_ptr<record::RetainManager> retain_;
   record::Recorder recorder_;  // ends after the scan thread
   std::unique_ptr<ScanLoop> loop_;
   ScanMonitor monitor_;  // between what it looks at all the time and the programs, whose tasks come and go
@@ -117,7 +117,7 @@ class HostRuntime final : public RuntimePort {
   std::uint64_t traps_ = 0;  // that the service has heard of
   mutable std::mutex note_mutex_;
   std::map<std::string, std::string> notes_;  // by what they are of
-  ProgramShelf programs_;
+  ProgramRegistry programs_;
   std::map<std::uint64_t, std::unique_ptr<const BlockWrite>> blocks_;  // by ticket, while they are under way
   std::size_t commands_under_way_ = 0;
   std::uint64_t last_order_ = 0;

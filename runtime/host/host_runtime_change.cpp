@@ -41,7 +41,7 @@ result::Result<Preparation> HostRuntime::prepare(PreparationJob job) {
   Preparation done;
   auto program = PreparedProgram::create(
       std::move(job.container), std::move(job.digest),
-      {io_, loop_->clock(), config_, &loop_->lifeline(), &monitor_, loop_->clock_origin_ns(),
+      {io_, loop_->clock(), config_, &loop_->liveness(), &monitor_, loop_->clock_origin_ns(),
        plant_names_.size(), [loop = loop_.get()] { loop->task_failed(); }});
   if (!program) return result::forward(program);
   auto retained = retain_->prepare((*program)->loaded().program());
@@ -96,7 +96,7 @@ result::Result<void> HostRuntime::hand_over(Preparation prepared) {
 }
 
 // In words what the scan thread said in numbers.
-void HostRuntime::explain(const ProgramShelf::Held& held, Completion& completion) const {
+void HostRuntime::explain(const ProgramRegistry::Held& held, Completion& completion) const {
   switch (completion.outcome) {
     case Outcome::Done: {
       ChangeReport report = held.plan->report();

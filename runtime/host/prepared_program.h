@@ -22,8 +22,8 @@
 #include "runtime/host/scan_monitor.h"
 #include "runtime/host/seq_cell.h"
 #include "runtime/host/step_watch.h"
-#include "runtime/host/task_crew.h"
 #include "runtime/host/task_plan.h"
+#include "runtime/host/task_threads.h"
 #include "runtime/image/process_image.h"
 #include "runtime/record/retained_values.h"
 #include "runtime/result/result.h"
@@ -34,15 +34,15 @@ namespace stepwright::host {
 class PreparedProgram {
  public:
   // What a program runs in.
-  struct Surroundings {
+  struct Environment {
     AreaDriver& io;
     scan::Clock& clock;
     const HostConfig& config;
-    Lifeline* lifeline = nullptr;      // of the scan thread; null: nobody looks at it
-    ScanMonitor* monitor = nullptr;    // looks at the threads of other tasks; null: nobody does
-    std::int64_t clock_origin_ns = 0;  // what the clock shows at scan time 0
+    ThreadLiveness* liveness = nullptr;  // of the scan thread; null: nobody looks at it
+    ScanMonitor* monitor = nullptr;      // looks at the threads of other tasks; null: nobody does
+    std::int64_t clock_origin_ns = 0;    // what the clock shows at scan time 0
     std::size_t plant_values = 0;
-    std::function<void()> task_failed = [] {};  // see CrewSetup::failed
+    std::function<void()> task_failed = [] {};  // see WorkerSetup::failed
   };
 
   // Verifies the container and takes its memory and threads. Fails with the diagnostics of the verifier, with
@@ -52,7 +52,7 @@ class PreparedProgram {
   // process. Throws std::bad_alloc where the system gives no memory after all. What is passed by reference
   // must outlive the program.
   [[nodiscard]] static result::Result<std::unique_ptr<PreparedProgram>> create(
-      std::vector<std::byte> container, std::string digest, const Surroundings& surroundings);
+      std::vector<std::byte> container, std::string digest, const Environment& environment);
 
   PreparedProgram(const PreparedProgram&) = delete;
   PreparedProgram& operator=(const PreparedProgram&) = delete;
@@ -71,7 +71,7 @@ class PreparedProgram {
   scan::ScanCycle& cycle() { return cycle_; }
   StepWatch& steps() { return steps_; }
   const BoolBytes& bools() const { return machine_.bools; }
-  TaskCrew& crew() { return *crew_; }
+  TaskThreads& task_threads() { return *tasks_; }
   // Publishes how punctual the scan thread's own tasks are.
   void publish_timings();
   // Pushed by the scan thread, popped by the service thread.
@@ -91,7 +91,7 @@ class PreparedProgram {
     std::vector<std::byte> safe_outputs;
   };
   PreparedProgram(reader::LoadedProgram loaded, Machine machine, std::string digest,
-                  const Surroundings& surroundings);
+                  const Environment& environment);
 
   std::string digest_;
   reader::LoadedProgram loaded_;
@@ -103,7 +103,7 @@ class PreparedProgram {
   scan::ScanCycle cycle_;
   StepWatch steps_;
   EventRing events_;
-  std::unique_ptr<TaskCrew> crew_;                   // last: its threads use the rest
+  std::unique_ptr<TaskThreads> tasks_;               // last: its threads use the rest
   std::shared_ptr<record::RetainChannel> retained_;  // shared with the thread that writes the store
 };
 

@@ -46,11 +46,11 @@ std::optional<Preparation> ProgramPreparer::take() {
   return done;
 }
 
-void ProgramPreparer::discard(std::vector<ProgramShelf::Held> programs) {
+void ProgramPreparer::discard(std::vector<ProgramRegistry::Held> programs) {
   if (!thread_.joinable()) return;
   {
     const std::lock_guard lock(mutex_);
-    for (ProgramShelf::Held& each : programs) discarded_.push_back(std::move(each));
+    for (ProgramRegistry::Held& each : programs) discarded_.push_back(std::move(each));
   }
   wanted_.notify_one();
 }
@@ -60,7 +60,7 @@ void ProgramPreparer::run() {
   while (true) {
     wanted_.wait(lock, [this] { return quit_ || !jobs_.empty() || !discarded_.empty(); });
     if (quit_) return;
-    std::vector<ProgramShelf::Held> gone = std::exchange(discarded_, {});
+    std::vector<ProgramRegistry::Held> gone = std::exchange(discarded_, {});
     if (!gone.empty()) {
       lock.unlock();
       gone.clear();

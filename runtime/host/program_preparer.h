@@ -8,7 +8,7 @@
 // thread. Invariants: bounded in number; whatever a job fails at (memory, threads) is its outcome and nothing
 // else; what was accepted is taken exactly once.
 //
-//   ProgramPreparer preparer(work, [&] { news.ring(); });
+//   ProgramPreparer preparer(work, [&] { news.notify(); });
 //   if (auto accepted = preparer.submit(std::move(job)); !accepted) ...
 //   while (auto done = preparer.take()) ...
 
@@ -27,7 +27,7 @@
 #include "runtime/host/change_plan.h"
 #include "runtime/host/messages.h"
 #include "runtime/host/prepared_program.h"
-#include "runtime/host/program_shelf.h"
+#include "runtime/host/program_registry.h"
 
 namespace stepwright::host {
 
@@ -66,7 +66,7 @@ class ProgramPreparer {
   // Jobs that nobody has taken yet.
   std::size_t under_way() const { return under_way_; }
   // Destroyed behind the jobs that are waiting.
-  void discard(std::vector<ProgramShelf::Held> programs);
+  void discard(std::vector<ProgramRegistry::Held> programs);
 
  private:
   void run();
@@ -79,7 +79,7 @@ class ProgramPreparer {
   std::mutex mutex_;  // of what follows
   std::condition_variable wanted_;
   std::deque<PreparationJob> jobs_;
-  std::vector<ProgramShelf::Held> discarded_;
+  std::vector<ProgramRegistry::Held> discarded_;
   std::deque<Preparation> finished_;
   bool quit_ = false;
   std::thread thread_;  // from the first job on

@@ -33,7 +33,7 @@ FixedText<kMaxReasonBytes> reason_of(const scan::ScanCycle& cycle) {
 }  // namespace
 
 ScanLoop::ScanLoop(const HostConfig& config, AreaDriver& io, PlantAccess* plant, SnapshotWriter& snapshots,
-                   record::RetainKeeper& retain)
+                   record::RetainManager& retain)
     : config_(config),
       io_(io),
       plant_(plant),
@@ -42,7 +42,7 @@ ScanLoop::ScanLoop(const HostConfig& config, AreaDriver& io, PlantAccess* plant,
       urgent_(kQueue),
       commands_(kQueue),
       completions_(kQueue),
-      lifeline_(config.safety.stall_ns),
+      liveness_(config.safety.stall_ns),
       barrier_(config),
       faults_(config.faults),
       truths_(plant == nullptr ? 0 : plant->value_names().size()),
@@ -69,18 +69,18 @@ void ScanLoop::run() {
   stop("the runtime ends");
   // Before anything that waits: for a disk, for another thread.
   io_.farewell();
-  lifeline_.rest();
+  liveness_.rest();
   tap_.end("the runtime ends");
 }
 
 void ScanLoop::quit() {
   quit_.store(true, std::memory_order_release);
-  wake_.ring();
+  wake_.notify();
 }
 
 bool ScanLoop::submit(Command command) {
   if (!(goes_ahead(command.kind) ? urgent_ : commands_).push(std::move(command))) return false;
-  wake_.ring();
+  wake_.notify();
   return true;
 }
 
@@ -103,8 +103,8 @@ void ScanLoop::turn_real() {
   }
   program_->cycle().settle_overruns(due_ns + late_ns);
   scan_once();
-  // After a rollback another crew is at work, which is not held.
-  if (program_ == scanned) program_->crew().look_at_triggers();
+  // After a rollback the tasks of another program run, whose mutex is not held.
+  if (program_ == scanned) program_->task_threads().look_at_triggers();
 }
 
 // Waits for the instant. False if something is to be done before it. One system call, but for what comes in
@@ -113,11 +113,11 @@ bool ScanLoop::reached(std::int64_t due_ns) {
   const std::int64_t instant_ns = origin_ns_ + due_ns;
   const bool far = instant_ns - clock_.now_ns() > kUndisturbedNs;
   if (far && (commands_left_ || warm_change_.waiting)) return false;
-  lifeline_.rest_until(instant_ns);
+  liveness_.rest_until(instant_ns);
   const bool rang = far && !wake_.wait_until(instant_ns);
   const bool interrupted = rang && instant_ns - clock_.now_ns() > kUndisturbedNs;
   if (!interrupted && (rang || !far)) sleep_until(instant_ns);
-  lifeline_.busy();
+  liveness_.busy();
   return !interrupted;
 }
 
@@ -158,19 +158,19 @@ void ScanLoop::wait(std::int64_t timeout_ns) {
     const std::int64_t left_ns = std::max<std::int64_t>(0, end_ns - clock_.now_ns());
     timeout_ns = timeout_ns < 0 ? left_ns : std::min(timeout_ns, left_ns);
   }
-  lifeline_.rest();
+  liveness_.rest();
   if (timeout_ns < 0) {
     wake_.wait();
   } else {
     wake_.wait_until(clock_.now_ns() + timeout_ns);
   }
-  lifeline_.busy();
+  liveness_.busy();
 }
 
 void ScanLoop::scan_once() {
-  lifeline_.busy();
+  liveness_.busy();
   inject_scheduled(program_->cycle().next_time_ns());
-  if (tap_.recording() && !program_->crew().empty()) tap_.state(record::StateCause::Tasks, running());
+  if (tap_.recording() && !program_->task_threads().empty()) tap_.state(record::StateCause::Tasks, running());
   const scan::ScanReport report = program_->cycle().run_scan();
   now_.scan = report.scan;
   now_.time_ns = report.time_ns;
@@ -192,7 +192,7 @@ void ScanLoop::scan_once() {
     emit(EventKind::StepChange, {}, {});
   } else if (stands) {
     publish();
-    news_.ring();
+    news_.notify();
   } else {
     publish_if_due();
   }
@@ -201,7 +201,7 @@ void ScanLoop::scan_once() {
 void ScanLoop::faulted(const scan::ScanReport& report) {
   retain_.finish(program_->image().bytes());
   end_stretch();
-  program_->crew().stop();
+  program_->task_threads().stop();
   now_.state = RuntimeState::Fault;
   next_start_ns_ = program_->cycle().next_time_ns();
   if (real()) idle_due_ns_ = safe_time_ns();  // ramps go on at once
@@ -229,10 +229,10 @@ void ScanLoop::inject_scheduled(std::int64_t time_ns) {
 void ScanLoop::emit(EventKind kind, const bytecode::Trap& trap, std::string_view reason,
                     const PreparedProgram* other) {
   note(kind, trap, reason, other);
-  news_.ring();
+  news_.notify();
 }
 
-// The event without the bell: behind a command it rings anyway.
+// The event without a notification: a command is followed by one anyway.
 void ScanLoop::note(EventKind kind, const bytecode::Trap& trap, std::string_view reason,
                     const PreparedProgram* other) {
   EventNote event;
@@ -277,8 +277,8 @@ void ScanLoop::end_stretch() {
 }
 
 // The other tasks of the program neither take nor give values while it lives.
-TaskCrew::Hold ScanLoop::hold_tasks() {
-  return program_ == nullptr ? TaskCrew::Hold(nullptr) : program_->crew().hold();
+TaskThreads::Hold ScanLoop::hold_tasks() {
+  return program_ == nullptr ? TaskThreads::Hold(nullptr) : program_->task_threads().hold();
 }
 
 void ScanLoop::publish_if_due() {

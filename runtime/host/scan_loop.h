@@ -7,7 +7,7 @@
 // supervisor go ahead of every other command.
 //
 // Threads: `run` is the body of the scan thread; the functions under "service thread" belong to that one
-// thread; `quit` may be called from any. No heap, lock or log on the path of a scan; a doorbell is rung (one
+// thread; `quit` may be called from any. No heap, lock or log on the path of a scan; a Notifier is set (one
 // system call) only when there is news for the service. Invariants: in any state but Running the outputs are
 // in their safe state; in simulated time the clock moves only while the state is Running and no barrier
 // holds.
@@ -23,8 +23,8 @@
 #include "runtime/host/barrier.h"
 #include "runtime/host/change_trial.h"
 #include "runtime/host/command.h"
-#include "runtime/host/doorbell.h"
 #include "runtime/host/host_config.h"
+#include "runtime/host/notifier.h"
 #include "runtime/host/pace.h"
 #include "runtime/host/plant_access.h"
 #include "runtime/host/prepared_program.h"
@@ -76,7 +76,7 @@ class ScanLoop {
  public:
   // What is passed by reference must outlive the loop; `plant` may be null.
   ScanLoop(const HostConfig& config, AreaDriver& io, PlantAccess* plant, SnapshotWriter& snapshots,
-           record::RetainKeeper& retain);
+           record::RetainManager& retain);
 
   // Until `quit`; then the outputs are in their safe state.
   void run();
@@ -88,14 +88,14 @@ class ScanLoop {
   ScanFigures figures() const { return figures_.load(); }
   ForceList forces() const { return forces_.load(); }
   // Rings when completions or events are there.
-  Doorbell& news() { return news_; }
+  Notifier& news() { return news_; }
   // The event ring of the program that runs was full and has room again.
-  void events_taken() { wake_.ring(); }
+  void events_taken() { wake_.notify(); }
 
   // A task on a thread of its own has ended the program with a fault: it is reported now. Any thread.
   void task_failed() {
     task_failed_.store(true, std::memory_order_release);
-    wake_.ring();
+    wake_.notify();
   }
 
   // Measures scans and, in real time, sets them off; forces end by it. Any thread.
@@ -103,7 +103,7 @@ class ScanLoop {
   // What the clock shows at scan time 0.
   std::int64_t clock_origin_ns() const { return origin_ns_; }
   // Of the scan thread. Any thread.
-  Lifeline& lifeline() { return lifeline_; }
+  ThreadLiveness& liveness() { return liveness_; }
   bool ok() const { return news_.ok(); }
 
  private:
@@ -159,7 +159,7 @@ class ScanLoop {
   void end_stretch();
   void publish_if_due();
   void publish();
-  [[nodiscard]] TaskCrew::Hold hold_tasks();
+  [[nodiscard]] TaskThreads::Hold hold_tasks();
   std::int64_t next_time_ns() const;
   std::int64_t safe_time_ns();
   void wait(std::int64_t timeout_ns);
@@ -169,7 +169,7 @@ class ScanLoop {
   AreaDriver& io_;
   PlantAccess* plant_;
   SnapshotWriter& snapshots_;
-  record::RetainKeeper& retain_;
+  record::RetainManager& retain_;
   MonotonicClock clock_;
 
   SpscQueue<Command> urgent_;  // stops and the supervisor's life: ahead of the others
@@ -177,12 +177,12 @@ class ScanLoop {
   SpscQueue<Completion> completions_;
   std::vector<Completion> finished_;  // the scan thread's: commands of this turn; sized once
   WakeSignal wake_;
-  Doorbell news_;
+  Notifier news_;
   SeqCell<ScanFigures> figures_;
   SeqCell<ForceList> forces_;
   std::atomic<bool> quit_{false};
   std::atomic<bool> task_failed_{false};
-  Lifeline lifeline_;
+  ThreadLiveness liveness_;
 
   // The rest belongs to the scan thread.
   PreparedProgram* program_ = nullptr;

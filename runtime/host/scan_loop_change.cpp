@@ -66,9 +66,9 @@ Completion ScanLoop::change(const Command& command) {
   PreparedProgram& next = plan.to();
   plan.carry(before.image(), next.image());
   completion.change.dropped_forces = plan.move_forces(before.cycle().forces(), next.cycle().forces());
-  const auto hold = next.crew().hold();
+  const auto hold = next.task_threads().hold();
   next.cycle().take_over(before.cycle(), plan.tasks());
-  next.crew().take_over(before.crew(), plan.tasks(), next.cycle().next_time_ns());
+  next.task_threads().take_over(before.task_threads(), plan.tasks(), next.cycle().next_time_ns());
   end_trial();  // of an earlier change: it has run without a trap so far
   retain_from(next);
   adopt(next);
@@ -104,10 +104,10 @@ void ScanLoop::roll_back(const bytecode::Trap& trap) {
   const ChangePlan& plan = *trial_.plan;
   PreparedProgram& failed = plan.to();
   PreparedProgram& before = plan.from();
-  // Two crews are held only here and in change(), by this one thread: their order does not matter.
-  const auto hold = before.crew().hold();
+  // Two programs' mutexes are held only here and in change(), by one thread: their order is free.
+  const auto hold = before.task_threads().hold();
   before.cycle().take_over(failed.cycle(), plan.tasks_back());
-  before.crew().take_over(failed.crew(), plan.tasks_back(), before.cycle().next_time_ns());
+  before.task_threads().take_over(failed.task_threads(), plan.tasks_back(), before.cycle().next_time_ns());
   const std::uint32_t dropped = plan.move_forces_back(failed.cycle().forces(), before.cycle().forces());
   retain_from(before);
   adopt(before);

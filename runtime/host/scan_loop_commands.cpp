@@ -56,7 +56,7 @@ void ScanLoop::take_commands() {
     assert(pushed);
   }
   finished_.clear();
-  news_.ring();
+  news_.notify();
 }
 
 // Real clock: commands take turns with the scans. They have a share of the time after each, and more of it as
@@ -201,7 +201,7 @@ Outcome ScanLoop::start(const Command& command) {
   program_->cycle().forces() = forces;
   retain_.begin(program_->retained(), program_->image().bytes(), command.cold);
   program_->steps().reset(program_->image().bytes());
-  program_->crew().start(next_start_ns_);
+  program_->task_threads().start(next_start_ns_);
   barrier_.arm(command.barrier);
   now_.state = RuntimeState::Running;
   tap_.state(record::StateCause::Start, running());
@@ -218,7 +218,7 @@ Outcome ScanLoop::stop(std::string_view reason, scan::SafeCause cause) {
   // In real time the next scan may be far away: ramps begin now.
   next_start_ns_ = real() ? safe_time_ns() : program_->cycle().next_time_ns();
   idle_due_ns_ = next_start_ns_;
-  program_->crew().stop();
+  program_->task_threads().stop();
   retain_.finish(program_->image().bytes());  // before outputs go to their safe state
   if (real()) {
     program_->cycle().stop(cause, next_start_ns_);

@@ -5,25 +5,25 @@
 
 namespace stepwright::host {
 
-void Lifeline::begin(std::int64_t until_ns) {
+void ThreadLiveness::begin(std::int64_t until_ns) {
   execution_until_ns_.store(until_ns, std::memory_order_relaxed);
   until_ns == kNever ? rest() : expect(until_ns);
   interrupt_.begin();
 }
 
-void Lifeline::end() {
+void ThreadLiveness::end() {
   interrupt_.end();
   busy();
 }
 
 // The number of the run is read before its limit: if another run begins meanwhile, `ask` finds that the first
 // has ended.
-void Lifeline::end_if_late(std::int64_t now_ns) {
+void ThreadLiveness::end_if_late(std::int64_t now_ns) {
   const std::uint32_t run = interrupt_.running();
   if (run != 0 && now_ns > execution_until_ns_.load(std::memory_order_relaxed)) interrupt_.ask(run);
 }
 
-std::int64_t Lifeline::silent_ns(std::int64_t now_ns) const {
+std::int64_t ThreadLiveness::silent_ns(std::int64_t now_ns) const {
   return std::max<std::int64_t>(0, now_ns - heard_until_ns_.load(std::memory_order_relaxed));
 }
 
@@ -33,18 +33,18 @@ ScanMonitor::ScanMonitor(std::int64_t period_ns, std::function<void()> beat)
 ScanMonitor::~ScanMonitor() {
   if (!thread_.joinable()) return;
   quit_.store(true, std::memory_order_release);
-  end_.ring();
+  end_.notify();
   thread_.join();
 }
 
-void ScanMonitor::watch(Lifeline& lifeline) {
+void ScanMonitor::watch(ThreadLiveness& liveness) {
   const std::lock_guard lock(mutex_);
-  lifelines_.push_back(&lifeline);
+  watched_.push_back(&liveness);
 }
 
-void ScanMonitor::unwatch(Lifeline& lifeline) {
+void ScanMonitor::unwatch(ThreadLiveness& liveness) {
   const std::lock_guard lock(mutex_);
-  std::erase(lifelines_, &lifeline);
+  std::erase(watched_, &liveness);
 }
 
 void ScanMonitor::start() {
@@ -58,9 +58,9 @@ void ScanMonitor::run() {
     std::int64_t silent_ns = 0;
     {
       const std::lock_guard lock(mutex_);
-      for (Lifeline* lifeline : lifelines_) {
-        lifeline->end_if_late(now_ns);
-        silent_ns = std::max(silent_ns, lifeline->silent_ns(now_ns));
+      for (ThreadLiveness* liveness : watched_) {
+        liveness->end_if_late(now_ns);
+        silent_ns = std::max(silent_ns, liveness->silent_ns(now_ns));
       }
     }
     silent_ns_.store(silent_ns, std::memory_order_relaxed);

@@ -1,18 +1,19 @@
 #pragma once
 
-// Sees from outside whether the scan comes back. Each scanning thread holds a Lifeline, on which it says
-// until when it will be heard of again; the monitor's own thread looks at all of them. An execution that
-// lasts beyond what its watchdog allows is ended through the engine's interrupt; a thread that is not heard
-// of (a driver that blocks, a deadlock) cannot be helped from inside the process: the runtime is not healthy
-// then, and the heartbeat that the guard and systemd live on stops.
+// Sees from outside whether the scan comes back. Each scanning thread has a ThreadLiveness, in which it says
+// by when it will report again; the monitor's own thread looks at all of them. An execution that lasts beyond
+// what its watchdog allows is ended through the engine's interrupt; a thread that is not heard of (a driver
+// that blocks, a deadlock) cannot be helped from inside the process: the runtime is not healthy then, and the
+// heartbeat that the guard and systemd live on stops.
 //
 //   ScanMonitor monitor(20'000'000, [&] { driver.beat(); });
-//   monitor.watch(loop.lifeline());
+//   monitor.watch(loop.liveness());
 //   monitor.start();
 //   if (!monitor.healthy()) ...                       // any thread
 //
-// Threads: a Lifeline's functions belong to its scanning thread, unless they say otherwise; no heap, lock or
-// system call in them. start by one thread; watch, unwatch, healthy and silent_ns by any that does not scan.
+// Threads: a ThreadLiveness's functions belong to its scanning thread, unless they say otherwise; no heap,
+// lock or system call in them. start by one thread; watch, unwatch, healthy and silent_ns by any that does
+// not scan.
 
 #include <atomic>
 #include <cstdint>
@@ -22,16 +23,16 @@
 #include <vector>
 
 #include "runtime/bytecode/interrupt.h"
-#include "runtime/host/doorbell.h"
+#include "runtime/host/notifier.h"
 #include "runtime/host/real_time.h"
 #include "runtime/scan/task_watchdog.h"
 
 namespace stepwright::host {
 
-class Lifeline final : public scan::TaskWatch {
+class ThreadLiveness final : public scan::TaskWatch {
  public:
   // `stall_ns`: how much later than it said the thread may be.
-  explicit Lifeline(std::int64_t stall_ns) : stall_ns_(stall_ns) {}
+  explicit ThreadLiveness(std::int64_t stall_ns) : stall_ns_(stall_ns) {}
 
   // The thread waits until that instant of the monotonic clock, or as long as nobody wants anything of it.
   void rest_until(std::int64_t instant_ns) { expect(instant_ns); }
@@ -72,8 +73,8 @@ class ScanMonitor {
   ScanMonitor& operator=(const ScanMonitor&) = delete;
 
   // Looks at it until unwatch, or for the rest of the monitor's life. Any thread but a scanning one.
-  void watch(Lifeline& lifeline);
-  void unwatch(Lifeline& lifeline);
+  void watch(ThreadLiveness& liveness);
+  void unwatch(ThreadLiveness& liveness);
   void start();
 
   // Every thread was heard of in time when the monitor looked last.
@@ -87,30 +88,30 @@ class ScanMonitor {
   std::int64_t period_ns_;
   std::function<void()> beat_;
   std::mutex mutex_;  // of the list; never taken by a thread that scans
-  std::vector<Lifeline*> lifelines_;
+  std::vector<ThreadLiveness*> watched_;
   MonotonicClock clock_;
-  Doorbell end_;
+  Notifier end_;
   std::atomic<bool> quit_{false};
   std::atomic<std::int64_t> silent_ns_{0};
   std::thread thread_;
 };
 
-// Has a monitor look at a lifeline for as long as it lives, whatever else fails meanwhile.
+// Registers a ThreadLiveness with a monitor for its own lifetime (RAII).
 class MonitorWatch {
  public:
   // Null: nobody looks. Both must outlive it.
-  MonitorWatch(ScanMonitor* monitor, Lifeline& lifeline) : monitor_(monitor), lifeline_(lifeline) {
-    if (monitor_ != nullptr) monitor_->watch(lifeline_);
+  MonitorWatch(ScanMonitor* monitor, ThreadLiveness& liveness) : monitor_(monitor), liveness_(liveness) {
+    if (monitor_ != nullptr) monitor_->watch(liveness_);
   }
   ~MonitorWatch() {
-    if (monitor_ != nullptr) monitor_->unwatch(lifeline_);
+    if (monitor_ != nullptr) monitor_->unwatch(liveness_);
   }
   MonitorWatch(const MonitorWatch&) = delete;
   MonitorWatch& operator=(const MonitorWatch&) = delete;
 
  private:
   ScanMonitor* monitor_;
-  Lifeline& lifeline_;
+  ThreadLiveness& liveness_;
 };
 
 }  // namespace stepwright::host

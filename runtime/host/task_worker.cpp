@@ -12,7 +12,7 @@ constexpr std::int64_t kPublishPeriodNs = 100'000'000;
 
 }  // namespace
 
-TaskWorker::TaskWorker(CrewShare& share, const scan::Task& task, std::unique_ptr<bytecode::Engine> engine,
+TaskWorker::TaskWorker(WorkerShare& share, const scan::Task& task, std::unique_ptr<bytecode::Engine> engine,
                        const ThreadPlacement& placement, SeqCell<scan::TaskTiming>& timing)
     : share_(share),
       task_(task),
@@ -20,16 +20,16 @@ TaskWorker::TaskWorker(CrewShare& share, const scan::Task& task, std::unique_ptr
       published_(timing),
       memory_(share.program.memory_size()),
       before_(share.program.image_size()),
-      lifeline_(share.stall_ns),
-      watch_(share.monitor, lifeline_),
+      liveness_(share.stall_ns),
+      watch_(share.monitor, liveness_),
       wake_ns_(scan::kNever) {
-  engine_->set_interrupt(lifeline_.interrupt());
+  engine_->set_interrupt(liveness_.interrupt());
   thread_ = std::thread([this, placement] { run(placement); });
 }
 
 TaskWorker::~TaskWorker() {
   quit_.store(true, std::memory_order_release);
-  wake_.ring();
+  wake_.notify();
   thread_.join();
 }
 
@@ -49,13 +49,13 @@ void TaskWorker::go_on() {
   active_ = true;
   pending_ = false;
   wake_ns_.store(task_.due_ns, std::memory_order_release);
-  wake_.ring();
+  wake_.notify();
 }
 
 void TaskWorker::rest() {
   active_ = false;
   wake_ns_.store(scan::kNever, std::memory_order_release);
-  wake_.ring();
+  wake_.notify();
 }
 
 // An edge while the one before still waits for its cycle is lost, as it is between two scans.
@@ -67,7 +67,7 @@ void TaskWorker::look_at_trigger() {
   if (!edge) return;
   if (pending_) ++timing_.overruns;
   pending_ = true;
-  wake_.ring();
+  wake_.notify();
 }
 
 void TaskWorker::run(const ThreadPlacement& placement) {
@@ -92,10 +92,10 @@ void TaskWorker::cycle() {
   if (!take(time_ns, measured)) return;
   std::memcpy(before_.data(), memory_.data(), before_.size());
   std::uint64_t budget = share_.budget;
-  const scan::ExecutionPlace place{share_.program, *engine_, memory_, share_.clock, &lifeline_, true};
+  const scan::ExecutionPlace place{share_.program, *engine_, memory_, share_.clock, &liveness_, true};
   const scan::Execution done = scan::execute(place, task_, time_ns, budget);
   // Between two executions nobody waits for this task.
-  lifeline_.rest();
+  liveness_.rest();
   give_back(done, measured);
 }
 

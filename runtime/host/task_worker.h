@@ -5,7 +5,7 @@
 // that is preempted never sees half of what another one wrote, and a more urgent task never waits for longer
 // than a copy.
 //
-// Threads: the worker's own; what stands under "crew" is called with the crew's mutex held. No heap or log
+// Threads: the worker's own; functions that say "with the mutex" require WorkerShare::mutex. No heap or log
 // while it runs; one lock at either end of a cycle.
 
 #include <atomic>
@@ -29,14 +29,14 @@
 namespace stepwright::host {
 
 // What the workers of one program share with the thread that scans it.
-struct CrewShare {
+struct WorkerShare {
   const bytecode::Program& program;
   image::ProcessImage& image;
   scan::ScanCycle& cycle;
   scan::Clock& clock;
   const MergeMap& merge_map;
   ScanMonitor* monitor = nullptr;
-  std::int64_t stall_ns = 0;   // of the workers' lifelines
+  std::int64_t stall_ns = 0;   // of the workers' liveness
   std::int64_t origin_ns = 0;  // what the clock shows at scan time 0
   std::uint64_t budget = 0;    // of a task's cycle
   // What a worker calls after it has written to the image: others may wait for what it wrote.
@@ -52,20 +52,22 @@ class TaskWorker {
  public:
   // Starts the thread; it rests until the first `start`. `engine` is the worker's own. All else must outlive
   // it. Throws std::system_error where the system gives no thread; then nobody knows of it.
-  TaskWorker(CrewShare& share, const scan::Task& task, std::unique_ptr<bytecode::Engine> engine,
+  TaskWorker(WorkerShare& share, const scan::Task& task, std::unique_ptr<bytecode::Engine> engine,
              const ThreadPlacement& placement, SeqCell<scan::TaskTiming>& timing);
   // Ends the thread after the cycle that it is in.
   ~TaskWorker();
   TaskWorker(const TaskWorker&) = delete;
   TaskWorker& operator=(const TaskWorker&) = delete;
 
-  // Crew: the task starts anew, due from `time_ns` on.
+  // With the mutex: the task starts anew, due from `time_ns` on.
   void start(std::int64_t time_ns);
-  // Crew: the same, but as `before`, a task of another program, would go on; null: due at `time_ns`.
+  // With the mutex: the same, but as `before`, a task of another program, would go on; null: due at
+  // `time_ns`.
   void take_over(const scan::Task* before, std::int64_t time_ns);
-  // Crew: wakes the thread, which finds that nothing runs.
+  // With the mutex: wakes the thread, which finds that nothing runs.
   void rest();
-  // Crew, after anything was written to the shared image: sets the task off if its trigger has risen.
+  // With the mutex, after anything was written to the shared image: sets the task off if its trigger has
+  // risen.
   void look_at_trigger();
 
   const scan::Task& task() const { return task_; }
@@ -80,14 +82,14 @@ class TaskWorker {
   bool tell_of_fault();
   void publish_if_due(std::int64_t now_ns);
 
-  CrewShare& share_;
+  WorkerShare& share_;
   scan::Task task_;
   std::unique_ptr<bytecode::Engine> engine_;
   SeqCell<scan::TaskTiming>& published_;
   std::vector<std::byte> memory_;  // image and frames of this task's own
   std::vector<std::byte> before_;  // the image as the task got it
   scan::TaskTiming timing_;
-  Lifeline lifeline_;  // says something during an execution only
+  ThreadLiveness liveness_;  // says something during an execution only
   MonitorWatch watch_;
   std::int64_t published_ns_ = 0;
   std::uint64_t epoch_ = 0;

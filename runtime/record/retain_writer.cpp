@@ -26,31 +26,31 @@ void keep_file_size_signal_out() {
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
 }
 
-// Until the bell rings, or for that time; without a time until it rings.
-void wait(int bell, std::optional<nanoseconds> time) {
-  pollfd entry{bell, POLLIN, 0};
+// Until a notification, or for that time; without a time until a notification.
+void wait(int event, std::optional<nanoseconds> time) {
+  pollfd entry{event, POLLIN, 0};
   const nanoseconds span = time.value_or(nanoseconds(0));
   const timespec limit{static_cast<time_t>(span.count() / 1'000'000'000),
                        static_cast<long>(span.count() % 1'000'000'000)};
   ppoll(&entry, 1, time ? &limit : nullptr, nullptr);
-  std::uint64_t rings = 0;
-  if (entry.revents != 0) static_cast<void>(!read(bell, &rings, sizeof rings));
+  std::uint64_t count = 0;
+  if (entry.revents != 0) static_cast<void>(!read(event, &count, sizeof count));
 }
 
 }  // namespace
 
 RetainWriter::RetainWriter(std::filesystem::path path, nanoseconds period, std::optional<StoredState> found)
     : path_(std::move(path)), period_(period), found_(std::move(found)) {
-  bell_ = eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
+  event_ = eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
   if (found_) sequence_ = found_->sequence;
   thread_ = std::thread([this] { run(); });
 }
 
 RetainWriter::~RetainWriter() {
   quit_.store(true, std::memory_order_release);
-  ring();
+  notify();
   thread_.join();
-  if (bell_ >= 0) close(bell_);
+  if (event_ >= 0) close(event_);
 }
 
 void RetainWriter::add(std::shared_ptr<RetainChannel> channel) {
@@ -61,9 +61,9 @@ void RetainWriter::add(std::shared_ptr<RetainChannel> channel) {
   channels_.push_back(std::move(channel));
 }
 
-void RetainWriter::ring() const {
+void RetainWriter::notify() const {
   const std::uint64_t one = 1;
-  static_cast<void>(!write(bell_, &one, sizeof one));
+  static_cast<void>(!write(event_, &one, sizeof one));
 }
 
 std::string RetainWriter::note() const {
@@ -91,12 +91,12 @@ void RetainWriter::run() {
     const bool last = quit_.load(std::memory_order_acquire);
     turn();
     if (last) return;
-    if (bell_ < 0 || unwritten_) {
-      wait(bell_, std::max(period_, kRetry));
+    if (event_ < 0 || unwritten_) {
+      wait(event_, std::max(period_, kRetry));
     } else if (writing_ != nullptr) {
-      wait(bell_, period_);
+      wait(event_, period_);
     } else {
-      wait(bell_, std::nullopt);
+      wait(event_, std::nullopt);
     }
   }
 }

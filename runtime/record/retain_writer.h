@@ -5,7 +5,7 @@
 // number when the disk has it. What cannot be written is tried again until it can; the runtime goes on
 // meanwhile.
 //
-// Threads: `add` and `note` any; `use` and `ring` the scan thread: no heap, no lock (`ring` is one system
+// Threads: `add` and `note` any; `use` and `notify` the scan thread: no heap, no lock (`notify` is one system
 // call, for stops, not for scans). Invariant: `committed` never names what a crash could lose.
 //
 //   writer.add(channel);                              // when its program is loaded
@@ -43,7 +43,7 @@ class RetainWriter {
   // From now on this channel's values are the retained ones. Requires an added channel whose program lives.
   void use(RetainChannel& channel) { current_.store(&channel, std::memory_order_release); }
   // Has it look now and not at the end of its period.
-  void ring() const;
+  void notify() const;
 
   // The newest number that the disk has.
   std::uint64_t committed() const { return committed_.load(std::memory_order_acquire); }
@@ -59,7 +59,7 @@ class RetainWriter {
 
   const std::filesystem::path path_;
   const std::chrono::nanoseconds period_;
-  int bell_ = -1;
+  int event_ = -1;
   std::atomic<RetainChannel*> current_{nullptr};
   std::atomic<std::uint64_t> committed_{0};
   std::atomic<bool> quit_{false};

@@ -17,10 +17,10 @@ std::int64_t ns(std::chrono::milliseconds duration) {
 }  // namespace
 
 LineLoop::LineLoop(const RemoteConfig& config, RegisterLine& line, image::IoDriver& driver,
-                   host::PlantAccess* plant, host::SnapshotWriter& snapshots, Mailbox& box)
+                   host::PlantAccess* plant, host::SnapshotWriter& snapshots, LineQueues& queues)
     : config_(config),
       snapshots_(snapshots),
-      box_(box),
+      queues_(queues),
       link_(line, {.patience = config.lost_after}, quit_),
       plant_(config.host, driver, plant),
       barrier_(config.host),
@@ -52,15 +52,15 @@ void LineLoop::run() {
 
 void LineLoop::quit() {
   quit_.store(true, std::memory_order_release);
-  box_.wake().ring();
+  queues_.wake().notify();
 }
 
 void LineLoop::wait(std::int64_t timeout_ns) {
-  box_.wake().wait(std::max<std::int64_t>(timeout_ns, 0));
+  queues_.wake().wait(std::max<std::int64_t>(timeout_ns, 0));
 }
 
 LineLoop::Done LineLoop::turn_lock_step() {
-  const bool held = !running() || now_.waiting_for_supervisor || !stepper_.may_scan() || box_.full();
+  const bool held = !running() || now_.waiting_for_supervisor || !stepper_.may_scan() || queues_.full();
   if (!held) {
     const bool paced = pace_.keeps_step() && !stepper_.on();
     const std::int64_t early_ns = paced ? pace_.wait_ns(wall_ns(), next_ns_) : 0;
@@ -112,7 +112,7 @@ LineLoop::Done LineLoop::scan_once() {
   if (auto read = refresh_image(); !read) return read;
   if (stands) {
     publish();
-    box_.news().ring();
+    queues_.news().notify();
   } else {
     publish_if_due();
   }

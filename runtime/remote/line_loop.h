@@ -23,7 +23,7 @@
 #include "runtime/host/snapshot_memory.h"
 #include "runtime/host/stepper.h"
 #include "runtime/remote/controller_link.h"
-#include "runtime/remote/mailbox.h"
+#include "runtime/remote/line_queues.h"
 #include "runtime/remote/plant_feed.h"
 #include "runtime/remote/remote_config.h"
 #include "runtime/scan/histogram.h"
@@ -34,7 +34,7 @@ class LineLoop {
  public:
   // What is passed by reference must outlive the loop; `plant` may be null.
   LineLoop(const RemoteConfig& config, RegisterLine& line, image::IoDriver& driver, host::PlantAccess* plant,
-           host::SnapshotWriter& snapshots, Mailbox& box);
+           host::SnapshotWriter& snapshots, LineQueues& queues);
 
   // Until `quit`; then the controller is stopped, if it can be reached.
   void run();
@@ -106,7 +106,7 @@ class LineLoop {
 
   const RemoteConfig& config_;
   host::SnapshotWriter& snapshots_;
-  Mailbox& box_;
+  LineQueues& queues_;
   host::MonotonicClock clock_;
   std::atomic<bool> quit_{false};
   ControllerLink link_;

@@ -52,17 +52,17 @@ result::Diagnostics one(const char* code, result::Location where, std::string me
 
 void LineLoop::take_commands() {
   end_forces();
-  while (auto command = box_.next_command()) perform(*command);
+  while (auto command = queues_.next_command()) perform(*command);
 }
 
 void LineLoop::take_urgent() {
-  while (auto command = box_.next_urgent()) perform(*command);
+  while (auto command = queues_.next_urgent()) perform(*command);
 }
 
 void LineLoop::perform(const RemoteCommand& command) {
   Completion completion = apply(command);
   publish();  // who sees the completion must find a status that knows of it
-  box_.complete(std::move(completion));
+  queues_.complete(std::move(completion));
 }
 
 // What this side does by itself; the rest needs the controller.

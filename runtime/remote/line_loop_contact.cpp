@@ -32,7 +32,7 @@ void LineLoop::seek() {
     progress_ns_ = wall_ns();
   }
   publish();
-  box_.news().ring();
+  queues_.news().notify();
 }
 
 // Opens the line, learns what the controller is and runs, and brings both sides to the same state.
@@ -130,7 +130,7 @@ void LineLoop::lose(const result::Diagnostics& why) {
     emit(host::EventKind::Trap, "the controller was lost while it ran: " + line_problem_);
   } else {
     publish();
-    box_.news().ring();
+    queues_.news().notify();
   }
 }
 

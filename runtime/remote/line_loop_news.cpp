@@ -101,7 +101,7 @@ void LineLoop::emit(host::EventKind kind, std::string detail) {
     event.plant.push_back({plant_.plant()->value_names()[i], truths[i]});
   detail_ = event.detail;
   publish();  // who sees the event must find a status that is at least as new
-  if (!box_.add(std::move(event))) ++now_.process.lost_events;
+  if (!queues_.add(std::move(event))) ++now_.process.lost_events;
 }
 
 void LineLoop::release_barrier() {
@@ -149,7 +149,7 @@ void LineLoop::publish() {
     figures.forces.push_back(force);
   }
   if (program_ != nullptr) snapshots_.publish(now_.scan, now_.time_ns, program_->digest(), image_, truths);
-  box_.publish(std::move(figures));
+  queues_.publish(std::move(figures));
 }
 
 }  // namespace stepwright::remote

@@ -32,9 +32,9 @@ result::Result<std::unique_ptr<RemoteRuntime>> RemoteRuntime::create(const Remot
   auto snapshots = host::SnapshotWriter::create(names);
   if (!snapshots) return result::forward(snapshots);
   std::unique_ptr<RemoteRuntime> self(new RemoteRuntime(config, std::move(line), std::move(*snapshots)));
-  if (!self->box_.ok()) return result::fail("R0001", {}, "the system gives no more descriptors");
-  self->loop_ =
-      std::make_unique<LineLoop>(self->config_, *self->line_, driver, plant, *self->snapshots_, self->box_);
+  if (!self->queues_.ok()) return result::fail("R0001", {}, "the system gives no more descriptors");
+  self->loop_ = std::make_unique<LineLoop>(self->config_, *self->line_, driver, plant, *self->snapshots_,
+                                           self->queues_);
   try {
     self->thread_ = std::thread([loop = self->loop_.get()] { loop->run(); });
   } catch (const std::system_error& error) {
@@ -67,7 +67,7 @@ result::Result<void> RemoteRuntime::load(std::uint64_t ticket, std::vector<std::
   asked.command.kind = host::CommandKind::Load;
   asked.command.ticket = ticket;
   asked.program = std::move(*program);
-  if (!box_.submit(std::move(asked))) return result::fail("R0006", {}, "the runtime is busy", "try again");
+  if (!queues_.submit(std::move(asked))) return result::fail("R0006", {}, "the runtime is busy", "try again");
   return {};
 }
 
@@ -85,22 +85,22 @@ result::Result<void> RemoteRuntime::record(std::uint64_t, const record::Recordin
 }
 
 bool RemoteRuntime::submit(const host::Command& command) {
-  return box_.submit({command, nullptr});
+  return queues_.submit({command, nullptr});
 }
 
 host::RuntimeStatus RemoteRuntime::status() const {
-  host::RuntimeStatus status = box_.figures().status;
+  host::RuntimeStatus status = queues_.figures().status;
   status.incarnation = incarnation_;
   return status;
 }
 
 host::Forces RemoteRuntime::forces() const {
-  RemoteFigures figures = box_.figures();
+  RemoteFigures figures = queues_.figures();
   return {std::move(figures.status.program_digest), std::move(figures.forces)};
 }
 
 std::span<const std::byte> RemoteRuntime::program() const {
-  shown_ = box_.figures().program;
+  shown_ = queues_.figures().program;
   return shown_ == nullptr ? std::span<const std::byte>{} : shown_->bytes();
 }
 

@@ -32,19 +32,19 @@ class RemoteRuntime final : public host::RuntimePort {
 
   // False if it has not been heard of within `timeout`.
   bool wait_for_controller(std::chrono::milliseconds timeout) const;
-  bool contact() const { return box_.figures().contact; }
+  bool contact() const { return queues_.figures().contact; }
   // What the line came to, all of one instant.
-  RemoteFigures figures() const { return box_.figures(); }
+  RemoteFigures figures() const { return queues_.figures(); }
   // Why there is no contact; empty if there is.
-  std::string line_problem() const { return box_.figures().line_problem; }
+  std::string line_problem() const { return queues_.figures().line_problem; }
 
   [[nodiscard]] result::Result<void> load(std::uint64_t ticket, std::vector<std::byte> container,
                                           std::string digest) override;
   [[nodiscard]] result::Result<void> change(std::uint64_t ticket, std::vector<std::byte> container,
                                             std::string digest, host::DownloadMode mode) override;
   [[nodiscard]] bool submit(const host::Command& command) override;
-  std::optional<host::Completion> take_completion() override { return box_.take_completion(); }
-  std::optional<host::StepEvent> take_event() override { return box_.take_event(); }
+  std::optional<host::Completion> take_completion() override { return queues_.take_completion(); }
+  std::optional<host::StepEvent> take_event() override { return queues_.take_event(); }
   host::RuntimeStatus status() const override;
   std::span<const std::byte> program() const override;
   int descriptor() const override { return news().descriptor(); }
@@ -57,13 +57,13 @@ class RemoteRuntime final : public host::RuntimePort {
  private:
   RemoteRuntime(const RemoteConfig& config, std::unique_ptr<RegisterLine> line,
                 std::unique_ptr<host::SnapshotWriter> snapshots);
-  host::Doorbell& news() const { return box_.news(); }
+  host::Notifier& news() const { return queues_.news(); }
 
   const RemoteConfig config_;
   std::unique_ptr<RegisterLine> line_;
   std::unique_ptr<host::SnapshotWriter> snapshots_;
   std::uint64_t incarnation_;
-  mutable Mailbox box_;
+  mutable LineQueues queues_;
   std::unique_ptr<LineLoop> loop_;
   mutable std::shared_ptr<const RemoteProgram> shown_;  // what `program` gave out last
   std::thread thread_;

@@ -54,7 +54,7 @@ struct Server::State {
         handler(p, events),
         supervisor(config.supervisor_lost_after),
         greeting_within(config.greeting_within),
-        keeper(config.keeper),
+        persistence(config.persistence),
         incarnation(p.status().incarnation),
         program(p.status().program_digest),
         process(config.version),
@@ -86,7 +86,7 @@ struct Server::State {
   RequestHandler handler;
   SupervisorWatch supervisor;
   milliseconds greeting_within;
-  ProgramKeeper* keeper;
+  ProgramPersistence* persistence;
   const std::uint64_t incarnation;
   std::string program;  // its digest, as it was last looked at
   ProcessWatch process;
@@ -123,7 +123,7 @@ void Server::turn(milliseconds timeout, int stop_descriptor) {
       {stop_descriptor, POLLIN, 0},
       {s.listener.descriptor(), POLLIN, 0},
       {s.port.descriptor(), POLLIN, 0},
-      {s.keeper == nullptr || s.held.empty() ? -1 : s.keeper->descriptor(), POLLIN, 0}};
+      {s.persistence == nullptr || s.held.empty() ? -1 : s.persistence->descriptor(), POLLIN, 0}};
   for (const Session& session : s.sessions) {
     const int wanted = POLLIN | (session.wants_to_write() ? POLLOUT : 0);
     entries.push_back({session.descriptor(), static_cast<short>(wanted), 0});
@@ -229,23 +229,23 @@ void Server::State::pass_on(const Answer& answer) {
 }
 
 void Server::State::watch_program() {
-  if (keeper == nullptr) return;
+  if (persistence == nullptr) return;
   std::string now = port.status().program_digest;
   if (now == program) return;
   program = std::move(now);
-  keeper->keep(port.program());
+  persistence->keep(port.program());
 }
 
 // A download is answered when its program will be there after a power cut, too.
 void Server::State::answer(Answer answer) {
-  if (keeper == nullptr || !answer.commit || !answer.reply.accepted()) return pass_on(answer);
+  if (persistence == nullptr || !answer.commit || !answer.reply.accepted()) return pass_on(answer);
   watch_program();
   held.push_back({std::move(answer), Clock::now() + kKeptWithin});
 }
 
 void Server::State::pass_on_held() {
   if (held.empty()) return;
-  const auto outcome = keeper->outcome();
+  const auto outcome = persistence->outcome();
   std::erase_if(held, [&](Held& each) {
     if (!outcome && Clock::now() < each.until) return false;
     const result::Diagnostics& late = outcome ? *outcome : not_kept_yet();

@@ -18,7 +18,7 @@
 
 #include "runtime/host/runtime_port.h"
 #include "runtime/result/result.h"
-#include "runtime/service/program_keeper.h"
+#include "runtime/service/program_persistence.h"
 #include "runtime/service/service_observer.h"
 
 namespace stepwright::service {
@@ -29,7 +29,8 @@ struct ServerConfig {
   std::chrono::milliseconds supervisor_lost_after{1'000};
   std::string version = {};             // of the program, for its status
   ServiceObserver* observer = nullptr;  // told of everything that happens; outlives the server
-  ProgramKeeper* keeper = nullptr;      // null: programs are not kept for the next start; outlives the server
+  // Null: programs are not kept for the next start. Outlives the server.
+  ProgramPersistence* persistence = nullptr;
   // Within this time a connection says hello, or its place is another's.
   std::chrono::milliseconds greeting_within{2'000};
 };

@@ -30,7 +30,7 @@
 
 #include "runtime/result/result.h"
 #include "supervisor/executive/classify.h"
-#include "supervisor/executive/device_ledger.h"
+#include "supervisor/executive/device_failures.h"
 #include "supervisor/executive/drift_watch.h"
 #include "supervisor/executive/outlook.h"
 #include "supervisor/executive/planning_job.h"
@@ -206,7 +206,7 @@ class Executive final : public run::Mission {
   std::vector<translate::Difference> differences_;  // of the last situation, of what nothing moved
   std::map<std::string, double> left_;  // levels as they were when the running plan last let go of them
   DriftWatch drift_;
-  DeviceLedger devices_;
+  DeviceFailures devices_;
   Recurrence recurrence_;
   std::set<std::string> just_changed_;          // by actions that ended at the last event
   std::vector<std::string> limited_;            // sensors at the end of their range at the last event

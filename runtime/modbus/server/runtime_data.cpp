@@ -54,7 +54,7 @@ RuntimeData::RuntimeData(std::unique_ptr<State> state) : state_(std::move(state)
 
 RuntimeData::~RuntimeData() {
   state_->exchange.quit.store(true);
-  state_->exchange.work.ring();
+  state_->exchange.work.notify();
   state_->thread.join();
 }
 
@@ -118,7 +118,7 @@ pdu::Exception RuntimeData::begin_write(std::uint64_t ticket, const pdu::Request
                                  internal::Clock::now() + state_->options.write_timeout});
     }
   }
-  (nothing ? exchange.done : exchange.work).ring();
+  (nothing ? exchange.done : exchange.work).notify();
   return Exception::None;
 }
 

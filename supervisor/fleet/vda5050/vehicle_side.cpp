@@ -79,8 +79,9 @@ void VehicleSide::refuse_action(const Action& action, const Header& header, cons
          now);
 }
 
-Wishes VehicleSide::take(const InstantActions& message, const std::string& cancel_id, Timestamp now) {
-  Wishes wishes{.state = true, .factsheet = false};
+RequestedMessages VehicleSide::take(const InstantActions& message, const std::string& cancel_id,
+                                    Timestamp now) {
+  RequestedMessages requested{.state = true, .factsheet = false};
   for (const Action& action : message.actions) {
     if (const auto known = std::ranges::find(instants_, action.id, &ActionState::id);
         known != instants_.end()) {
@@ -90,7 +91,7 @@ Wishes VehicleSide::take(const InstantActions& message, const std::string& cance
     if (action.type == "stateRequest") {
       answer(action, ActionStatus::Finished, {});
     } else if (action.type == "factsheetRequest") {
-      wishes.factsheet = true;
+      requested.factsheet = true;
       answer(action, ActionStatus::Finished, {});
     } else if (action.type == "cancelOrder" && !order_) {
       refuse_action(action, message.header, "the vehicle has no order", now);
@@ -104,7 +105,7 @@ Wishes VehicleSide::take(const InstantActions& message, const std::string& cance
       refuse_action(action, message.header, "the vehicle does not know this action", now);
     }
   }
-  return wishes;
+  return requested;
 }
 
 void VehicleSide::show(VehicleReading reading) {

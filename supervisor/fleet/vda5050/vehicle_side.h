@@ -50,7 +50,7 @@ enum class Sender : std::uint8_t {
 };
 
 // What instant actions ask for beside a new state.
-struct Wishes {
+struct RequestedMessages {
   bool state = false;
   bool factsheet = false;
 };
@@ -65,7 +65,7 @@ class VehicleSide {
 
   void take(const Order& order, Sender sender, Timestamp now);
   // `cancel_id`: the cancelOrder of the plan's master control; the only one that is obeyed.
-  Wishes take(const InstantActions& message, const std::string& cancel_id, Timestamp now);
+  RequestedMessages take(const InstantActions& message, const std::string& cancel_id, Timestamp now);
   // A message that is none.
   void refuse(Topic topic, const result::Diagnostics& wrong, Timestamp now);
   void show(VehicleReading reading);

@@ -168,7 +168,7 @@ void small_scan(benchmark::State& state) {
 }
 
 // Prints as usual and keeps the times.
-class Keeper final : public benchmark::ConsoleReporter {
+class CollectingReporter final : public benchmark::ConsoleReporter {
  public:
   void ReportRuns(const std::vector<Run>& runs) override {
     for (const Run& run : runs) times_us[run.benchmark_name()] = run.GetAdjustedRealTime();
@@ -238,9 +238,9 @@ int main(int argc, char** argv) {
   add("timers_300_vm", timers_vm);
   add("timers_300_cpp", timers_cpp);
   add("scan_60_rungs", small_scan);
-  Keeper keeper;
-  benchmark::RunSpecifiedBenchmarks(&keeper);
-  nlohmann::json summary = summarise(keeper.times_us);
+  CollectingReporter reporter;
+  benchmark::RunSpecifiedBenchmarks(&reporter);
+  nlohmann::json summary = summarise(reporter.times_us);
   measure_wakeup(kWakeupSeconds, summary);
   add_changes(summary);
   const StartFigures start = measure_start();

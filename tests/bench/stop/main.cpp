@@ -62,7 +62,7 @@ Row bare_wake_up(int rounds, std::mt19937& random) {
     rest(random);
     woke_ns.store(0);
     const std::int64_t asked_ns = now_ns();
-    wake.ring();
+    wake.notify();
     while (woke_ns.load() == 0) std::this_thread::sleep_for(std::chrono::microseconds(100));
     row.took_us.push_back(static_cast<double>(woke_ns.load() - asked_ns) / kNsPerUs);
   }

@@ -82,7 +82,7 @@ class Log(unittest.TestCase):
             sleepers = {line.split()[0] for line in calls.splitlines() if "clock_nanosleep(" in line}
             self.assertEqual(len(sleepers), 1)
             of_scan = [line for line in calls.splitlines() if line.split()[0] in sleepers]
-            # The doorbell of the service is the one descriptor that a scan may touch.
+            # The notifier of the service is the one descriptor that a scan may touch.
             files = re.compile(r"\b(open|openat|sendto|sendmsg|writev|pwrite64|fsync|fdatasync)\(|\bwrite\([012],")
             self.assertEqual([line for line in of_scan if files.search(line)], [])
 

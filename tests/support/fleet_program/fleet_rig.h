@@ -1,7 +1,7 @@
 #pragma once
 
 // A plan compiled by the ordinary driver and run on both engines in lock-step with simulated vehicles, and a
-// judge that looks at nothing but where these are.
+// check that looks at nothing but where these are.
 //
 //   FleetRig rig(plan, {});
 //   rig.run(120.0);
@@ -29,7 +29,7 @@ struct RigOptions {
   ProgramOptions program = {};
 };
 
-// What interlocks do, left out of a program: for tests of the judge.
+// What interlocks do, left out of a program: for tests of the check.
 void remove_interlocks(FleetProgram& program);
 
 class FleetRig {
@@ -60,7 +60,7 @@ class FleetRig {
   const FleetProgram& program() const { return program_; }
   std::string state() const;  // of all vehicles, for messages
 
-  // What the judge saw.
+  // What the check found.
   std::size_t overlaps = 0;  // instants at which outlines of two vehicles shared a point
   std::size_t wall_hits = 0;
   std::string first_fault;

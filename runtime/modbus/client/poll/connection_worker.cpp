@@ -39,14 +39,14 @@ bool is_refused_address(const Outcome& outcome) {
 
 ConnectionWorker::ConnectionWorker(std::vector<Device> devices, master::Master master,
                                    const ClientSettings& settings)
-    : board_(std::move(devices), Clock::now()),
+    : cache_(std::move(devices), Clock::now()),
       master_(std::move(master)),
       settings_(settings),
-      schedule_(board_.devices(), Clock::now(),
-                std::holds_alternative<master::SerialEndpoint>(board_.devices().front().endpoint)),
+      schedule_(cache_.devices(), Clock::now(),
+                std::holds_alternative<master::SerialEndpoint>(cache_.devices().front().endpoint)),
       words_(master::kMaxReadRegisters),
       bits_(master::kMaxReadBits) {
-  for (const Device& device : board_.devices()) {
+  for (const Device& device : cache_.devices()) {
     between_ = std::max(between_, device.pause);
     const std::uint32_t most = device.requests_per_connection;
     if (most > 0) most_requests_ = most_requests_ == 0 ? most : std::min(most_requests_, most);
@@ -81,7 +81,7 @@ void ConnectionWorker::take_outputs() {
   const std::vector<std::byte> area = outputs_;
   lock.unlock();
   for (Unit& unit : schedule_.units()) unit.writes().set_outputs(area);
-  board_.outputs_are(area);
+  cache_.outputs_are(area);
 }
 
 void ConnectionWorker::wait_until(Clock::time_point at) {
@@ -153,14 +153,14 @@ bool ConnectionWorker::connect() {
   std::vector<Unit>& units = schedule_.units();
   if (!outcome.good()) {
     for (std::size_t i = 0; i < units.size(); ++i)
-      board_.offline(i, Quality::NotConnected, outcome.text(), now);
+      cache_.offline(i, Quality::NotConnected, outcome.text(), now);
     return false;
   }
   if (goes_on) return true;
   schedule_.begin_anew(now);
   for (std::size_t i = 0; i < units.size(); ++i) {
     // There is nothing to ask it, and what is to be written may come later.
-    if (units[i].next_group() == nullptr && !units[i].asleep()) board_.online(i, now);
+    if (units[i].next_group() == nullptr && !units[i].asleep()) cache_.online(i, now);
   }
   return true;
 }
@@ -189,8 +189,8 @@ void ConnectionWorker::read_group(std::size_t index, GroupPoll& group) {
     const Outcome outcome = read(unit, request);
     if (outcome.good()) {
       if (is_bits(request.table)) words_.assign(bits_.begin(), bits_.end());
-      board_.read(index, request, {words_.data(), request.count}, Clock::now());
-    } else if (auto halves = halves_of(request, board_.inputs(index));
+      cache_.read(index, request, {words_.data(), request.count}, Clock::now());
+    } else if (auto halves = halves_of(request, cache_.inputs(index));
                is_refused_address(outcome) && !halves.empty()) {
       judge(index, outcome, sent, false);
       group.requests[i] = std::move(halves[0]);
@@ -198,7 +198,7 @@ void ConnectionWorker::read_group(std::size_t index, GroupPoll& group) {
                             std::move(halves[1]));
       continue;
     } else if (!repeats(outcome)) {
-      board_.not_read(index, request.tags, quality_of(outcome), outcome.text());
+      cache_.not_read(index, request.tags, quality_of(outcome), outcome.text());
     }
     if (!judge(index, outcome, sent, false)) return;  // due as before, unless it sleeps now
     ++i;
@@ -206,7 +206,7 @@ void ConnectionWorker::read_group(std::size_t index, GroupPoll& group) {
   group.next = 0;
   const std::uint64_t missed = group.advance(Clock::now());
   const auto at = static_cast<std::size_t>(&group - unit.groups().data());
-  board_.count(index, [&](DeviceCounters&, std::vector<GroupStatus>& groups) {
+  cache_.count(index, [&](DeviceCounters&, std::vector<GroupStatus>& groups) {
     ++groups[at].turns;
     groups[at].overruns += missed;
     if (group.before != Clock::time_point{})
@@ -245,9 +245,9 @@ void ConnectionWorker::write_next(std::size_t index) {
   if (outcome.good()) {
     std::vector<std::uint8_t> exceeded;
     for (const std::uint32_t tag : tags) exceeded.push_back(unit.writes().exceeded(tag));
-    board_.written(index, tags, exceeded, now);
+    cache_.written(index, tags, exceeded, now);
   } else if (!repeats(outcome)) {
-    board_.not_written(index, tags, quality_of(outcome), outcome.text(), now);
+    cache_.not_written(index, tags, quality_of(outcome), outcome.text(), now);
   }
   judge(index, outcome, sent, true);
 }
@@ -273,7 +273,7 @@ void ConnectionWorker::probe(std::size_t index) {
 bool ConnectionWorker::judge(std::size_t index, const Outcome& outcome, Clock::time_point sent, bool write) {
   const auto now = Clock::now();
   ++requests_;
-  board_.count(index, [&](DeviceCounters& counters, std::vector<GroupStatus>&) {
+  cache_.count(index, [&](DeviceCounters& counters, std::vector<GroupStatus>&) {
     ++counters.requests;
     counters.writes += write ? 1 : 0;
     counters.timeouts += outcome.fault == Fault::Timeout ? 1 : 0;
@@ -290,7 +290,7 @@ bool ConnectionWorker::judge(std::size_t index, const Outcome& outcome, Clock::t
     return false;
   }
   schedule_.answered(index, now);
-  board_.online(index, now);
+  cache_.online(index, now);
   answered_ = true;
   pause_ = kFirstPause;
   return true;
@@ -299,18 +299,18 @@ bool ConnectionWorker::judge(std::size_t index, const Outcome& outcome, Clock::t
 void ConnectionWorker::on_silence(std::size_t index, const std::string& error, Clock::time_point sent,
                                   Clock::time_point now) {
   const PollSchedule::Silence silence = schedule_.silent(index, sent, now);
-  if (silence.dead) board_.offline(index, Quality::CommFailure, error, now);
+  if (silence.dead) cache_.offline(index, Quality::CommFailure, error, now);
   if (!silence.of_connection) return;
   master_.close();
-  board_.count(index,
+  cache_.count(index,
                [](DeviceCounters& counters, std::vector<GroupStatus>&) { ++counters.connection_losses; });
 }
 
 void ConnectionWorker::on_lost(const std::string& error, Clock::time_point now) {
   master_.close();
-  for (std::size_t i = 0; i < board_.devices().size(); ++i) {
-    if (!answered_) board_.offline(i, Quality::NotConnected, error, now);
-    board_.count(i,
+  for (std::size_t i = 0; i < cache_.devices().size(); ++i) {
+    if (!answered_) cache_.offline(i, Quality::NotConnected, error, now);
+    cache_.count(i,
                  [](DeviceCounters& counters, std::vector<GroupStatus>&) { ++counters.connection_losses; });
   }
 }

@@ -8,7 +8,7 @@
 // ms. The loss of one that has carried answers says nothing about its units: the request is repeated on the
 // next one.
 //
-// Threads: its own; set_outputs, written and board() from any.
+// Threads: its own; set_outputs, written and cache() from any.
 
 #include <array>
 #include <atomic>
@@ -23,7 +23,7 @@
 #include <vector>
 
 #include "runtime/modbus/client/poll/poll_schedule.h"
-#include "runtime/modbus/client/poll/tag_board.h"
+#include "runtime/modbus/client/poll/tag_cache.h"
 #include "runtime/modbus/client/poll/unit.h"
 #include "runtime/modbus/client/settings.h"
 #include "runtime/modbus/master/master.h"
@@ -41,8 +41,8 @@ class ConnectionWorker {
   ConnectionWorker(const ConnectionWorker&) = delete;
   ConnectionWorker& operator=(const ConnectionWorker&) = delete;
 
-  TagBoard& board() { return board_; }
-  const TagBoard& board() const { return board_; }
+  TagCache& cache() { return cache_; }
+  const TagCache& cache() const { return cache_; }
 
   // The output area as it is to be.
   void set_outputs(std::span<const std::byte> area);
@@ -67,7 +67,7 @@ class ConnectionWorker {
   void on_silence(std::size_t unit, const std::string& error, Clock::time_point sent, Clock::time_point now);
   void on_lost(const std::string& error, Clock::time_point now);
 
-  TagBoard board_;
+  TagCache cache_;
   master::Master master_;
   ClientSettings settings_;
   PollSchedule schedule_;

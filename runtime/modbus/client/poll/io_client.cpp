@@ -69,12 +69,12 @@ void IoClient::set_outputs(std::span<const std::byte> area) {
 
 void IoClient::collect(std::span<std::byte> inputs) const {
   const auto now = ConnectionWorker::Clock::now();
-  for (const auto& worker : workers_) worker->board().collect(now, inputs);
+  for (const auto& worker : workers_) worker->cache().collect(now, inputs);
 }
 
 bool IoClient::lost() const {
   const auto now = ConnectionWorker::Clock::now();
-  return std::ranges::any_of(workers_, [&](const auto& worker) { return worker->board().lost(now); });
+  return std::ranges::any_of(workers_, [&](const auto& worker) { return worker->cache().lost(now); });
 }
 
 bool IoClient::written() const {
@@ -84,14 +84,14 @@ bool IoClient::written() const {
 std::vector<DeviceStatus> IoClient::status() const {
   const auto now = ConnectionWorker::Clock::now();
   std::vector<DeviceStatus> status;
-  for (const auto& worker : workers_) worker->board().report(now, status);
+  for (const auto& worker : workers_) worker->cache().report(now, status);
   return status;
 }
 
 std::vector<DeviceNews> IoClient::take_news() {
   std::vector<DeviceNews> news;
   for (const auto& worker : workers_) {
-    for (DeviceNews& each : worker->board().take_news()) news.push_back(std::move(each));
+    for (DeviceNews& each : worker->cache().take_news()) news.push_back(std::move(each));
   }
   return news;
 }

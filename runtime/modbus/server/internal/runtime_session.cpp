@@ -185,7 +185,7 @@ void RuntimeSession::answer(std::uint64_t ticket, Exception exception) {
     const std::lock_guard lock(exchange_.mutex);
     exchange_.written.push_back({ticket, exception});
   }
-  exchange_.done.ring();
+  exchange_.done.notify();
 }
 
 void RuntimeSession::detach() {

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/host/doorbell.h"
+#include "runtime/host/notifier.h"
 #include "runtime/modbus/map/register_map.h"
 #include "runtime/modbus/server/runtime_data.h"
 #include "runtime/service/connection.h"
@@ -48,8 +48,8 @@ struct Exchange {
   std::atomic<std::uint64_t> changes{0};       // of `program`
   std::atomic<std::int64_t> good_until_ns{0};  // Clock: values are of no use after
   std::atomic<bool> quit{false};
-  host::Doorbell work;  // for the session: writes, quit
-  host::Doorbell done;  // for the server's loop: written
+  host::Notifier work;  // for the session: writes, quit
+  host::Notifier done;  // for the server's loop: written
 
   bool ok() const { return work.ok() && done.ok(); }
 };

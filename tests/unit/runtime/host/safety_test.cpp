@@ -180,25 +180,25 @@ TEST(Monitor, WhenNothingRuns_ThenTheRuntimeIsHealthyForEver) {
 }
 
 // The sequence of the calls decides, not the machine: instants are given.
-TEST(Lifeline, WhenItIsSilentForTooLong_ThenItSaysForHowLong) {
+TEST(ThreadLiveness, WhenItIsSilentForTooLong_ThenItSaysForHowLong) {
   MonotonicClock clock;
-  Lifeline lifeline(100 * kMs);
-  EXPECT_EQ(lifeline.silent_ns(clock.now_ns() + 1'000'000 * kMs), 0);  // not yet heard of
-  lifeline.rest_until(1'000 * kMs);
-  EXPECT_EQ(lifeline.silent_ns(1'100 * kMs), 0);
-  EXPECT_EQ(lifeline.silent_ns(1'101 * kMs), kMs);
-  lifeline.begin(2'000 * kMs);
-  EXPECT_EQ(lifeline.silent_ns(2'100 * kMs), 0);
-  lifeline.end_if_late(2'000 * kMs);
-  EXPECT_FALSE(lifeline.interrupt()->asked());
-  lifeline.end_if_late(2'000 * kMs + 1);
-  EXPECT_TRUE(lifeline.interrupt()->asked());
-  lifeline.end();
-  EXPECT_FALSE(lifeline.interrupt()->asked());
-  lifeline.begin(scan::TaskWatchdog::kNoLimit);  // the budget ends it
-  EXPECT_EQ(lifeline.silent_ns(clock.now_ns() + 1'000'000 * kMs), 0);
-  lifeline.end_if_late(clock.now_ns() + 1'000'000 * kMs);
-  EXPECT_FALSE(lifeline.interrupt()->asked());
+  ThreadLiveness liveness(100 * kMs);
+  EXPECT_EQ(liveness.silent_ns(clock.now_ns() + 1'000'000 * kMs), 0);  // not yet heard of
+  liveness.rest_until(1'000 * kMs);
+  EXPECT_EQ(liveness.silent_ns(1'100 * kMs), 0);
+  EXPECT_EQ(liveness.silent_ns(1'101 * kMs), kMs);
+  liveness.begin(2'000 * kMs);
+  EXPECT_EQ(liveness.silent_ns(2'100 * kMs), 0);
+  liveness.end_if_late(2'000 * kMs);
+  EXPECT_FALSE(liveness.interrupt()->asked());
+  liveness.end_if_late(2'000 * kMs + 1);
+  EXPECT_TRUE(liveness.interrupt()->asked());
+  liveness.end();
+  EXPECT_FALSE(liveness.interrupt()->asked());
+  liveness.begin(scan::TaskWatchdog::kNoLimit);  // the budget ends it
+  EXPECT_EQ(liveness.silent_ns(clock.now_ns() + 1'000'000 * kMs), 0);
+  liveness.end_if_late(clock.now_ns() + 1'000'000 * kMs);
+  EXPECT_FALSE(liveness.interrupt()->asked());
 }
 
 TEST(SafeCause, WhenTheSupervisorIsLost_ThenItsColumnHoldsAndStopHasAnother) {

@@ -56,15 +56,15 @@ std::int64_t word(std::span<const std::byte> image, std::uint32_t index) {
 // the number found + k - 1; which of them the disk has, it tells in `acknowledged`.
 [[noreturn]] void count_until_killed(const reader::LoadedProgram& loaded, const std::filesystem::path& store,
                                      std::atomic<std::int64_t>& acknowledged) {
-  auto keeper = RetainKeeper::open({.store = store, .period_ns = 100'000});
-  auto channel = keeper->prepare(loaded.program()).value();
+  auto retain = RetainManager::open({.store = store, .period_ns = 100'000});
+  auto channel = retain->prepare(loaded.program()).value();
   std::vector<std::byte> image(loaded.program().image_size());
-  keeper->begin(*channel, image, false);
+  retain->begin(*channel, image, false);
   const std::int64_t found = word(image, 0);
   for (std::int64_t now_ns = 1'000'000;; now_ns += 1'000'000) {
-    fill(image, found + static_cast<std::int64_t>(keeper->published()));
-    keeper->offer(image, now_ns);
-    const auto committed = static_cast<std::int64_t>(keeper->committed());
+    fill(image, found + static_cast<std::int64_t>(retain->published()));
+    retain->offer(image, now_ns);
+    const auto committed = static_cast<std::int64_t>(retain->committed());
     if (committed > 0) acknowledged.store(found + committed - 1);
   }
 }

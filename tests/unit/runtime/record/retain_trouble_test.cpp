@@ -20,7 +20,7 @@ constexpr const char* kNumbers = "VAR RETAIN n : DINT; a : ARRAY[0..9999] OF LIN
 
 bool notes(RetainedMachine& machine, const char* text, bool wanted = true) {
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(300);
-  while ((machine.keeper().note().find(text) != std::string::npos) != wanted) {
+  while ((machine.retain().note().find(text) != std::string::npos) != wanted) {
     if (std::chrono::steady_clock::now() > deadline) return false;
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }
@@ -48,7 +48,7 @@ TEST(RetainTrouble, WhenFilesMayNotGrow_ThenItIsSaidAndRepairedLater) {
     machine.set("MAIN.n", 7);
     machine.offer();
     if (!notes(machine, "File too large")) return 2;
-    if (machine.keeper().committed() != 0) return 3;
+    if (machine.retain().committed() != 0) return 3;
     const rlimit large{RLIM_INFINITY, RLIM_INFINITY};
     if (setrlimit(RLIMIT_FSIZE, &large) != 0) return 4;
     if (!machine.settled()) return 5;

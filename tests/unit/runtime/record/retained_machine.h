@@ -1,6 +1,7 @@
 #pragma once
 
-// A program that retains some values, and a keeper for them, without a scan: the test plays the scan thread.
+// A program that retains some values, and a retain manager for them, without a scan: the test plays the scan
+// thread.
 //
 //   RetainedMachine machine("VAR RETAIN n : DINT; END_VAR", {.store = folder.path() / "retain.store"});
 //   machine.start();
@@ -17,7 +18,7 @@
 #include <string>
 #include <thread>
 
-#include "runtime/record/retain_keeper.h"
+#include "runtime/record/retain_manager.h"
 #include "tests/support/compiled_program.h"
 #include "tests/support/temporary_folder.h"
 
@@ -45,35 +46,35 @@ class TestFolder {
 class RetainedMachine {
  public:
   RetainedMachine(const std::string& declarations, const RetainConfig& config)
-      : keeper_(RetainKeeper::open(config)), program_(compile(declarations)) {
-    channel_ = keeper_->prepare(program_->loaded().program()).value();
+      : retain_(RetainManager::open(config)), program_(compile(declarations)) {
+    channel_ = retain_->prepare(program_->loaded().program()).value();
   }
 
   // Another program takes the place of this one.
   void load(const std::string& declarations) {
     program_ = compile(declarations);
-    channel_ = keeper_->prepare(program_->loaded().program()).value();
+    channel_ = retain_->prepare(program_->loaded().program()).value();
   }
   result::Diagnostics start(bool cold = false) {
-    if (auto problems = keeper_->refusal(*channel_, cold); !problems.empty()) return problems;
+    if (auto problems = retain_->refusal(*channel_, cold); !problems.empty()) return problems;
     program_->start_at(0);
-    keeper_->begin(*channel_, image(), cold);
+    retain_->begin(*channel_, image(), cold);
     return {};
   }
   // As start, with nothing around it; false if it is refused.
   bool begin() {
     program_->start_at(0);
-    if (!keeper_->refusal(*channel_, false).empty()) return false;
-    keeper_->begin(*channel_, image(), false);
+    if (!retain_->refusal(*channel_, false).empty()) return false;
+    retain_->begin(*channel_, image(), false);
     return true;
   }
-  void stop() { keeper_->finish(image()); }
-  void offer() { keeper_->offer(image(), ++now_ns_ * 1'000'000'000); }
+  void stop() { retain_->finish(image()); }
+  void offer() { retain_->offer(image(), ++now_ns_ * 1'000'000'000); }
 
   // True once the disk has everything that was published; false after a generous time.
   bool settled() {
     const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(300);
-    while (keeper_->committed() < keeper_->published()) {
+    while (retain_->committed() < retain_->published()) {
       if (std::chrono::steady_clock::now() > deadline) return false;
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
@@ -83,7 +84,7 @@ class RetainedMachine {
   void set(const std::string& path, std::int64_t value) { program_->set(path, value); }
   std::int64_t get(const std::string& path) { return program_->get(path); }
   std::string text(const std::string& path) { return program_->text(path); }
-  RetainKeeper& keeper() { return *keeper_; }
+  RetainManager& retain() { return *retain_; }
   std::span<std::byte> image() { return program_->image().bytes(); }
 
  private:
@@ -92,7 +93,7 @@ class RetainedMachine {
     return std::make_unique<support::CompiledProgram>(driver::CompileInput{{{"test.st", text}}});
   }
 
-  std::unique_ptr<RetainKeeper> keeper_;
+  std::unique_ptr<RetainManager> retain_;
   std::unique_ptr<support::CompiledProgram> program_;
   std::shared_ptr<RetainChannel> channel_;
   std::int64_t now_ns_ = 0;

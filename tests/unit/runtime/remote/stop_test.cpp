@@ -3,7 +3,7 @@
 #include <atomic>
 #include <thread>
 
-#include "runtime/remote/mailbox.h"
+#include "runtime/remote/line_queues.h"
 #include "tests/unit/runtime/remote/harness.h"
 
 namespace stepwright::remote {
@@ -34,17 +34,17 @@ std::vector<host::Completion> completions(RemoteRuntime& runtime, std::size_t co
   return seen;
 }
 
-TEST(Mailbox_WhenItIsFull, ThenAStopHasRoomAndComesFirst) {
-  Mailbox box;
+TEST(LineQueues_WhenFull, ThenAStopHasRoomAndComesFirst) {
+  LineQueues queues;
   std::uint64_t ticket = 0;
-  while (box.submit({command(CommandKind::Write, ++ticket), nullptr})) {
+  while (queues.submit({command(CommandKind::Write, ++ticket), nullptr})) {
   }
-  EXPECT_TRUE(box.submit({command(CommandKind::Stop, 1'000), nullptr}));
-  EXPECT_EQ(box.next_urgent()->command.ticket, 1'000u);
-  EXPECT_FALSE(box.next_urgent());
-  EXPECT_TRUE(box.submit({command(CommandKind::SupervisorLost, 1'001), nullptr}));
-  EXPECT_EQ(box.next_command()->command.ticket, 1'001u);
-  EXPECT_EQ(box.next_command()->command.ticket, 1u);
+  EXPECT_TRUE(queues.submit({command(CommandKind::Stop, 1'000), nullptr}));
+  EXPECT_EQ(queues.next_urgent()->command.ticket, 1'000u);
+  EXPECT_FALSE(queues.next_urgent());
+  EXPECT_TRUE(queues.submit({command(CommandKind::SupervisorLost, 1'001), nullptr}));
+  EXPECT_EQ(queues.next_command()->command.ticket, 1'001u);
+  EXPECT_EQ(queues.next_command()->command.ticket, 1u);
 }
 
 TEST(Stop_WhenAStartWaits, ThenItGoesAheadAndTheStartIsVoid) {

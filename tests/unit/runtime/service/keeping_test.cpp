@@ -5,7 +5,7 @@
 #include <mutex>
 #include <vector>
 
-#include "runtime/host/doorbell.h"
+#include "runtime/host/notifier.h"
 #include "runtime/service/digest.h"
 #include "runtime/service/server.h"
 #include "tests/support/step_program.h"
@@ -17,13 +17,13 @@ namespace {
 using support::step_program;
 
 // A disk of the test's own: it decides when the test says so.
-class SlowKeeper final : public ProgramKeeper {
+class SlowPersistence final : public ProgramPersistence {
  public:
   void keep(std::span<const std::byte> container) override {
     const std::lock_guard lock(mutex_);
     kept_.assign(container.begin(), container.end());
     outcome_.reset();
-    asked_.ring();
+    asked_.notify();
   }
   std::optional<result::Diagnostics> outcome() override {
     decided_.clear();
@@ -35,7 +35,7 @@ class SlowKeeper final : public ProgramKeeper {
   void decide(result::Diagnostics outcome) {
     const std::lock_guard lock(mutex_);
     outcome_ = std::move(outcome);
-    decided_.ring();
+    decided_.notify();
   }
   void wait_until_asked() { asked_.wait(-1); }
   std::vector<std::byte> kept() {
@@ -45,8 +45,8 @@ class SlowKeeper final : public ProgramKeeper {
 
  private:
   std::mutex mutex_;
-  host::Doorbell asked_;
-  host::Doorbell decided_;
+  host::Notifier asked_;
+  host::Notifier decided_;
   std::vector<std::byte> kept_;
   std::optional<result::Diagnostics> outcome_ = result::Diagnostics{};
 };
@@ -56,16 +56,16 @@ result::Diagnostics no_room() {
 }
 
 struct Keeping : testing::Test {
-  SlowKeeper keeper;
-  ServiceHarness harness{{}, std::chrono::seconds(60), {.keeper = &keeper}};
+  SlowPersistence persistence;
+  ServiceHarness harness{{}, std::chrono::seconds(60), {.persistence = &persistence}};
   std::unique_ptr<Connection> client = harness.connect();
 };
 
 TEST_F(Keeping, WhenTheProgramIsKept_ThenTheDownloadIsAnsweredAndNotBefore) {
   std::thread disk([&] {
-    keeper.wait_until_asked();
-    EXPECT_EQ(keeper.kept(), step_program());
-    keeper.decide({});
+    persistence.wait_until_asked();
+    EXPECT_EQ(persistence.kept(), step_program());
+    persistence.decide({});
   });
   const auto reply = client->download(step_program(), host::DownloadMode::Replace, kPatience);
   disk.join();
@@ -76,8 +76,8 @@ TEST_F(Keeping, WhenTheProgramIsKept_ThenTheDownloadIsAnsweredAndNotBefore) {
 
 TEST_F(Keeping, WhenTheDiskRefusesIt_ThenTheProgramIsLoadedAndTheAnswerWarns) {
   std::thread disk([&] {
-    keeper.wait_until_asked();
-    keeper.decide(no_room());
+    persistence.wait_until_asked();
+    persistence.decide(no_room());
   });
   const auto reply = client->download(step_program(), host::DownloadMode::Replace, kPatience);
   disk.join();
@@ -89,13 +89,13 @@ TEST_F(Keeping, WhenTheDiskRefusesIt_ThenTheProgramIsLoadedAndTheAnswerWarns) {
 
 TEST_F(Keeping, WhenTheSameProgramIsDownloadedAgain_ThenItsAnswerSaysWhetherItIsKeptByNow) {
   std::thread disk([&] {
-    keeper.wait_until_asked();
-    keeper.decide(no_room());
+    persistence.wait_until_asked();
+    persistence.decide(no_room());
   });
   ASSERT_TRUE(client->download(step_program(), host::DownloadMode::Replace, kPatience));
   disk.join();
   EXPECT_EQ(client->download(step_program(), host::DownloadMode::Replace, kPatience)->problems.size(), 1u);
-  keeper.decide({});
+  persistence.decide({});
   EXPECT_TRUE(client->download(step_program(), host::DownloadMode::Replace, kPatience)->problems.empty());
 }
 
@@ -106,7 +106,7 @@ TEST_F(Keeping, WhenTheDiskTakesItsTime_ThenOthersAreAnsweredMeanwhileAndTheWait
     ASSERT_EQ(reply->problems.size(), 1u);
     EXPECT_EQ(reply->problems[0].code, "R0027");
   });
-  keeper.wait_until_asked();
+  persistence.wait_until_asked();
   const auto other = harness.connect();
   EXPECT_TRUE(other->call(Start{}, kPatience));
   EXPECT_TRUE(other->call(Stop{"done"}, kPatience));

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "runtime/host/doorbell.h"
+#include "runtime/host/notifier.h"
 #include "runtime/host/runtime_port.h"
 #include "runtime/host/snapshot_memory.h"
 #include "tests/unit/runtime/service/service_harness.h"
@@ -49,8 +49,8 @@ class DeafPort final : public host::RuntimePort {
     ++fetched;
     return container_;
   }
-  int descriptor() const override { return bell_.descriptor(); }
-  void clear() override { bell_.clear(); }
+  int descriptor() const override { return notifier_.descriptor(); }
+  void clear() override { notifier_.clear(); }
   int snapshot_descriptor() const override { return snapshots_->descriptor(); }
 
   std::atomic<int> writes{0};
@@ -60,7 +60,7 @@ class DeafPort final : public host::RuntimePort {
   std::vector<std::byte> container_;
   std::string digest_;
   std::unique_ptr<host::SnapshotWriter> snapshots_;
-  host::Doorbell bell_;
+  host::Notifier notifier_;
 };
 
 class DeafRuntime {

@@ -18,7 +18,7 @@
 #include <string>
 #include <thread>
 
-#include "runtime/host/doorbell.h"
+#include "runtime/host/notifier.h"
 #include "runtime/modbus/pdu/wire.h"
 #include "runtime/modbus/server/server.h"
 #include "runtime/modbus/server/tcp_acceptor.h"
@@ -49,7 +49,7 @@ class TableData final : public ProcessData {
     const std::lock_guard lock(mutex_);
     begun_.push_back({ticket, pdu::Exception::None});
     ++begun;
-    if (at_once) bell_.ring();
+    if (at_once) notifier_.notify();
     return exception;
   }
   std::optional<Written> take_written() override {
@@ -60,12 +60,12 @@ class TableData final : public ProcessData {
     begun_.pop_front();
     return written;
   }
-  int descriptor() const override { return bell_.descriptor(); }
-  void clear() override { bell_.clear(); }
+  int descriptor() const override { return notifier_.descriptor(); }
+  void clear() override { notifier_.clear(); }
   void finish_one() {
     const std::lock_guard lock(mutex_);
     ++allowed_;
-    bell_.ring();
+    notifier_.notify();
   }
 
   pdu::TableModel tables;
@@ -77,7 +77,7 @@ class TableData final : public ProcessData {
   std::mutex mutex_;
   std::deque<Written> begun_;
   int allowed_ = 0;
-  host::Doorbell bell_;
+  host::Notifier notifier_;
 };
 
 class Client {

@@ -1,15 +1,15 @@
 #pragma once
 
-// Ledger of the devices of the binding that have failed. An action that did nothing or did not end in time
-// casts suspicion on every device that it needs; one that ends clears all that it needs. A device that is
-// suspected for the second time has failed: a plan that needs it would be in vain.
+// Counts failures of the devices of the binding. An action that had no effect or did not end in time casts
+// suspicion on every device that it needs; one that ends clears them. A device that is suspected for the
+// second time has failed: plans must do without it.
 //
 // Threads: one thread uses an object.
 //
-//   DeviceLedger ledger;
-//   ledger.suspect({"diverter 1"});
-//   ledger.suspect({"diverter 1"})   // {"diverter 1"}: from now on
-//   ledger.failed()                  // {"diverter 1"}
+//   DeviceFailures failures;
+//   failures.suspect({"diverter 1"});
+//   failures.suspect({"diverter 1"})   // {"diverter 1"}: from now on
+//   failures.failed()                  // {"diverter 1"}
 
 #include <map>
 #include <set>
@@ -18,7 +18,7 @@
 
 namespace stepwright::executive {
 
-class DeviceLedger {
+class DeviceFailures {
  public:
   // Those that have failed by that.
   std::vector<std::string> suspect(const std::vector<std::string>& devices);

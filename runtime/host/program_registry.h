@@ -1,16 +1,16 @@
 #pragma once
 
-// The programs of a runtime from their preparation until nothing needs them any more: the one that runs,
-// those on their way to the scan thread, the one before the newest change while that is on trial, and those
-// that ended but still hold events that nobody has taken.
+// Holds the programs of a runtime from their preparation until nothing needs them: the one that runs, those
+// on their way to the scan thread, the one before the newest change while that is on trial, and those that
+// ended but hold events that nobody has taken.
 //
 // Threads: the service's. Invariant: events come in the order of their sequence, whichever program they are
-// of. What is not needed any more is handed out, to be destroyed where nobody waits for it.
+// of. Programs that are not needed are handed out, to be destroyed by a thread that may wait.
 //
-//   shelf.add(std::move(program), std::move(plan), ticket);
-//   if (const ProgramShelf::Held* held = shelf.done(completion.ticket)) ...
-//   while (const ProgramShelf::Held* held = shelf.next_event()) ... held->program->events().pop();
-//   preparer.discard(shelf.clear(loop.figures().program, loop.figures().kept));
+//   registry.add(std::move(program), std::move(plan), ticket);
+//   if (const ProgramRegistry::Held* held = registry.done(completion.ticket)) ...
+//   while (const ProgramRegistry::Held* held = registry.next_event()) ... held->program->events().pop();
+//   preparer.discard(registry.take_unused(loop.figures().program, loop.figures().kept));
 
 #include <cstdint>
 #include <memory>
@@ -21,7 +21,7 @@
 
 namespace stepwright::host {
 
-class ProgramShelf {
+class ProgramRegistry {
  public:
   struct Held {
     std::unique_ptr<PreparedProgram> program;
@@ -46,7 +46,7 @@ class ProgramShelf {
   const Held* next_event() const;
   // Hands out what neither the scan thread (which names what it still uses) nor an event needs. Requires
   // names that the scan thread published before this call.
-  [[nodiscard]] std::vector<Held> clear(const PreparedProgram* running, const PreparedProgram* kept);
+  [[nodiscard]] std::vector<Held> take_unused(const PreparedProgram* running, const PreparedProgram* kept);
 
  private:
   std::vector<Held> held_;

@@ -1,13 +1,13 @@
-#include "runtime/host/task_crew.h"
+#include "runtime/host/task_threads.h"
 
 #include <utility>
 
 namespace stepwright::host {
 
-TaskCrew::TaskCrew(const bytecode::Program& program, image::ProcessImage& image, scan::ScanCycle& cycle,
-                   const CrewSetup& setup, const TaskPlan& plan,
-                   std::vector<std::unique_ptr<bytecode::Engine>> engines,
-                   std::span<SeqCell<scan::TaskTiming>> timings)
+TaskThreads::TaskThreads(const bytecode::Program& program, image::ProcessImage& image, scan::ScanCycle& cycle,
+                         const WorkerSetup& setup, const TaskPlan& plan,
+                         std::vector<std::unique_ptr<bytecode::Engine>> engines,
+                         std::span<SeqCell<scan::TaskTiming>> timings)
     : share_{program,        image,           cycle,        setup.clock, setup.merge_map, setup.monitor,
              setup.stall_ns, setup.origin_ns, setup.budget, {},          setup.failed} {
   share_.wake_others = [this] { look_at_triggers(); };
@@ -22,14 +22,14 @@ TaskCrew::TaskCrew(const bytecode::Program& program, image::ProcessImage& image,
   }
 }
 
-void TaskCrew::start(std::int64_t time_ns) {
+void TaskThreads::start(std::int64_t time_ns) {
   ++share_.epoch;
   share_.running = true;
   for (const auto& worker : workers_) worker->start(time_ns);
 }
 
-void TaskCrew::take_over(TaskCrew& before, std::span<const std::uint32_t> counterparts,
-                         std::int64_t time_ns) {
+void TaskThreads::take_over(TaskThreads& before, std::span<const std::uint32_t> counterparts,
+                            std::int64_t time_ns) {
   before.stop();
   ++share_.epoch;
   share_.running = true;
@@ -42,7 +42,7 @@ void TaskCrew::take_over(TaskCrew& before, std::span<const std::uint32_t> counte
   }
 }
 
-void TaskCrew::stop() {
+void TaskThreads::stop() {
   if (!share_.running) return;
   share_.running = false;
   for (const auto& worker : workers_) worker->rest();

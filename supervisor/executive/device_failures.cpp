@@ -1,4 +1,4 @@
-#include "supervisor/executive/device_ledger.h"
+#include "supervisor/executive/device_failures.h"
 
 namespace stepwright::executive {
 namespace {
@@ -8,7 +8,7 @@ constexpr int kFailed = 2;
 
 }  // namespace
 
-std::vector<std::string> DeviceLedger::suspect(const std::vector<std::string>& devices) {
+std::vector<std::string> DeviceFailures::suspect(const std::vector<std::string>& devices) {
   std::vector<std::string> failed;
   for (const std::string& device : std::set<std::string>(devices.begin(), devices.end())) {
     if (++suspected_[device] >= kFailed && failed_.insert(device).second) failed.push_back(device);
@@ -16,7 +16,7 @@ std::vector<std::string> DeviceLedger::suspect(const std::vector<std::string>& d
   return failed;
 }
 
-void DeviceLedger::clear(const std::vector<std::string>& devices) {
+void DeviceFailures::clear(const std::vector<std::string>& devices) {
   for (const std::string& device : devices) suspected_.erase(device);
 }
 

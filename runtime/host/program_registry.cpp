@@ -1,4 +1,4 @@
-#include "runtime/host/program_shelf.h"
+#include "runtime/host/program_registry.h"
 
 #include <algorithm>
 #include <iterator>
@@ -6,12 +6,12 @@
 
 namespace stepwright::host {
 
-void ProgramShelf::add(std::unique_ptr<PreparedProgram> program, std::unique_ptr<ChangePlan> plan,
-                       std::uint64_t ticket) {
+void ProgramRegistry::add(std::unique_ptr<PreparedProgram> program, std::unique_ptr<ChangePlan> plan,
+                          std::uint64_t ticket) {
   held_.push_back({std::move(program), std::move(plan), ticket, true});
 }
 
-const ProgramShelf::Held* ProgramShelf::done(std::uint64_t ticket) {
+const ProgramRegistry::Held* ProgramRegistry::done(std::uint64_t ticket) {
   for (Held& held : held_) {
     if (!held.pending || held.ticket != ticket) continue;
     held.pending = false;
@@ -20,17 +20,17 @@ const ProgramShelf::Held* ProgramShelf::done(std::uint64_t ticket) {
   return nullptr;
 }
 
-bool ProgramShelf::any_pending() const {
+bool ProgramRegistry::any_pending() const {
   return std::any_of(held_.begin(), held_.end(), [](const Held& held) { return held.pending; });
 }
 
-PreparedProgram* ProgramShelf::find(const PreparedProgram* program) const {
+PreparedProgram* ProgramRegistry::find(const PreparedProgram* program) const {
   for (const Held& held : held_)
     if (held.program.get() == program) return held.program.get();
   return nullptr;
 }
 
-const ProgramShelf::Held* ProgramShelf::next_event() const {
+const ProgramRegistry::Held* ProgramRegistry::next_event() const {
   const Held* oldest = nullptr;
   // Whoever sees an event finds every earlier one too, in whatever ring, but only if it looks after that: the
   // rings are gone through again until no earlier one comes up.
@@ -49,8 +49,8 @@ const ProgramShelf::Held* ProgramShelf::next_event() const {
   return oldest;
 }
 
-std::vector<ProgramShelf::Held> ProgramShelf::clear(const PreparedProgram* running,
-                                                    const PreparedProgram* kept) {
+std::vector<ProgramRegistry::Held> ProgramRegistry::take_unused(const PreparedProgram* running,
+                                                                const PreparedProgram* kept) {
   // An event may speak of a program other than its own.
   if (next_event() != nullptr) return {};
   const auto needed = [&](const Held& held) {

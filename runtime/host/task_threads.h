@@ -1,14 +1,14 @@
 #pragma once
 
 // The tasks of a program that have threads of their own (real time), and what they share with the scan
-// thread. The scan thread holds the crew's mutex over its whole scan and lets it go while it waits; the
-// workers hold it for the copies at either end of their cycles. Without workers nothing is locked.
+// thread. The scan thread holds the mutex of the tasks over its whole scan and releases it while it waits;
+// the workers hold it for the copies at either end of their cycles. Without workers nothing is locked.
 //
-//   TaskCrew crew(...);                       // threads rest
-//   { const auto hold = crew.hold(); crew.start(time_ns); }
-//   { const auto hold = crew.hold(); cycle.run_scan(); crew.look_at_triggers(); }
+//   TaskThreads tasks(...);                      // threads rest
+//   { const auto hold = tasks.hold(); tasks.start(time_ns); }
+//   { const auto hold = tasks.hold(); cycle.run_scan(); tasks.look_at_triggers(); }
 //
-// Threads: the scan thread, with the crew held; built and destroyed by the service thread.
+// Threads: the scan thread, with the mutex held; built and destroyed by the service thread.
 
 #include <cstdint>
 #include <functional>
@@ -23,26 +23,26 @@
 namespace stepwright::host {
 
 // What the workers take from outside of the program.
-struct CrewSetup {
+struct WorkerSetup {
   const MergeMap& merge_map;
   scan::Clock& clock;
   ScanMonitor* monitor = nullptr;  // null: nobody looks at the threads
-  std::int64_t stall_ns = 0;       // see Lifeline
+  std::int64_t stall_ns = 0;       // see ThreadLiveness
   std::int64_t origin_ns = 0;      // what the clock shows at scan time 0
   std::uint64_t budget = 0;        // of a task's cycle
   // Called by a worker when a fault of its task has ended the program; neither blocks nor throws.
   std::function<void()> failed = [] {};
 };
 
-class TaskCrew {
+class TaskThreads {
  public:
-  // What is passed by reference must outlive the crew. `engines` holds one for each of plan.others(),
+  // What is passed by reference must outlive the object. `engines` holds one for each of plan.others(),
   // `timings` an entry for each task of the program. Throws std::system_error where the system gives no
   // threads.
-  TaskCrew(const bytecode::Program& program, image::ProcessImage& image, scan::ScanCycle& cycle,
-           const CrewSetup& setup, const TaskPlan& plan,
-           std::vector<std::unique_ptr<bytecode::Engine>> engines,
-           std::span<SeqCell<scan::TaskTiming>> timings);
+  TaskThreads(const bytecode::Program& program, image::ProcessImage& image, scan::ScanCycle& cycle,
+              const WorkerSetup& setup, const TaskPlan& plan,
+              std::vector<std::unique_ptr<bytecode::Engine>> engines,
+              std::span<SeqCell<scan::TaskTiming>> timings);
 
   // Holds off the workers while it lives; does nothing without workers.
   class Hold {
@@ -66,8 +66,8 @@ class TaskCrew {
   // All tasks anew, their first cycles at `time_ns` and their phases.
   void start(std::int64_t time_ns);
   // Go on where the tasks of another program stand: `counterparts[i]` is the one that task i stands for, or
-  // kNoIndex. Requires that both crews are held; that of `before` stops.
-  void take_over(TaskCrew& before, std::span<const std::uint32_t> counterparts, std::int64_t time_ns);
+  // kNoIndex. Requires that the mutexes of both are held; the tasks of `before` stop.
+  void take_over(TaskThreads& before, std::span<const std::uint32_t> counterparts, std::int64_t time_ns);
   // What a task is doing just now no longer counts.
   void stop();
   void look_at_triggers() {
@@ -75,7 +75,7 @@ class TaskCrew {
   }
 
  private:
-  CrewShare share_;
+  WorkerShare share_;
   std::vector<std::unique_ptr<TaskWorker>> workers_;
 };
 

@@ -1,10 +1,10 @@
 #pragma once
 
-// Mailbox between the service's thread and the line's thread of a gateway: commands and their completions,
-// events, the newest figures. Nothing here is on a scan's path, so that a mutex does.
+// Queues between the service's thread and the line's thread of a gateway: commands, completions, events and
+// the newest figures.
 //
-// Threads: "service" and "line" functions belong to those threads. Invariant: who sees a completion or an
-// event finds figures that are at least as new.
+// Threads: functions under "Service" and "Line" belong to those threads. A mutex guards all: none of it is on
+// a scan's path. Invariant: who sees a completion or an event finds figures that are at least as new.
 
 #include <cstddef>
 #include <cstdint>
@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "runtime/host/command.h"
-#include "runtime/host/doorbell.h"
 #include "runtime/host/messages.h"
+#include "runtime/host/notifier.h"
 #include "runtime/image/force_table.h"
 #include "runtime/remote/remote_program.h"
 
@@ -38,7 +38,7 @@ struct RemoteFigures {
   std::uint64_t losses = 0;          // how often the controller was lost
 };
 
-class Mailbox {
+class LineQueues {
  public:
   // Service.
   // False if too many are under way. What goes ahead (host::goes_ahead) has room of its own.
@@ -46,10 +46,10 @@ class Mailbox {
   std::optional<host::Completion> take_completion();
   std::optional<host::StepEvent> take_event();
   RemoteFigures figures() const;
-  host::Doorbell& news() { return news_; }
+  host::Notifier& news() { return news_; }
 
   // Line.
-  // What goes ahead comes first.
+  // Commands that go ahead come first.
   std::optional<RemoteCommand> next_command();
   // Only what goes ahead: between the parts of something long.
   std::optional<RemoteCommand> next_urgent();
@@ -58,7 +58,7 @@ class Mailbox {
   bool add(host::StepEvent event);
   bool full() const;
   void publish(RemoteFigures figures);
-  host::Doorbell& wake() { return wake_; }
+  host::Notifier& wake() { return wake_; }
 
   bool ok() const { return wake_.ok() && news_.ok(); }
 
@@ -71,8 +71,8 @@ class Mailbox {
   std::uint64_t last_order_ = 0;
   std::size_t under_way_ = 0;
   RemoteFigures figures_;
-  host::Doorbell wake_;
-  host::Doorbell news_;
+  host::Notifier wake_;
+  host::Notifier news_;
 };
 
 }  // namespace stepwright::remote

@@ -44,9 +44,9 @@ slow_count := slow_count + 1;
 )" + slow_body + "\nEND_PROGRAM\n");
 }
 
-class Crew {
+class RealTimeTasks {
  public:
-  explicit Crew(const std::vector<std::byte>& container, const HostConfig& config = real_time())
+  explicit RealTimeTasks(const std::vector<std::byte>& container, const HostConfig& config = real_time())
       : info_(*reader::ProgramInfo::read(container)), harness(config, false) {
     EXPECT_EQ(harness.load(container, "first"), Outcome::Done);
     EXPECT_EQ(harness.start(), Outcome::Done);
@@ -72,20 +72,20 @@ class Crew {
   Harness harness;
 };
 
-TEST(CrewChange, WhenAProgramChanges_ThenTheTasksOfEveryThreadGoOnWithTheirValues) {
-  Crew crew(two_tasks(""));
-  ASSERT_TRUE(crew.slow_ran(20));
+TEST(TaskThreadsChange, WhenAProgramChanges_ThenTheTasksOfEveryThreadGoOnWithTheirValues) {
+  RealTimeTasks tasks(two_tasks(""));
+  ASSERT_TRUE(tasks.slow_ran(20));
   const std::vector<std::byte> next = two_tasks("slow_count := slow_count + 1000;", "more : LINT;");
-  ASSERT_EQ(crew.harness.change(next, "second").outcome, Outcome::Done);
-  const StepEvent changed = crew.harness.event();
+  ASSERT_EQ(tasks.harness.change(next, "second").outcome, Outcome::Done);
+  const StepEvent changed = tasks.harness.event();
   EXPECT_EQ(changed.kind, EventKind::Changed);
-  const double slow_before = crew.value("slow_count", changed.image);
+  const double slow_before = tasks.value("slow_count", changed.image);
   EXPECT_GE(slow_before, 20.0);
-  EXPECT_EQ(crew.value("fast_count", changed.image), static_cast<double>(changed.scan));
-  ASSERT_TRUE(crew.slow_ran(20)) << "the slow task of the new program runs";
-  EXPECT_EQ(crew.harness.runtime->status().state, RuntimeState::Running);
-  crew.harness.stop();
-  const StepEvent stopped = crew.harness.event();
+  EXPECT_EQ(tasks.value("fast_count", changed.image), static_cast<double>(changed.scan));
+  ASSERT_TRUE(tasks.slow_ran(20)) << "the slow task of the new program runs";
+  EXPECT_EQ(tasks.harness.runtime->status().state, RuntimeState::Running);
+  tasks.harness.stop();
+  const StepEvent stopped = tasks.harness.event();
   EXPECT_EQ(stopped.kind, EventKind::Stopped);
   // The new slow task counted in steps of 1001 from where the old one stood.
   const auto info = *reader::ProgramInfo::read(next);
@@ -95,71 +95,71 @@ TEST(CrewChange, WhenAProgramChanges_ThenTheTasksOfEveryThreadGoOnWithTheirValue
   EXPECT_EQ(slow_after % 1001, 0);
 }
 
-TEST(CrewChange, WhenATaskOfAThreadTrapsOnTrial_ThenTheOldProgramGoesOn) {
+TEST(TaskThreadsChange, WhenATaskOfAThreadTrapsOnTrial_ThenTheOldProgramGoesOn) {
   HostConfig config = real_time();
   config.change_trial_scans = 1'000;
-  Crew crew(two_tasks(""), config);
-  ASSERT_TRUE(crew.slow_ran(5));
+  RealTimeTasks tasks(two_tasks(""), config);
+  ASSERT_TRUE(tasks.slow_ran(5));
   const std::vector<std::byte> next = two_tasks("slow_count := slow_count / zero;");
-  ASSERT_EQ(crew.harness.change(next, "second").outcome, Outcome::Done);
-  EXPECT_EQ(crew.harness.event().kind, EventKind::Changed);
-  const StepEvent back = crew.harness.event();
+  ASSERT_EQ(tasks.harness.change(next, "second").outcome, Outcome::Done);
+  EXPECT_EQ(tasks.harness.event().kind, EventKind::Changed);
+  const StepEvent back = tasks.harness.event();
   EXPECT_EQ(back.kind, EventKind::RolledBack);
   EXPECT_NE(back.detail.find("second trapped"), std::string::npos) << back.detail;
-  EXPECT_EQ(crew.harness.driver.output.load(), 17);
-  const std::uint64_t cycles = crew.cycles(1);
-  EXPECT_TRUE(crew.slow_ran(cycles + 20)) << "the old slow task is at work again";
-  const RuntimeStatus status = crew.harness.runtime->status();
+  EXPECT_EQ(tasks.harness.driver.output.load(), 17);
+  const std::uint64_t cycles = tasks.cycles(1);
+  EXPECT_TRUE(tasks.slow_ran(cycles + 20)) << "the old slow task is at work again";
+  const RuntimeStatus status = tasks.harness.runtime->status();
   EXPECT_EQ(status.state, RuntimeState::Running);
   EXPECT_EQ(status.program_digest, "first");
 }
 
-TEST(CrewChange, WhenChangedAgainAndAgain_ThenEveryProgramsThreadsComeAndGo) {
-  Crew crew(two_tasks(""));
+TEST(TaskThreadsChange, WhenChangedAgainAndAgain_ThenEveryProgramsThreadsComeAndGo) {
+  RealTimeTasks tasks(two_tasks(""));
   for (int i = 0; i < 60; ++i) {
     const auto next = two_tasks("zero := " + std::to_string(i) + ";");
-    ASSERT_EQ(crew.harness.change(next, std::to_string(i)).outcome, Outcome::Done) << i;
-    ASSERT_EQ(crew.harness.event().kind, EventKind::Changed);
+    ASSERT_EQ(tasks.harness.change(next, std::to_string(i)).outcome, Outcome::Done) << i;
+    ASSERT_EQ(tasks.harness.event().kind, EventKind::Changed);
     if (i % 5 == 0) std::this_thread::sleep_for(3ms);
   }
-  EXPECT_EQ(crew.harness.runtime->status().state, RuntimeState::Running);
+  EXPECT_EQ(tasks.harness.runtime->status().state, RuntimeState::Running);
 }
 
-TEST(CrewWatchdog, WhenATaskOfAThreadNeverEnds_ThenItsWatchdogEndsIt) {
+TEST(TaskThreadsWatchdog, WhenATaskOfAThreadNeverEnds_ThenItsWatchdogEndsIt) {
   for (const EngineKind engine : {EngineKind::Auto, EngineKind::Vm}) {
     HostConfig config = real_time();
     config.engine = engine;
     config.safety.watchdogs = {{"SLOW", {.time_ns = 20'000'000, .sensitivity = 1}}};
     config.safety.monitor_ns = 5'000'000;
-    Crew crew(two_tasks("IF slow_count > 10 THEN WHILE TRUE DO zero := zero + 1; END_WHILE; END_IF;"),
-              config);
-    const StepEvent event = crew.harness.event();
+    RealTimeTasks tasks(
+        two_tasks("IF slow_count > 10 THEN WHILE TRUE DO zero := zero + 1; END_WHILE; END_IF;"), config);
+    const StepEvent event = tasks.harness.event();
     EXPECT_EQ(event.kind, EventKind::Trap);
     EXPECT_NE(event.detail.find("R0041"), std::string::npos) << event.detail;
-    EXPECT_EQ(crew.harness.driver.output.load(), 0);
-    EXPECT_TRUE(crew.harness.wait([&] {
-      for (const TaskDetail& task : crew.harness.runtime->status().task_details)
+    EXPECT_EQ(tasks.harness.driver.output.load(), 0);
+    EXPECT_TRUE(tasks.harness.wait([&] {
+      for (const TaskDetail& task : tasks.harness.runtime->status().task_details)
         if (task.watchdog_expiries == 1)
           return task.watchdog_us == 20'000 && task.execution.counts.back() == 1;
       return false;
     })) << "the status tells of it";
-    EXPECT_GE(crew.value("fast_count", event.image), 50.0) << "the fast task went on meanwhile";
+    EXPECT_GE(tasks.value("fast_count", event.image), 50.0) << "the fast task went on meanwhile";
   }
 }
 
-TEST(CrewRecording, WhenTasksHaveThreads_ThenTheReplayOfTheLeadingOneIsEqual) {
+TEST(TaskThreadsRecording, WhenTasksHaveThreads_ThenTheReplayOfTheLeadingOneIsEqual) {
   const std::filesystem::path folder =
-      std::filesystem::path(::testing::TempDir()) / ("crew_recording" + std::to_string(::getpid()));
+      std::filesystem::path(::testing::TempDir()) / ("task_threads_recording" + std::to_string(::getpid()));
   std::filesystem::create_directories(folder);
   const std::string file = (folder / "run").string();
-  Crew crew(two_tasks(""));
-  ASSERT_EQ(crew.harness.record({.file = file, .keyframe_every = 16}), Outcome::Done);
-  ASSERT_TRUE(crew.slow_ran(crew.cycles(1) + 40));
-  ASSERT_TRUE(crew.harness.wait([&] { return crew.harness.runtime->recording().scans > 150; }));
-  crew.harness.stop();
-  ASSERT_EQ(crew.harness.command(CommandKind::RecordEnd), Outcome::Done);
-  ASSERT_TRUE(crew.harness.wait(
-      [&] { return crew.harness.runtime->recording().state == record::RecordingState::Done; }));
+  RealTimeTasks tasks(two_tasks(""));
+  ASSERT_EQ(tasks.harness.record({.file = file, .keyframe_every = 16}), Outcome::Done);
+  ASSERT_TRUE(tasks.slow_ran(tasks.cycles(1) + 40));
+  ASSERT_TRUE(tasks.harness.wait([&] { return tasks.harness.runtime->recording().scans > 150; }));
+  tasks.harness.stop();
+  ASSERT_EQ(tasks.harness.command(CommandKind::RecordEnd), Outcome::Done);
+  ASSERT_TRUE(tasks.harness.wait(
+      [&] { return tasks.harness.runtime->recording().state == record::RecordingState::Done; }));
   for (const EngineKind engine : {EngineKind::Vm, EngineKind::Native}) {
     record::ReplayOptions options;
     options.engine = [engine](const bytecode::Program& program) { return make_engine(engine, program); };

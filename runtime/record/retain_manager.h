@@ -10,12 +10,12 @@
 // `prepare`, from every program and store that may be kept when the prepared one starts: a start copies, and
 // its time does not grow with the names. The others take memory only to say what does not fit.
 //
-//   auto keeper = RetainKeeper::open({.store = state_dir / "retain.store"});
-//   auto channel = keeper->prepare(program);                   // loaded
-//   if (auto problems = keeper->refusal(**channel, cold); !problems.empty()) ...
-//   cycle.start(...); keeper->begin(**channel, image, cold);   // started
-//   keeper->offer(image, now_ns);                              // after each scan
-//   keeper->finish(image);                                     // stopped, trapped, at the end
+//   auto retain = RetainManager::open({.store = state_dir / "retain.store"});
+//   auto channel = retain->prepare(program);                   // loaded
+//   if (auto problems = retain->refusal(**channel, cold); !problems.empty()) ...
+//   cycle.start(...); retain->begin(**channel, image, cold);   // started
+//   retain->offer(image, now_ns);                              // after each scan
+//   retain->finish(image);                                     // stopped, trapped, at the end
 
 #include <atomic>
 #include <cstddef>
@@ -46,11 +46,11 @@ struct RetainConfig {
   RetainPolicy policy = RetainPolicy::Carry;
 };
 
-class RetainKeeper {
+class RetainManager {
  public:
   // Reads the store. What is wrong with it goes to `note`, and the store aside: a runtime comes up whatever
   // its store says.
-  static std::unique_ptr<RetainKeeper> open(const RetainConfig& config);
+  static std::unique_ptr<RetainManager> open(const RetainConfig& config);
 
   // Of a verified program, which is to start behind all that were prepared before. Fails with R0021.
   [[nodiscard]] result::Result<std::shared_ptr<RetainChannel>> prepare(const bytecode::Program& program);
@@ -76,7 +76,7 @@ class RetainKeeper {
   std::string note() const;
 
  private:
-  explicit RetainKeeper(const RetainConfig& config);
+  explicit RetainManager(const RetainConfig& config);
   void publish(std::span<const std::byte> image);
   RetainArrival arrival(std::uint64_t source, const StateLayout& from, const RetainChannel& to) const;
   void forget_unused();

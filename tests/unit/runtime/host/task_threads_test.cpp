@@ -86,7 +86,7 @@ slow_count := slow_count + 1; bit_slow := TRUE;
 END_PROGRAM
 )";
 
-TEST(TaskCrew, WhenASlowTaskComputes_ThenTheFastOneGoesOnAndEachSeesAConsistentImage) {
+TEST(TaskThreads, WhenASlowTaskComputes_ThenTheFastOneGoesOnAndEachSeesAConsistentImage) {
   HostConfig config = real_time();
   config.engine = EngineKind::Vm;  // 20 to 30 ms for the slow task
   Tasks tasks(kFastAndSlow, config);
@@ -99,13 +99,13 @@ TEST(TaskCrew, WhenASlowTaskComputes_ThenTheFastOneGoesOnAndEachSeesAConsistentI
   EXPECT_GT(tasks.value("fast_count"), 3 * tasks.value("slow_count"));
 }
 
-TEST(TaskCrew, WhenTasksDriveBitsOfOneByte_ThenBothReachTheOutputs) {
+TEST(TaskThreads, WhenTasksDriveBitsOfOneByte_ThenBothReachTheOutputs) {
   Tasks tasks(kFastAndSlow);
   tasks.harness.start();
   EXPECT_TRUE(tasks.harness.wait([&] { return tasks.harness.driver.output.load() == 3; }));
 }
 
-TEST(TaskCrew, WhenTasksRun_ThenTheStatusSaysHowPunctualEachIs) {
+TEST(TaskThreads, WhenTasksRun_ThenTheStatusSaysHowPunctualEachIs) {
   Tasks tasks(kFastAndSlow);
   tasks.harness.start();
   ASSERT_TRUE(tasks.harness.wait([&] { return tasks.task(0).cycles > 300 && tasks.task(1).cycles > 20; }));
@@ -141,7 +141,7 @@ events := events + 1;
 END_PROGRAM
 )";
 
-TEST(TaskCrew, WhenATriggerRises_ThenItsTaskRunsOncePerEdge) {
+TEST(TaskThreads, WhenATriggerRises_ThenItsTaskRunsOncePerEdge) {
   Tasks tasks(kEvents);
   tasks.harness.start();
   for (int edge = 1; edge <= 20; ++edge) {
@@ -172,7 +172,7 @@ rounds := rounds + 1;
 END_PROGRAM
 )";
 
-TEST(TaskCrew, WhenAProgramHasNoTask_ThenItRunsAgainAsSoonAsItHasEnded) {
+TEST(TaskThreads, WhenAProgramHasNoTask_ThenItRunsAgainAsSoonAsItHasEnded) {
   Tasks tasks(kFreewheeling);
   tasks.harness.start();
   ASSERT_TRUE(tasks.wait_for("ticks", 20));
@@ -191,7 +191,7 @@ rounds := rounds + 1;
 END_PROGRAM
 )";
 
-TEST(TaskCrew, WhenTheOnlyTaskIsFreewheeling_ThenTheScanThreadRunsIt) {
+TEST(TaskThreads, WhenTheOnlyTaskIsFreewheeling_ThenTheScanThreadRunsIt) {
   Tasks tasks(kOnlyFreewheeling);
   tasks.harness.start();
   EXPECT_TRUE(tasks.wait_for("rounds", 100));
@@ -226,7 +226,7 @@ bool may_be_urgent() {
   return may;
 }
 
-TEST(TaskCrew, WhenAFreewheelingTaskLeads_ThenItHasOrdinaryPriority) {
+TEST(TaskThreads, WhenAFreewheelingTaskLeads_ThenItHasOrdinaryPriority) {
   if (!may_be_urgent()) GTEST_SKIP() << "no real-time priorities here";
   Tasks tasks(kOnlyFreewheeling);
   ScanScheduling scheduling(tasks);
@@ -238,7 +238,7 @@ TEST(TaskCrew, WhenAFreewheelingTaskLeads_ThenItHasOrdinaryPriority) {
   EXPECT_TRUE(scheduling.comes_to(SCHED_FIFO, 80));
 }
 
-TEST(TaskCrew, WhenAnEventIsMoreUrgentThanTheTaskThatLeads_ThenSoAreTheirThreads) {
+TEST(TaskThreads, WhenAnEventIsMoreUrgentThanTheTaskThatLeads_ThenSoAreTheirThreads) {
   if (!may_be_urgent()) GTEST_SKIP() << "no real-time priorities here";
   Tasks tasks(kEvents);
   ScanScheduling scheduling(tasks);
@@ -265,7 +265,7 @@ IF count > 3 THEN count := count / (count - count); END_IF;
 END_PROGRAM
 )";
 
-TEST(TaskCrew, WhenATaskOfItsOwnThreadTraps_ThenEverythingStopsAndItSaysWhere) {
+TEST(TaskThreads, WhenATaskOfItsOwnThreadTraps_ThenEverythingStopsAndItSaysWhere) {
   Tasks tasks(kTrapOfTheSlowTask);
   tasks.harness.start();
   EXPECT_EQ(tasks.harness.event().kind, EventKind::Started);
@@ -282,7 +282,7 @@ TEST(TaskCrew, WhenATaskOfItsOwnThreadTraps_ThenEverythingStopsAndItSaysWhere) {
   EXPECT_EQ(tasks.harness.event().kind, EventKind::Trap);
 }
 
-TEST(TaskCrew, WhenStoppedAndStartedOften_ThenEveryStartIsFromTheInitialValues) {
+TEST(TaskThreads, WhenStoppedAndStartedOften_ThenEveryStartIsFromTheInitialValues) {
   Tasks tasks(kFastAndSlow);
   for (int round = 0; round < 50; ++round) {
     ASSERT_EQ(tasks.harness.start(), Outcome::Done);

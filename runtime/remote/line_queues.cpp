@@ -1,4 +1,4 @@
-#include "runtime/remote/mailbox.h"
+#include "runtime/remote/line_queues.h"
 
 #include <utility>
 
@@ -20,7 +20,7 @@ std::optional<T> pop(std::deque<T>& queue) {
 
 }  // namespace
 
-bool Mailbox::submit(RemoteCommand command) {
+bool LineQueues::submit(RemoteCommand command) {
   {
     const std::lock_guard lock(mutex_);
     const bool ahead = host::goes_ahead(command.command.kind);
@@ -29,64 +29,64 @@ bool Mailbox::submit(RemoteCommand command) {
     command.command.order = ++last_order_;
     (ahead ? urgent_ : commands_).push_back(std::move(command));
   }
-  wake_.ring();
+  wake_.notify();
   return true;
 }
 
-std::optional<host::Completion> Mailbox::take_completion() {
+std::optional<host::Completion> LineQueues::take_completion() {
   const std::lock_guard lock(mutex_);
   auto completion = pop(completions_);
   if (completion) --under_way_;
   return completion;
 }
 
-std::optional<host::StepEvent> Mailbox::take_event() {
+std::optional<host::StepEvent> LineQueues::take_event() {
   const std::lock_guard lock(mutex_);
   const bool was_full = events_.size() >= kMaxEvents;
   auto event = pop(events_);
-  if (was_full) wake_.ring();  // the clock may have stood still for want of room
+  if (was_full) wake_.notify();  // the clock may have stood still for want of room
   return event;
 }
 
-RemoteFigures Mailbox::figures() const {
+RemoteFigures LineQueues::figures() const {
   const std::lock_guard lock(mutex_);
   return figures_;
 }
 
-std::optional<RemoteCommand> Mailbox::next_command() {
+std::optional<RemoteCommand> LineQueues::next_command() {
   const std::lock_guard lock(mutex_);
   return pop(urgent_.empty() ? commands_ : urgent_);
 }
 
-std::optional<RemoteCommand> Mailbox::next_urgent() {
+std::optional<RemoteCommand> LineQueues::next_urgent() {
   const std::lock_guard lock(mutex_);
   return pop(urgent_);
 }
 
-void Mailbox::complete(host::Completion completion) {
+void LineQueues::complete(host::Completion completion) {
   {
     const std::lock_guard lock(mutex_);
     completions_.push_back(std::move(completion));
   }
-  news_.ring();
+  news_.notify();
 }
 
-bool Mailbox::add(host::StepEvent event) {
+bool LineQueues::add(host::StepEvent event) {
   {
     const std::lock_guard lock(mutex_);
     if (events_.size() >= kMaxEvents) return false;
     events_.push_back(std::move(event));
   }
-  news_.ring();
+  news_.notify();
   return true;
 }
 
-bool Mailbox::full() const {
+bool LineQueues::full() const {
   const std::lock_guard lock(mutex_);
   return events_.size() >= kMaxEvents;
 }
 
-void Mailbox::publish(RemoteFigures figures) {
+void LineQueues::publish(RemoteFigures figures) {
   const std::lock_guard lock(mutex_);
   figures_ = std::move(figures);
 }

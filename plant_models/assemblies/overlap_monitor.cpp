@@ -1,4 +1,4 @@
-#include "plant_models/assemblies/outline_judge.h"
+#include "plant_models/assemblies/overlap_monitor.h"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@ namespace {
 
 using body2d::Vec2;
 
-using Outline = OutlineJudge::Outline;
+using Outline = OverlapMonitor::Outline;
 
 Outline rectangle(const body2d::Pose& pose, double front_m, double rear_m, double half_width_m) {
   const double c = std::cos(pose.angle);
@@ -75,7 +75,7 @@ bool far(const Outline& a, const Outline& b, double more_than_m) {
 
 }  // namespace
 
-OutlineJudge::OutlineJudge(const FleetParameters& parameters)
+OverlapMonitor::OverlapMonitor(const FleetParameters& parameters)
     : body_(parameters.forklift.body), vehicles_(parameters.starts.size()), walls_(parameters.walls.size()) {
   for (const auto* blocks : {&parameters.walls, &parameters.blockages}) {
     for (const BlockParameters& block : *blocks) {
@@ -86,16 +86,16 @@ OutlineJudge::OutlineJudge(const FleetParameters& parameters)
   for (std::size_t k = 0; k < parameters.blockages.size(); ++k) set_present(k, false);
 }
 
-void OutlineJudge::put(std::size_t vehicle, const ForkliftPose& at) {
+void OverlapMonitor::put(std::size_t vehicle, const ForkliftPose& at) {
   vehicles_[vehicle] =
       rectangle({{at.x_m, at.y_m}, at.heading_rad}, body_.front_m, body_.rear_m, 0.5 * body_.width_m);
 }
 
-void OutlineJudge::set_present(std::size_t blockage, bool present) {
+void OverlapMonitor::set_present(std::size_t blockage, bool present) {
   obstacles_[walls_ + blockage].present = present;
 }
 
-void OutlineJudge::look() {
+void OverlapMonitor::look() {
   for (std::size_t a = 0; a < vehicles_.size(); ++a) {
     for (std::size_t b = 0; b < a; ++b) {
       if (far(vehicles_[a], vehicles_[b], smallest_gap_m_)) continue;

@@ -1,4 +1,4 @@
-#include "runtime/modbus/client/poll/tag_board.h"
+#include "runtime/modbus/client/poll/tag_cache.h"
 
 #include <algorithm>
 #include <limits>
@@ -12,13 +12,13 @@ namespace {
 using std::chrono::duration_cast;
 using std::chrono::milliseconds;
 
-std::int64_t ms_between(TagBoard::Clock::time_point from, TagBoard::Clock::time_point to) {
+std::int64_t ms_between(TagCache::Clock::time_point from, TagCache::Clock::time_point to) {
   return duration_cast<milliseconds>(to - from).count();
 }
 
 }  // namespace
 
-TagBoard::TagBoard(std::vector<Device> devices, Clock::time_point start) : devices_(std::move(devices)) {
+TagCache::TagCache(std::vector<Device> devices, Clock::time_point start) : devices_(std::move(devices)) {
   for (const Device& device : devices_) {
     DeviceState state;
     state.offline_since = start;
@@ -39,7 +39,7 @@ TagBoard::TagBoard(std::vector<Device> devices, Clock::time_point start) : devic
   }
 }
 
-void TagBoard::read(std::size_t device, const ReadRequest& request, std::span<const std::uint16_t> words,
+void TagCache::read(std::size_t device, const ReadRequest& request, std::span<const std::uint16_t> words,
                     Clock::time_point now) {
   const auto wall = std::chrono::system_clock::now();
   const std::scoped_lock lock(mutex_);
@@ -57,14 +57,14 @@ void TagBoard::read(std::size_t device, const ReadRequest& request, std::span<co
   }
 }
 
-void TagBoard::not_read(std::size_t device, std::span<const std::uint32_t> inputs, Quality why,
+void TagCache::not_read(std::size_t device, std::span<const std::uint32_t> inputs, Quality why,
                         const std::string& error) {
   const std::scoped_lock lock(mutex_);
   if (states_[device].online) states_[device].error = error;  // else offline() tells
   for (const std::uint32_t index : inputs) states_[device].in[index].fault = why;
 }
 
-void TagBoard::written(std::size_t device, std::span<const std::uint32_t> outputs,
+void TagCache::written(std::size_t device, std::span<const std::uint32_t> outputs,
                        std::span<const std::uint8_t> exceeded, Clock::time_point now) {
   const auto wall = std::chrono::system_clock::now();
   const std::scoped_lock lock(mutex_);
@@ -79,7 +79,7 @@ void TagBoard::written(std::size_t device, std::span<const std::uint32_t> output
   }
 }
 
-void TagBoard::not_written(std::size_t device, std::span<const std::uint32_t> outputs, Quality why,
+void TagCache::not_written(std::size_t device, std::span<const std::uint32_t> outputs, Quality why,
                            const std::string& error, Clock::time_point now) {
   const std::scoped_lock lock(mutex_);
   if (states_[device].online) states_[device].error = error;
@@ -90,7 +90,7 @@ void TagBoard::not_written(std::size_t device, std::span<const std::uint32_t> ou
   }
 }
 
-void TagBoard::outputs_are(std::span<const std::byte> area) {
+void TagCache::outputs_are(std::span<const std::byte> area) {
   const std::scoped_lock lock(mutex_);
   for (DeviceState& device : states_) {
     for (std::size_t i = 0; i < device.outputs.size(); ++i)
@@ -98,7 +98,7 @@ void TagBoard::outputs_are(std::span<const std::byte> area) {
   }
 }
 
-void TagBoard::online(std::size_t device, Clock::time_point) {
+void TagCache::online(std::size_t device, Clock::time_point) {
   const std::scoped_lock lock(mutex_);
   DeviceState& state = states_[device];
   if (state.online) return;
@@ -107,7 +107,7 @@ void TagBoard::online(std::size_t device, Clock::time_point) {
   news_.push_back({devices_[device].name, true, ""});
 }
 
-void TagBoard::offline(std::size_t device, Quality why, const std::string& error, Clock::time_point now) {
+void TagCache::offline(std::size_t device, Quality why, const std::string& error, Clock::time_point now) {
   const std::scoped_lock lock(mutex_);
   DeviceState& state = states_[device];
   const bool told = !state.online && state.error == error;
@@ -123,24 +123,24 @@ void TagBoard::offline(std::size_t device, Quality why, const std::string& error
   if (!told) news_.push_back({devices_[device].name, false, error});
 }
 
-void TagBoard::count(std::size_t device,
+void TagCache::count(std::size_t device,
                      const std::function<void(DeviceCounters&, std::vector<GroupStatus>&)>& change) {
   const std::scoped_lock lock(mutex_);
   change(states_[device].counters, states_[device].groups);
 }
 
-bool TagBoard::too_old(const DeviceState& device, std::size_t input, Clock::time_point now) {
+bool TagCache::too_old(const DeviceState& device, std::size_t input, Clock::time_point now) {
   return now - device.in[input].good_at > device.limits[input];
 }
 
-Quality TagBoard::quality_of(const State& state, bool too_old) {
+Quality TagCache::quality_of(const State& state, bool too_old) {
   if (!state.ever) return state.fault == Quality::Good ? Quality::NotConnected : state.fault;
   if (too_old) return state.fault == Quality::Good ? Quality::CommFailure : state.fault;
   if (state.fault != Quality::Good) return Quality::LastUsable;
   return state.exceeded ? Quality::RangeExceeded : Quality::Good;
 }
 
-void TagBoard::collect(Clock::time_point now, std::span<std::byte> inputs) const {
+void TagCache::collect(Clock::time_point now, std::span<std::byte> inputs) const {
   const auto put_worth = [&](const Tag& tag, const State& state, Quality quality) {
     if (tag.quality_byte) inputs[*tag.quality_byte] = static_cast<std::byte>(quality);
     if (!tag.age) return;
@@ -169,7 +169,7 @@ void TagBoard::collect(Clock::time_point now, std::span<std::byte> inputs) const
   }
 }
 
-bool TagBoard::lost(std::size_t device, Clock::time_point now) const {
+bool TagCache::lost(std::size_t device, Clock::time_point now) const {
   const DeviceState& state = states_[device];
   const milliseconds limit = devices_[device].loss_after;
   if (!state.online && now - state.offline_since > limit) return true;
@@ -181,7 +181,7 @@ bool TagBoard::lost(std::size_t device, Clock::time_point now) const {
   });
 }
 
-bool TagBoard::lost(Clock::time_point now) const {
+bool TagCache::lost(Clock::time_point now) const {
   const std::scoped_lock lock(mutex_);
   for (std::size_t d = 0; d < states_.size(); ++d) {
     if (devices_[d].on_loss == OnLoss::Safe && lost(d, now)) return true;
@@ -189,7 +189,7 @@ bool TagBoard::lost(Clock::time_point now) const {
   return false;
 }
 
-void TagBoard::report(Clock::time_point now, std::vector<DeviceStatus>& status) const {
+void TagCache::report(Clock::time_point now, std::vector<DeviceStatus>& status) const {
   const std::scoped_lock lock(mutex_);
   for (std::size_t d = 0; d < states_.size(); ++d) {
     const DeviceState& state = states_[d];
@@ -215,7 +215,7 @@ void TagBoard::report(Clock::time_point now, std::vector<DeviceStatus>& status) 
   }
 }
 
-std::vector<DeviceNews> TagBoard::take_news() {
+std::vector<DeviceNews> TagCache::take_news() {
   const std::scoped_lock lock(mutex_);
   return std::exchange(news_, {});
 }

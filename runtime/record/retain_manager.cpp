@@ -1,4 +1,4 @@
-#include "runtime/record/retain_keeper.h"
+#include "runtime/record/retain_manager.h"
 
 #include <utility>
 
@@ -29,11 +29,11 @@ std::string misfit(const TransferReport& report) {
 
 }  // namespace
 
-std::unique_ptr<RetainKeeper> RetainKeeper::open(const RetainConfig& config) {
-  return std::unique_ptr<RetainKeeper>(new RetainKeeper(config));
+std::unique_ptr<RetainManager> RetainManager::open(const RetainConfig& config) {
+  return std::unique_ptr<RetainManager>(new RetainManager(config));
 }
 
-RetainKeeper::RetainKeeper(const RetainConfig& config) : config_(config), period_ns_(config.period_ns) {
+RetainManager::RetainManager(const RetainConfig& config) : config_(config), period_ns_(config.period_ns) {
   if (config.store.empty()) return;
   if (auto found = RetainStore::read(config.store)) {
     if (*found) found_ = std::make_shared<const StoredState>(std::move(**found));
@@ -48,7 +48,7 @@ RetainKeeper::RetainKeeper(const RetainConfig& config) : config_(config), period
                                            found_ ? std::optional(*found_) : std::nullopt);
 }
 
-result::Result<std::shared_ptr<RetainChannel>> RetainKeeper::prepare(const bytecode::Program& program) {
+result::Result<std::shared_ptr<RetainChannel>> RetainManager::prepare(const bytecode::Program& program) {
   auto values = RetainedValues::of(program);
   if (!values) return result::forward(values);
   auto channel = std::make_shared<RetainChannel>(std::move(*values));
@@ -65,8 +65,8 @@ result::Result<std::shared_ptr<RetainChannel>> RetainKeeper::prepare(const bytec
   return channel;
 }
 
-RetainArrival RetainKeeper::arrival(std::uint64_t source, const StateLayout& from,
-                                    const RetainChannel& to) const {
+RetainArrival RetainManager::arrival(std::uint64_t source, const StateLayout& from,
+                                     const RetainChannel& to) const {
   RetainArrival arrival{source, VariableTransfer::between(from, to.values.in_image()), {}, {}};
   arrival.misfit = misfit(arrival.transfer.report());
   if (config_.policy == RetainPolicy::Refuse)
@@ -75,26 +75,26 @@ RetainArrival RetainKeeper::arrival(std::uint64_t source, const StateLayout& fro
 }
 
 // What only this list, and that of the writer, still hold.
-void RetainKeeper::forget_unused() {
+void RetainManager::forget_unused() {
   const long holders = writer_ == nullptr ? 1 : 2;
   std::erase_if(channels_, [&](const auto& each) { return each.use_count() <= holders; });
 }
 
-std::optional<std::uint64_t> RetainKeeper::kept_source() const {
+std::optional<std::uint64_t> RetainManager::kept_source() const {
   if (kept_from_ != nullptr) return kept_from_->source;
   if (found_ && !begun_.load(std::memory_order_relaxed)) return kStore;
   return std::nullopt;
 }
 
-const StateLayout& RetainKeeper::kept_layout() const {
+const StateLayout& RetainManager::kept_layout() const {
   return kept_from_ != nullptr ? kept_from_->values.in_payload() : found_->layout;
 }
 
-std::span<const std::byte> RetainKeeper::kept_payload() const {
+std::span<const std::byte> RetainManager::kept_payload() const {
   return kept_from_ != nullptr ? std::span<const std::byte>(kept_from_->kept) : found_->payload;
 }
 
-result::Diagnostics RetainKeeper::refusal(const RetainChannel& channel, bool cold) const {
+result::Diagnostics RetainManager::refusal(const RetainChannel& channel, bool cold) const {
   const auto source = kept_source();
   if (config_.policy != RetainPolicy::Refuse || cold || !source || channel.values.size() == 0) return {};
   const RetainArrival* const prepared = channel.arrival_from(*source);
@@ -108,7 +108,7 @@ result::Diagnostics RetainKeeper::refusal(const RetainChannel& channel, bool col
 }
 
 // A source that was prepared later than the program is none that a runtime has; then it is worked out here.
-void RetainKeeper::restore(const RetainChannel& channel, std::uint64_t source, std::span<std::byte> image) {
+void RetainManager::restore(const RetainChannel& channel, std::uint64_t source, std::span<std::byte> image) {
   const RetainArrival* prepared = channel.arrival_from(source);
   std::optional<RetainArrival> late;
   if (prepared == nullptr) prepared = &late.emplace(arrival(source, kept_layout(), channel));
@@ -122,7 +122,7 @@ void RetainKeeper::restore(const RetainChannel& channel, std::uint64_t source, s
   }
 }
 
-void RetainKeeper::begin(RetainChannel& channel, std::span<std::byte> image, bool cold) {
+void RetainManager::begin(RetainChannel& channel, std::span<std::byte> image, bool cold) {
   current_ = nullptr;
   if (channel.values.size() == 0) return;  // what is kept stays for the program that wants it
   if (const auto source = kept_source(); source && !cold) restore(channel, *source, image);
@@ -134,18 +134,18 @@ void RetainKeeper::begin(RetainChannel& channel, std::span<std::byte> image, boo
   publish(image);
   if (writer_ == nullptr) return;
   writer_->use(channel);
-  writer_->ring();
+  writer_->notify();
 }
 
-void RetainKeeper::finish(std::span<const std::byte> image) {
+void RetainManager::finish(std::span<const std::byte> image) {
   if (current_ == nullptr) return;
   current_->values.area().gather(image, current_->kept);
   publish(image);
-  if (writer_ != nullptr) writer_->ring();
+  if (writer_ != nullptr) writer_->notify();
   current_ = nullptr;
 }
 
-void RetainKeeper::change(RetainChannel& channel, std::span<const std::byte> image) {
+void RetainManager::change(RetainChannel& channel, std::span<const std::byte> image) {
   current_ = nullptr;
   if (channel.values.size() == 0) return;
   kept_from_ = channel.shared_from_this();
@@ -154,20 +154,20 @@ void RetainKeeper::change(RetainChannel& channel, std::span<const std::byte> ima
   if (writer_ != nullptr) writer_->use(channel);
 }
 
-void RetainKeeper::publish(std::span<const std::byte> image) {
+void RetainManager::publish(std::span<const std::byte> image) {
   if (writer_ == nullptr) return;
   current_->values.area().gather(image, current_->buffer.back());
   current_->buffer.publish(++number_);
 }
 
-std::string RetainKeeper::note() const {
+std::string RetainManager::note() const {
   std::string text = writer_ == nullptr ? std::string() : writer_->note();
   const std::lock_guard lock(mutex_);
   if (text.empty() || note_.empty()) return text + note_;
   return note_ + "; " + text;
 }
 
-void RetainKeeper::set_note(std::string note) {
+void RetainManager::set_note(std::string note) {
   const std::lock_guard lock(mutex_);
   noted_.store(!note.empty(), std::memory_order_release);
   note_ = std::move(note);

@@ -1,4 +1,4 @@
-#include "runtime/record/retain_keeper.h"
+#include "runtime/record/retain_manager.h"
 
 #include <gtest/gtest.h>
 
@@ -21,17 +21,17 @@ void leave(const TestFolder& folder, const std::string& declarations, const std:
   machine.stop();
 }
 
-TEST(RetainKeeper, WhenAProcessEndsAndTheNextBegins_ThenRetainedVariablesGoOn) {
+TEST(RetainManager, WhenAProcessEndsAndTheNextBegins_ThenRetainedVariablesGoOn) {
   const TestFolder folder;
   leave(folder, kNumbers, "MAIN.n", 77);
   RetainedMachine machine(kNumbers, {.store = folder.store()});
   EXPECT_TRUE(machine.start().empty());
   EXPECT_EQ(machine.get("MAIN.n"), 77);
   EXPECT_EQ(machine.get("MAIN.free"), 0);
-  EXPECT_EQ(machine.keeper().note(), "");
+  EXPECT_EQ(machine.retain().note(), "");
 }
 
-TEST(RetainKeeper, WhenTheStartIsCold_ThenTheyHaveInitialValuesForGood) {
+TEST(RetainManager, WhenTheStartIsCold_ThenTheyHaveInitialValuesForGood) {
   const TestFolder folder;
   leave(folder, kNumbers, "MAIN.n", 77);
   {
@@ -44,7 +44,7 @@ TEST(RetainKeeper, WhenTheStartIsCold_ThenTheyHaveInitialValuesForGood) {
   EXPECT_EQ(machine.get("MAIN.n"), 5);
 }
 
-TEST(RetainKeeper, WhenAProgramIsStoppedAndStarted_ThenItGoesOnWithoutAStoreToo) {
+TEST(RetainManager, WhenAProgramIsStoppedAndStarted_ThenItGoesOnWithoutAStoreToo) {
   RetainedMachine machine(kNumbers, {});
   machine.start();
   machine.set("MAIN.n", 8);
@@ -56,7 +56,7 @@ TEST(RetainKeeper, WhenAProgramIsStoppedAndStarted_ThenItGoesOnWithoutAStoreToo)
 }
 
 // Names are compared when a program is prepared: what is left for the start are copies.
-TEST(RetainKeeper, WhenAProgramStarts_ThenTheScanThreadTakesNoMemory) {
+TEST(RetainManager, WhenAProgramStarts_ThenTheScanThreadTakesNoMemory) {
   if (!support::guard_is_active()) GTEST_SKIP() << "a sanitizer owns malloc";
   const TestFolder folder;
   leave(folder, kNumbers, "MAIN.n", 77);
@@ -78,7 +78,7 @@ TEST(RetainKeeper, WhenAProgramStarts_ThenTheScanThreadTakesNoMemory) {
   EXPECT_EQ(machine.get("MAIN.n"), 78);
 }
 
-TEST(RetainKeeper, WhenAnotherProgramFollows_ThenWhatFitsIsCarried) {
+TEST(RetainManager, WhenAnotherProgramFollows_ThenWhatFitsIsCarried) {
   const TestFolder folder;
   RetainedMachine machine("VAR RETAIN n : DINT; gone : INT; r : INT := 1; a : ARRAY[0..1] OF INT; END_VAR",
                           {.store = folder.store()});
@@ -95,13 +95,13 @@ TEST(RetainKeeper, WhenAnotherProgramFollows_ThenWhatFitsIsCarried) {
   EXPECT_EQ(machine.get("MAIN.fresh"), 3);
   EXPECT_EQ(machine.get("MAIN.a[1]"), 10);
   EXPECT_EQ(machine.get("MAIN.a[5]"), 2);
-  const std::string note = machine.keeper().note();
+  const std::string note = machine.retain().note();
   EXPECT_NE(note.find("1 new (MAIN.fresh)"), std::string::npos) << note;
   EXPECT_NE(note.find("1 gone (MAIN.gone)"), std::string::npos) << note;
   EXPECT_NE(note.find("1 of another type (MAIN.r)"), std::string::npos) << note;
 }
 
-TEST(RetainKeeper, WhenThePolicyIsInitialise_ThenOneMisfitGivesAllInitialValues) {
+TEST(RetainManager, WhenThePolicyIsInitialise_ThenOneMisfitGivesAllInitialValues) {
   const TestFolder folder;
   leave(folder, kNumbers, "MAIN.n", 77);
   const RetainConfig config{.store = folder.store(), .policy = RetainPolicy::Initialise};
@@ -114,10 +114,10 @@ TEST(RetainKeeper, WhenThePolicyIsInitialise_ThenOneMisfitGivesAllInitialValues)
   RetainedMachine machine("VAR RETAIN n : DINT := 5; s : STRING[8]; more : INT; END_VAR", config);
   EXPECT_TRUE(machine.start().empty());
   EXPECT_EQ(machine.get("MAIN.n"), 5);
-  EXPECT_NE(machine.keeper().note().find("initial values"), std::string::npos);
+  EXPECT_NE(machine.retain().note().find("initial values"), std::string::npos);
 }
 
-TEST(RetainKeeper, WhenThePolicyIsRefuse_ThenTheStartIsRefusedAndTheValuesStay) {
+TEST(RetainManager, WhenThePolicyIsRefuse_ThenTheStartIsRefusedAndTheValuesStay) {
   const TestFolder folder;
   leave(folder, kNumbers, "MAIN.n", 77);
   const RetainConfig config{.store = folder.store(), .policy = RetainPolicy::Refuse};
@@ -139,7 +139,7 @@ TEST(RetainKeeper, WhenThePolicyIsRefuse_ThenTheStartIsRefusedAndTheValuesStay) 
   EXPECT_TRUE(machine.start(true).empty());
 }
 
-TEST(RetainKeeper, WhenAProgramRetainsNothing_ThenTheValuesWaitForTheNext) {
+TEST(RetainManager, WhenAProgramRetainsNothing_ThenTheValuesWaitForTheNext) {
   const TestFolder folder;
   leave(folder, kNumbers, "MAIN.n", 77);
   leave(folder, "VAR n : INT; END_VAR", "MAIN.n", 1);
@@ -148,7 +148,7 @@ TEST(RetainKeeper, WhenAProgramRetainsNothing_ThenTheValuesWaitForTheNext) {
   EXPECT_EQ(machine.get("MAIN.n"), 77);
 }
 
-TEST(RetainKeeper, WhenALocatedBitIsRetained_ThenItsNeighboursAreNot) {
+TEST(RetainManager, WhenALocatedBitIsRetained_ThenItsNeighboursAreNot) {
   const std::string bits = "VAR RETAIN a AT %MX0.1 : BOOL; END_VAR VAR b AT %MX0.2 : BOOL; END_VAR";
   const TestFolder folder;
   {
@@ -164,14 +164,14 @@ TEST(RetainKeeper, WhenALocatedBitIsRetained_ThenItsNeighboursAreNot) {
   EXPECT_EQ(machine.get("MAIN.b"), 0);
 }
 
-TEST(RetainKeeper, WhenTheStoreIsDamaged_ThenItIsKeptAsideAndTheStartHasInitialValues) {
+TEST(RetainManager, WhenTheStoreIsDamaged_ThenItIsKeptAsideAndTheStartHasInitialValues) {
   const TestFolder folder;
   std::ofstream(folder.store()) << "no store";
   {
     RetainedMachine machine(kNumbers, {.store = folder.store()});
     EXPECT_TRUE(machine.start().empty());
     EXPECT_EQ(machine.get("MAIN.n"), 5);
-    const std::string note = machine.keeper().note();
+    const std::string note = machine.retain().note();
     EXPECT_NE(note.find("R0023"), std::string::npos) << note;
     EXPECT_NE(note.find("retain.store.damaged"), std::string::npos) << note;
     machine.set("MAIN.n", 6);
@@ -183,7 +183,7 @@ TEST(RetainKeeper, WhenTheStoreIsDamaged_ThenItIsKeptAsideAndTheStartHasInitialV
   EXPECT_EQ(machine.get("MAIN.n"), 6);
 }
 
-TEST(RetainKeeper, WhenItRuns_ThenValuesAreWrittenAndAcknowledged) {
+TEST(RetainManager, WhenItRuns_ThenValuesAreWrittenAndAcknowledged) {
   const TestFolder folder;
   RetainedMachine machine(kNumbers, {.store = folder.store(), .period_ns = 1'000'000});
   machine.start();
@@ -198,19 +198,19 @@ TEST(RetainKeeper, WhenItRuns_ThenValuesAreWrittenAndAcknowledged) {
   }
 }
 
-TEST(RetainKeeper, WhenThePeriodIsNotOver_ThenNothingIsPublished) {
+TEST(RetainManager, WhenThePeriodIsNotOver_ThenNothingIsPublished) {
   const TestFolder folder;
   RetainedMachine machine(kNumbers, {.store = folder.store(), .period_ns = 1'000});
   machine.start();
-  machine.keeper().offer(machine.image(), 10'000);
-  const std::uint64_t published = machine.keeper().published();
-  machine.keeper().offer(machine.image(), 10'999);
-  EXPECT_EQ(machine.keeper().published(), published);
-  machine.keeper().offer(machine.image(), 11'000);
-  EXPECT_EQ(machine.keeper().published(), published + 1);
+  machine.retain().offer(machine.image(), 10'000);
+  const std::uint64_t published = machine.retain().published();
+  machine.retain().offer(machine.image(), 10'999);
+  EXPECT_EQ(machine.retain().published(), published);
+  machine.retain().offer(machine.image(), 11'000);
+  EXPECT_EQ(machine.retain().published(), published + 1);
 }
 
-TEST(RetainKeeper, WhenValuesAreOffered_ThenNothingIsAllocatedOrLocked) {
+TEST(RetainManager, WhenValuesAreOffered_ThenNothingIsAllocatedOrLocked) {
   if (!support::guard_is_active()) GTEST_SKIP() << "a sanitizer owns malloc";
   const TestFolder folder;
   RetainedMachine machine(kNumbers, {.store = folder.store(), .period_ns = 1});

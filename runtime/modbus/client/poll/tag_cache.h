@@ -21,11 +21,11 @@
 
 namespace stepwright::modbus::client {
 
-class TagBoard {
+class TagCache {
  public:
   using Clock = std::chrono::steady_clock;
 
-  TagBoard(std::vector<Device> devices, Clock::time_point start);
+  TagCache(std::vector<Device> devices, Clock::time_point start);
 
   const std::vector<Device>& devices() const { return devices_; }
   // The inputs of a device, in the order of its groups: what the indices below count.

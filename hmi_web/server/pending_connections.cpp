@@ -1,4 +1,4 @@
-#include "hmi_web/server/waiting_room.h"
+#include "hmi_web/server/pending_connections.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -7,21 +7,21 @@
 
 namespace stepwright::server {
 
-WaitingRoom::Ticket WaitingRoom::enter(std::string address, std::function<void()> turn_out) {
-  waiting_.emplace(++last_, Entry{std::move(address), std::move(turn_out)});
+PendingConnections::Ticket PendingConnections::add(std::string address, std::function<void()> close) {
+  waiting_.emplace(++last_, Entry{std::move(address), std::move(close)});
   return last_;
 }
 
-bool WaitingRoom::turn_one_out() {
+bool PendingConnections::close_one() {
   std::map<std::string_view, std::size_t> of_address;
   for (const auto& [ticket, entry] : waiting_) ++of_address[entry.address];
   const auto most = std::ranges::max_element(of_address, {}, [](const auto& each) { return each.second; });
   if (most == of_address.end()) return false;
   const auto oldest =
       std::ranges::find_if(waiting_, [&](const auto& each) { return each.second.address == most->first; });
-  const std::function<void()> turn_out = std::move(oldest->second.turn_out);
+  const std::function<void()> close = std::move(oldest->second.close);
   waiting_.erase(oldest);
-  turn_out();
+  close();
   return true;
 }
 

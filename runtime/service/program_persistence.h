@@ -1,7 +1,7 @@
 #pragma once
 
-// Whoever keeps the loaded program for the next start. A download is answered when the program is kept, or
-// with a warning that says why it is not.
+// Interface of what keeps the loaded program for the next start. A download is answered when the program is
+// kept, or with a warning that says why it is not.
 //
 // Threads: the service's. Nothing here waits for a disk.
 
@@ -13,9 +13,9 @@
 
 namespace stepwright::service {
 
-class ProgramKeeper {
+class ProgramPersistence {
  public:
-  virtual ~ProgramKeeper() = default;
+  virtual ~ProgramPersistence() = default;
 
   // Another program has been loaded. The container is copied.
   virtual void keep(std::span<const std::byte> container) = 0;

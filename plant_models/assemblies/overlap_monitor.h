@@ -1,13 +1,13 @@
 #pragma once
 
-// Looks at where vehicles are, and at nothing else: whether outlines share points with one another, or with
-// walls and what stands in the way. It knows no plan, so that it can judge one.
+// Counts overlaps of vehicles with one another, with walls and with blockages, from their exact outlines
+// (rectangles, forks included). It knows no plan, so that it is an independent check of one.
 //
-// One thread at a time; takes no memory after its making. Outlines are exact rectangles, forks included.
+// Threads: one at a time. No heap after construction.
 //
-//   OutlineJudge judge(parameters);
-//   judge.put(v, pose); ... judge.look(present);    // once in each step
-//   judge.overlaps();                               // pairs times steps
+//   OverlapMonitor monitor(parameters);
+//   monitor.put(v, pose); ... monitor.look(present);    // once in each step
+//   monitor.overlaps();                               // pairs times steps
 
 #include <array>
 #include <cstdint>
@@ -17,9 +17,9 @@
 
 namespace stepwright::assemblies {
 
-class OutlineJudge {
+class OverlapMonitor {
  public:
-  explicit OutlineJudge(const FleetParameters& parameters);
+  explicit OverlapMonitor(const FleetParameters& parameters);
 
   void put(std::size_t vehicle, const ForkliftPose& at);
   void set_present(std::size_t blockage, bool present);
