@@ -41,3 +41,9 @@ set_target_properties(coin::clp PROPERTIES IMPORTED_LOCATION ${STEPWRIGHT_CLP} I
 find_library(STEPWRIGHT_MOSQUITTO mosquitto REQUIRED)
 add_library(mosquitto::mosquitto UNKNOWN IMPORTED)
 set_target_properties(mosquitto::mosquitto PROPERTIES IMPORTED_LOCATION ${STEPWRIGHT_MOSQUITTO})
+
+# The C interface of GEOS brings pkg-config only. Licence: LGPL-2.1; linked as a shared library, as it is.
+find_path(STEPWRIGHT_GEOS_INCLUDE geos_c.h REQUIRED)
+find_library(STEPWRIGHT_GEOS geos_c REQUIRED)
+add_library(geos::geos_c UNKNOWN IMPORTED)
+set_target_properties(geos::geos_c PROPERTIES IMPORTED_LOCATION ${STEPWRIGHT_GEOS} INTERFACE_INCLUDE_DIRECTORIES ${STEPWRIGHT_GEOS_INCLUDE})

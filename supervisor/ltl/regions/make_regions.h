@@ -1,0 +1,36 @@
+#pragma once
+
+// Cuts a floor with obstacles and propositions into regions: constrained Delaunay triangles (GEOS), with the
+// outlines of obstacles and propositions as sides. Propositions may overlap one another; each region has all
+// that hold in it.
+//
+// A pure function; any thread. Coordinates count to a micrometre: what lies closer together is one point.
+
+#include <string>
+#include <vector>
+
+#include "runtime/result/result.h"
+#include "supervisor/ltl/regions/region_map.h"
+
+namespace stepwright::ltl {
+
+// A simple polygon, in either order, with its place in the file for messages.
+struct Area {
+  std::string name;
+  std::vector<geometry::Point> ring;
+  result::Location where;
+};
+
+struct Floor {
+  Area border;
+  std::vector<Area> obstacles;     // may touch or overlap one another and the border
+  std::vector<Area> propositions;  // bit k of a label is propositions[k]; at most kMostPropositions
+};
+
+// Fails with all that is wrong: L0201 (fewer than three points), L0202 (a coordinate that is no number),
+// L0203 (an outline that crosses or touches itself, with the point), L0204 (a proposition outside of the
+// border or meets an obstacle), L0205 (nothing is free), L0206 (too many propositions), L0207 (the
+// triangulation failed).
+[[nodiscard]] result::Result<RegionMap> make_regions(const Floor& floor);
+
+}  // namespace stepwright::ltl
