@@ -8,7 +8,6 @@ namespace stepwright::app {
 
 namespace control = modbus::control;
 using control::Refusal;
-using modbus::pdu::Exception;
 
 Controller::Controller(port::Board& board)
     : board_(board),

@@ -37,9 +37,7 @@ class RuntimePort {
   [[nodiscard]] virtual bool submit(const Command& command) = 0;
   // Writes all parts between two scans; the completion carries `ticket` and comes when snapshots show them.
   // Fails with R0006 if too many commands are under way.
-  [[nodiscard]] virtual result::Result<void> write(std::uint64_t ticket, BlockWrite block) {
-    static_cast<void>(ticket);
-    static_cast<void>(block);
+  [[nodiscard]] virtual result::Result<void> write(std::uint64_t /*ticket*/, BlockWrite /*block*/) {
     return result::fail("R0002", {},
                         "this controller takes values one by one, and not many between the same two scans");
   }

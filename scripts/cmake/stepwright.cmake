@@ -163,9 +163,40 @@ endfunction()
 # or two on a machine that does nothing else, and a machine may be ten times slower.
 set(STEPWRIGHT_TEST_PATIENCE 1800)
 
-# The unit tests of one folder: executable unit_<folder>, one ctest entry per GoogleTest case.
+# The ctest entries of a GoogleTest executable: one runs all of its cases in one process; SHARDS of them share the cases of
+# an executable that takes longer than others. The entry is named by the executable unless NAME says otherwise: Unit.runtime_vm
+# for unit_runtime_vm, Unit.runtime_host.1 and so on for shards. COMMAND runs it in another way.
+function(stepwright_test_entries target)
+  cmake_parse_arguments(ARG "" "NAME;SHARDS" "COMMAND;ENVIRONMENT" ${ARGN})
+  if(NOT ARG_SHARDS)
+    set(ARG_SHARDS 1)
+  endif()
+  if(NOT ARG_COMMAND)
+    set(ARG_COMMAND ${target})
+  endif()
+  if(NOT ARG_NAME)
+    string(REGEX MATCH "^([a-z])([a-z]*)_(.+)$" matched ${target})
+    string(TOUPPER ${CMAKE_MATCH_1} initial)
+    set(ARG_NAME ${initial}${CMAKE_MATCH_2}.${CMAKE_MATCH_3})
+  endif()
+  foreach(shard RANGE 1 ${ARG_SHARDS})
+    set(entry ${ARG_NAME})
+    set(environment ${ARG_ENVIRONMENT})
+    if(ARG_SHARDS GREATER 1)
+      set(entry ${ARG_NAME}.${shard})
+      math(EXPR index "${shard} - 1")
+      list(APPEND environment GTEST_TOTAL_SHARDS=${ARG_SHARDS} GTEST_SHARD_INDEX=${index})
+    endif()
+    add_test(NAME ${entry} COMMAND ${ARG_COMMAND} --gtest_brief=1)
+    # A shard without cases proves nothing: there are more shards than cases.
+    set_tests_properties(${entry} PROPERTIES TIMEOUT ${STEPWRIGHT_TEST_PATIENCE} ENVIRONMENT "${environment}"
+                                             FAIL_REGULAR_EXPRESSION "\\] 0 tests from")
+  endforeach()
+endfunction()
+
+# The unit tests of one folder: executable unit_<folder>; SHARDS as above.
 function(stepwright_test folder)
-  cmake_parse_arguments(ARG "" "" "SOURCES;APART;DEPENDS;PRIVATE" ${ARGN})
+  cmake_parse_arguments(ARG "" "SHARDS" "SOURCES;APART;DEPENDS;PRIVATE" ${ARGN})
   string(REPLACE "/" "_" name ${folder})
   set(target unit_${name})
   stepwright_program(${target} SOURCES ${ARG_SOURCES} APART ${ARG_APART} DEPENDS ${folder} ${ARG_DEPENDS}
@@ -173,6 +204,6 @@ function(stepwright_test folder)
   target_compile_definitions(${target} PRIVATE STEPWRIGHT_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
                                                STEPWRIGHT_BIN_DIR="${CMAKE_RUNTIME_OUTPUT_DIRECTORY}")
   set_target_properties(${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
-  gtest_discover_tests(${target} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT ${STEPWRIGHT_TEST_PATIENCE})
+  stepwright_test_entries(${target} SHARDS ${ARG_SHARDS})
   add_dependencies(unit_tests ${target})
 endfunction()

@@ -13,7 +13,6 @@ namespace stepwright::fleet {
 using run::IncidentKind;
 using run::Phase;
 using run::Response;
-using run::RunRecord;
 using std::chrono::milliseconds;
 
 FleetExecutive::FleetExecutive(FleetPlanning& planning, run::Controller& controller,

@@ -3,13 +3,14 @@
 
 The portable folders may include the freestanding part of C++20 and each other only; what they compile to may
 neither allocate nor throw. Prints each offence and exits with 1.
+
+    compile.py ROOT FOLDER [LAUNCHER] COMPILER    FOLDER is for objects; LAUNCHER is a compiler cache
 """
 
 import pathlib
 import re
 import subprocess
 import sys
-import tempfile
 
 FOLDERS = ["runtime/base", "runtime/bytecode", "runtime/image", "runtime/operations", "runtime/vm", "runtime/scan",
            "runtime/modbus/control", "runtime/modbus/pdu"]
@@ -33,30 +34,30 @@ def bad_includes(path: pathlib.Path, root: pathlib.Path) -> list[str]:
     return problems
 
 
-def compile_one(path: pathlib.Path, root: pathlib.Path, compiler: str, scratch: pathlib.Path) -> list[str]:
+def compile_one(path: pathlib.Path, root: pathlib.Path, compiler: list[str], objects: pathlib.Path) -> list[str]:
     name = str(path.relative_to(root))
-    target = scratch / (name.replace("/", "_") + ".o")
+    target = objects / (name.replace("/", "_") + ".o")
+    source = path
     if path.suffix == ".h":
-        source = ["-x", "c++", "-include", name, "-fsyntax-only", "/dev/null"]
-    else:
-        source = ["-c", name, "-o", str(target)]
-    run = subprocess.run([compiler, *FLAGS, "-I.", *source], cwd=root, capture_output=True, text=True)
+        source = target.with_suffix(".cpp")
+        source.write_text(f'#include "{name}"\n', encoding="utf-8")
+    run = subprocess.run([*compiler, *FLAGS, "-I.", "-c", str(source), "-o", str(target)], cwd=root, capture_output=True, text=True)
     if run.returncode != 0:
         return [f"{name} does not compile:\n{run.stderr}"]
     if path.suffix == ".h":
         return []
-    symbols = subprocess.run([compiler.replace("g++", "nm"), "--undefined-only", str(target)],
+    symbols = subprocess.run([compiler[-1].replace("g++", "nm"), "--undefined-only", str(target)],
                              capture_output=True, text=True, check=True).stdout
     return [f"{name} uses {symbol}" for symbol in FORBIDDEN.findall(symbols)]
 
 
 def main() -> int:
-    root, compiler = pathlib.Path(sys.argv[1]).resolve(), sys.argv[2]
+    root, objects, compiler = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]), sys.argv[3:]
+    objects.mkdir(exist_ok=True)
     files = [file for folder in FOLDERS for file in sorted((root / folder).glob("*")) if file.suffix in (".h", ".cpp")]
     problems = []
-    with tempfile.TemporaryDirectory() as scratch:
-        for file in files:
-            problems += bad_includes(file, root) + compile_one(file, root, compiler, pathlib.Path(scratch))
+    for file in files:
+        problems += bad_includes(file, root) + compile_one(file, root, compiler, objects)
     print("\n".join(problems) or f"{len(files)} files compile for the Cortex-M3")
     return 1 if problems or not files else 0
 
