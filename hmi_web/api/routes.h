@@ -15,6 +15,7 @@
 #include "hmi_web/access/audit_log.h"
 #include "hmi_web/api/cell_control.h"
 #include "hmi_web/api/cell_figures.h"
+#include "hmi_web/api/cell_monitor.h"
 #include "hmi_web/api/cell_program.h"
 #include "hmi_web/api/cell_records.h"
 #include "hmi_web/api/force_service.h"
@@ -35,6 +36,7 @@ struct Services {
   const std::string* drawing = nullptr;    // an SVG that may be shown; null: the plant is drawn by the page
   CellProgram* program = nullptr;          // null also where no sources are served: 404
   OnlineChangeService* changes = nullptr;  // null also where no program is changed: 404
+  CellMonitor* monitor = nullptr;          // null also where no program is watched: 404
 };
 
 // What the server itself answers: files of the page, the WebSocket, metrics.
@@ -60,7 +62,7 @@ std::vector<Route> recipe_routes(const Services& services);
 std::vector<Route> drawing_routes(const Services& services);
 // How the runtimes are, for viewers.
 std::vector<Route> figure_routes(const Services& services);
-// The sources of the running program, for viewers.
+// The sources of the running program, and what it does with them, for viewers.
 std::vector<Route> program_routes(const Services& services);
 // Programs that take over from the one that runs, and earlier ones that come back; for engineers.
 std::vector<Route> change_routes(const Services& services);

@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to this folder: how values become JSON.
+// How values become JSON.
 
 #include <nlohmann/json.hpp>
 #include <optional>

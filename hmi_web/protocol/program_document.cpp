@@ -6,12 +6,10 @@
 #include "hmi_web/protocol/json_text.h"
 
 namespace stepwright::protocol {
-namespace {
 
 using nlohmann::json;
 
-// Null if it is not a document of this version.
-json parsed(std::string_view document) {
+json parsed_document(std::string_view document) {
   // Writing a value out again recurses.
   const auto shallow = [](int depth, json::parse_event_t, json&) { return depth < kMostLevels; };
   json value = json::parse(document, shallow, /*allow_exceptions=*/false);
@@ -20,10 +18,8 @@ json parsed(std::string_view document) {
   return known ? value : json(nullptr);
 }
 
-}  // namespace
-
 std::string program_sources(const ProgramSources& sources) {
-  json document = sources.document.empty() ? json(nullptr) : parsed(sources.document);
+  json document = sources.document.empty() ? json(nullptr) : parsed_document(sources.document);
   const char* state = sources.document.empty() ? "absent" : document.is_null() ? "damaged" : "complete";
   json instances = json::array();
   for (const ProgramInstance& each :

@@ -8,6 +8,7 @@
 // Pure; any thread. Whatever the text is: the result is JSON, and no deeper than kMostLevels.
 
 #include <cstddef>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,6 +28,9 @@ struct ProgramSources {
 
 inline constexpr int kMostLevels = 64;  // of nested JSON: what is deeper is left out
 inline constexpr std::size_t kMostInstances = 20'000;
+
+// The document of a container as JSON; null if it is not one of this version.
+nlohmann::json parsed_document(std::string_view document);
 
 std::string program_sources(const ProgramSources& sources);
 

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "runtime/bytecode/reader/document_text.h"
 #include "runtime/bytecode/value_type.h"
 #include "runtime/naming/ascii_names.h"
 
@@ -87,6 +88,7 @@ result::Result<ProgramLayout> read_layout(std::span<const std::byte> container, 
   if (!info) return result::forward(info);
   ProgramLayout layout;
   layout.program.digest = digest;
+  layout.document = reader::document_text(container);
   layout.output_offset = info->sizes().input_bytes;
   for (const auto& chart : info->charts()) add_chart(chart, layout);
 

@@ -26,6 +26,7 @@ struct ProgramLayout {
   std::vector<reader::Variable> steps;
   std::vector<std::optional<reader::Variable>> transitions;  // none: its bit is not kept
   std::vector<reader::Variable> tags;
+  std::string document;             // of its sources (hmi_web/doc/program.md), as it came; empty: it has none
   std::uint32_t output_offset = 0;  // of the output area in the image; the input area begins at 0
 };
 

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "ladder/semantics/common_type.h"
 #include "ladder/semantics/internal/expression_analyzer.h"
 
 namespace stepwright::semantics::internal {
@@ -102,35 +103,7 @@ const Type* ExpressionAnalyzer::common_type(const Value& left, const Value& righ
   if (l.kind == TypeKind::AnyEnumerator || l.kind == TypeKind::Null) return takes_name(r, l) ? &r : nullptr;
   if (r.kind == TypeKind::AnyEnumerator || r.kind == TypeKind::Null) return takes_name(l, r) ? &l : nullptr;
   if (l.is_string() || r.is_string()) return common_text(left, right);
-  const TypeTable& types = a_.type_table();
-  if (l.is_literal() || r.is_literal()) {
-    const Value& literal = l.is_literal() ? left : right;
-    const Type& other = l.is_literal() ? r : l;
-    if (other.is_literal()) return types.any_real();
-    if (literal.type->kind == TypeKind::AnyReal) {
-      if (other.is_real()) return &other;
-      if (!other.is_integer()) return nullptr;
-      return types.elementary(widens(other, *types.elementary(ElementaryType::Real)) ? ElementaryType::Real
-                                                                                     : ElementaryType::Lreal);
-    }
-    if (other.is_real()) return &other;
-    const bool takes_integers = other.is_integer() || other.is_bits() || other.is_bool();
-    if (takes_integers && fits(literal.constant, other)) return &other;
-    if (!other.is_integer()) return nullptr;
-  }
-  for (const auto which :
-       {ElementaryType::Sint, ElementaryType::Usint, ElementaryType::Int, ElementaryType::Uint,
-        ElementaryType::Dint, ElementaryType::Udint, ElementaryType::Lint, ElementaryType::Ulint,
-        ElementaryType::Byte, ElementaryType::Word, ElementaryType::Dword, ElementaryType::Lword,
-        ElementaryType::Real, ElementaryType::Lreal}) {
-    const Type& candidate = *types.elementary(which);
-    const bool takes_left =
-        l.is_literal() ? candidate.is_integer() && fits(left.constant, candidate) : widens(l, candidate);
-    const bool takes_right =
-        r.is_literal() ? candidate.is_integer() && fits(right.constant, candidate) : widens(r, candidate);
-    if (takes_left && takes_right) return &candidate;
-  }
-  return nullptr;
+  return semantics::common_type(a_.type_table(), {l, left.constant}, {r, right.constant});
 }
 
 bool ExpressionAnalyzer::operator_applies(Operator op, const Type& type) const {

@@ -49,9 +49,10 @@ result::Result<std::unique_ptr<AccessPoint>> AccessPoint::open(const config::Hmi
   point->forces_ = std::move(*forces);
   if (auto opened = point->open_recipes(config, what.cell); !opened) return result::forward(opened);
   if (auto opened = point->open_versions(config, what.change, log); !opened) return result::forward(opened);
-  point->table_ = std::make_unique<api::RouteTable>(api::all_routes(
-      {point->control_.get(), point->audit_.get(), point->forces_.get(), &what.cell, what.records,
-       point->recipes_.get(), what.figures, what.drawing, what.program, point->changes_.get()}));
+  point->table_ = std::make_unique<api::RouteTable>(
+      api::all_routes({point->control_.get(), point->audit_.get(), point->forces_.get(), &what.cell,
+                       what.records, point->recipes_.get(), what.figures, what.drawing, what.program,
+                       point->changes_.get(), what.monitor}));
   point->guard_ = std::make_unique<api::RequestGuard>(
       *point->table_, *point->control_, *point->audit_,
       api::RequestGuardOptions{

@@ -18,6 +18,7 @@
 #include "hmi_web/access/audit_log.h"
 #include "hmi_web/api/cell_control.h"
 #include "hmi_web/api/cell_figures.h"
+#include "hmi_web/api/cell_monitor.h"
 #include "hmi_web/api/cell_program.h"
 #include "hmi_web/api/cell_records.h"
 #include "hmi_web/api/force_service.h"
@@ -39,6 +40,7 @@ struct ActsOn {
   const std::string* drawing = nullptr;  // null: there is none
   api::CellProgram* program = nullptr;   // null: it serves no sources
   api::CellChange* change = nullptr;     // null: no program is changed from it
+  api::CellMonitor* monitor = nullptr;   // null: it watches none
 };
 
 class AccessPoint {

@@ -11,6 +11,7 @@
 
 #include "hmi_web/client/client_assets.h"
 #include "hmi_web/drawing/drawing_file.h"
+#include "hmi_web/monitor/cell_monitor.h"
 #include "hmi_web/server/cell_poller.h"
 #include "hmi_web/server/http_server.h"
 #include "programs/config/cell_options.h"
@@ -72,14 +73,16 @@ int run(const config::CellConfig& config) {
   if (!watch) return fail(watch.error(), ExitCode::RuntimeFault);
   hmi::DdsCellControl control(**source);
   hmi::SourceCache program((*source)->running());
+  monitor::CellMonitor monitor;
   hmi::DdsCellChange change(**source, config);
-  auto access = hmi::AccessPoint::open(
-      config.hmi, (*http)->port(),
-      {control, records->get(), watch->get(), drawn.svg.empty() ? nullptr : &drawn.svg, &program, &change},
-      **log, [&](const std::string& list) {
-        feed.set_forces(list);
-        (*http)->notify();
-      });
+  auto access =
+      hmi::AccessPoint::open(config.hmi, (*http)->port(),
+                             {control, records->get(), watch->get(), drawn.svg.empty() ? nullptr : &drawn.svg,
+                              &program, &change, &monitor},
+                             **log, [&](const std::string& list) {
+                               feed.set_forces(list);
+                               (*http)->notify();
+                             });
   if (!access) return fail(access.error(), ExitCode::BadInput);
   (*http)->serve_api((*access)->guard());
   if (where->held_back) {
@@ -89,6 +92,7 @@ int run(const config::CellConfig& config) {
   }
 
   const auto record = [&](const server::Observation& seen, const server::CellView& view) {
+    monitor.take(seen);
     if (!*records) return;
     auto news = (*records)->take(seen, view);
     if (!news) return;

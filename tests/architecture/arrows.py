@@ -116,6 +116,7 @@ ARROWS = {
     "hmi_web/api": ["hmi_web/access", "hmi_web/change", "hmi_web/recipes"],
     "hmi_web/protocol": ["runtime/result"],
     "hmi_web/client": ["hmi_web/protocol"],
+    "hmi_web/monitor": ["hmi_web/server", "ladder/graphic", "ladder/semantics"],
     "hmi_web/server": ["hmi_web/api", "hmi_web/protocol", "runtime/dds", "runtime/bytecode/reader", "supervisor/model"],
 }
 # Composition roots and tests may include everything; nothing else includes them.

@@ -16,6 +16,7 @@
 
 #include "hmi_web/api/routes.h"
 #include "hmi_web/client/client_assets.h"
+#include "hmi_web/monitor/cell_monitor.h"
 #include "hmi_web/recorder/record_queries.h"
 #include "hmi_web/server/cell_poller.h"
 #include "hmi_web/server/http_server.h"
@@ -76,7 +77,7 @@ class NoControl : public api::CellControl {
 // What it opens and makes it does not check: a test that has no folder fails loudly.
 struct OpenAccess {
   // With records there is something to do, and there are those who may.
-  explicit OpenAccess(api::CellRecords* kept) : records(kept) {
+  OpenAccess(api::CellRecords* kept, api::CellMonitor& watched) : records(kept), monitor(watched) {
     if (records == nullptr) return;
     bool made =
         control->claim(*control->setup_token(), "administrator", "correct horse", "127.0.0.1").has_value();
@@ -86,6 +87,7 @@ struct OpenAccess {
   }
 
   api::CellRecords* records;
+  api::CellMonitor& monitor;
   std::atomic<std::chrono::minutes> ahead{std::chrono::minutes(0)};  // of the clock of its sessions
   support::TemporaryFolder folder;
   NoControl cell;
@@ -94,7 +96,12 @@ struct OpenAccess {
   std::unique_ptr<access::AuditLog> audit = *access::AuditLog::open(folder / "access/audit.jsonl");
   std::unique_ptr<api::ForceService> forces = *api::ForceService::open(
       folder / "access/forces.json", cell, *audit, std::chrono::system_clock::now, [](const std::string&) {});
-  api::RouteTable table{api::all_routes({control.get(), audit.get(), forces.get(), &cell, records})};
+  api::RouteTable table{api::all_routes({.control = control.get(),
+                                         .audit = audit.get(),
+                                         .forces = forces.get(),
+                                         .cell = &cell,
+                                         .records = records,
+                                         .monitor = &monitor})};
   api::RequestGuard guard{table, *control, *audit, {access::Role::Viewer}};
 };
 
@@ -112,9 +119,11 @@ int main(int argc, char** argv) {
   const auto recorder = open_recorder(argc > 4 ? argv[4] : nullptr);
   std::optional<recorder::RecordQueries> records;
   if (recorder) records.emplace(*recorder);
-  OpenAccess access(records ? &*records : nullptr);
+  monitor::CellMonitor monitor;
+  OpenAccess access(records ? &*records : nullptr, monitor);
   (*http)->serve_api(access.guard);
   const auto record = [&](const server::Observation& seen, const server::CellView& view) {
+    monitor.take(seen);
     if (!recorder) return;
     auto news = recorder->take(seen, view);
     if (!news) return;

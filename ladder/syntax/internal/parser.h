@@ -23,6 +23,7 @@ class Parser {
   Statements whole_statements();
   std::vector<VariableDeclaration> whole_variables();
   PieceResult piece(PieceKind kind);
+  ExpressionPtr whole_expression();
 
  private:
   bool at_declaration_of_unit() const;

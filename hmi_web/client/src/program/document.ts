@@ -144,6 +144,9 @@ export interface Sources {
   sheets: Sheet[];
 }
 
+// Where a line goes on that ended elsewhere.
+export const isConnector = (name: string): boolean => /^>\d+>$/.test(name);
+
 const countOf = (value: unknown): number => (typeof value === 'number' && Number.isInteger(value) && value >= 0 ? value : 0);
 const pairsOf = (value: unknown): [string, string][] =>
   listOf(value).filter(Array.isArray).map((pair) => [textOf(pair[0]), textOf(pair[1])]);

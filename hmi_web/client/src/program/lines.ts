@@ -1,7 +1,7 @@
 // Lines of ST as they are shown: pieces of text, of which some are variables, and the values that belong to a line.
 
 import type { Use } from './document';
-import { evaluate, kindOf, type Lookup, type Result } from './expression';
+import { placeKey, type BodyValues } from './live';
 import type { Live } from './scope';
 
 export interface Piece {
@@ -94,36 +94,13 @@ export function pieces(line: string, uses: readonly Use[], comments: readonly [n
 
 export type LiveOf = (path: string) => Live;
 
-export const lookupOf =
-  (live: LiveOf): Lookup =>
-  (path): Result => {
-    const { value, type } = live(path);
-    const kind = kindOf(type);
-    return kind === null || typeof value !== 'number' ? null : { kind, value };
-  };
-
 export interface LineValue {
   name: string;
   live: Live;
 }
 
-// "a[i].x" whose index is a variable, as far as `from` + its path; what it stands for at this moment.
-function indexed(line: string, use: Use, live: LiveOf): string {
-  const from = use.column - 1;
-  if ([...line][from + use.length] !== '[') return use.path;
-  const rest = [...line].slice(from).join('');
-  const whole = /^[\w.]+(?:\[[^\[\]]*\](?:\.\w+)*)+/.exec(rest)?.[0];
-  if (!whole) return use.path;
-  let last = use.path;
-  evaluate(whole, (path) => {
-    last = path;
-    return lookupOf(live)(path);
-  });
-  return last;
-}
-
-// What a line speaks of, each once, with its value; of a block that is called its outputs.
-export function lineValues(line: string, uses: readonly Use[], live: LiveOf, outputsOf: (path: string) => string[]): LineValue[] {
+// What a line speaks of, each once, with its value; of a block that is called its outputs, of an element what its index stands for.
+export function lineValues(uses: readonly Use[], live: LiveOf, outputsOf: (path: string) => string[], body: BodyValues | undefined): LineValue[] {
   const values = new Map<string, LineValue>();
   const add = (name: string) => {
     const one = live(name);
@@ -131,22 +108,10 @@ export function lineValues(line: string, uses: readonly Use[], live: LiveOf, out
   };
   for (const use of uses) {
     if (use.access !== 'call') {
-      add(indexed(line, use, live));
+      add(body?.indexed.get(placeKey(use.line, use.column)) ?? use.path);
       continue;
     }
     for (const output of outputsOf(use.path)) add(`${use.path}.${output}`);
   }
   return [...values.values()];
 }
-
-// The condition that a line tests, if it stands on it as a whole.
-export function conditionOf(line: string): string {
-  return /^\s*(?:IF|ELSIF|WHILE)\b(.+?)\b(?:THEN|DO)\b/i.exec(line)?.[1]?.trim() ?? '';
-}
-
-// "TRUE", "FALSE", or nothing where it cannot be known.
-export function truth(condition: string, live: LiveOf): '' | 'TRUE' | 'FALSE' {
-  const result = condition === '' ? null : evaluate(condition, lookupOf(live));
-  return result?.kind !== 'bool' ? '' : result.value === 1 ? 'TRUE' : 'FALSE';
-}
-

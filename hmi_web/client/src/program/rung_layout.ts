@@ -1,7 +1,6 @@
 // Where the symbols and wires of a ladder network stand. Geometry only, in px: what has power is looked up when it is drawn.
 
-import type { Box, Coil, Condition, Rung } from './document';
-import { isConnector } from './power';
+import { isConnector, type Box, type Coil, type Condition, type Rung } from './document';
 
 const LETTER = 7.3;
 const GAP = 14; // of wire between neighbours

@@ -3,8 +3,8 @@
 import type { Cell } from '../lib/cell.svelte';
 import type { TagValue } from '../lib/protocol';
 import type { Sheet, Sources, Use } from './document';
-import { lookupOf, type LiveOf } from './lines';
-import { flowOf, type RungFlow } from './power';
+import type { LiveOf } from './lines';
+import { NOTHING_SEEN, type BodyValues, type Question, type RungFlow, type SheetLive, type Wires } from './live';
 import { instancesOf, Scope, TagTable } from './scope';
 import { declarationOf, type Place } from './uses';
 
@@ -16,20 +16,19 @@ export class ProgramView {
   sources = $state.raw<Sources>({ digest: '', state: 'absent', instances: [], sheets: [] });
   place = $state.raw<Place>({ sheet: 0, instance: '', block: -1, line: 0 });
   target = $state(''); // the variable whose uses are listed; empty: none
-  values = $state.raw<readonly TagValue[]>([]);
-  steps = $state.raw<ReadonlySet<number>>(new Set());
-  scan = $state(0);
   jumps = $state(0); // grows with every jump, so that the same place is shown again
   private before = $state.raw<Place[]>([]);
 
+  private seen = $state.raw<SheetLive>(NOTHING_SEEN); // the answer to the newest question
+  private seenAt = $state(''); // the sheet and instance that it is of
   private readonly asked = new Set<number>(); // tags of the sheet that have been looked up
-  private asking = false;
+  private readonly askedBlocks = new Set<number>(); // that are drawn
 
   readonly tags: TagTable = $derived.by(() => new TagTable(this.cell.program));
   readonly sheet: Sheet | undefined = $derived.by(() => this.sources.sheets[this.place.sheet]);
   readonly scope: Scope | null = $derived.by(() => {
     this.asked.clear();
-    return this.sheet ? new Scope(this.sheet, this.place.instance, this.tags, (tag) => this.ask(tag)) : null;
+    return this.sheet ? new Scope(this.sheet, this.place.instance, this.tags, (tag) => this.asked.add(tag)) : null;
   });
   readonly instances: string[] = $derived.by(() => (this.sheet ? instancesOf(this.sheet, this.sources.instances) : []));
   // By block.
@@ -42,43 +41,46 @@ export class ProgramView {
     }
     return map;
   });
-  // Null values while the page has heard of another program than that of the sources.
-  readonly fits: boolean = $derived.by(() => this.cell.program?.digest === this.sources.digest && this.cell.live.program === this.sources.digest);
-
-  // Of the networks of the sheet, by block.
-  readonly flows: Map<number, RungFlow> = $derived.by(() => {
-    const rungs = (this.sheet?.blocks ?? []).flatMap((block, index) => (block.kind === 'rung' ? [{ block, index }] : []));
-    const flows = flowOf(rungs.map(({ block }) => block), lookupOf(this.live), (name) => this.scope?.declares(name) ?? false);
-    return new Map(rungs.map(({ index }, i) => [index, flows[i] as RungFlow]));
-  });
+  // False while the page has heard of another program than that of the sources.
+  readonly fits: boolean = $derived.by(() => this.cell.program?.digest === this.sources.digest && this.seen.digest === this.sources.digest);
+  // All of one scan.
+  readonly values: readonly TagValue[] = $derived.by(() => (this.fits ? this.seen.tags : []));
+  readonly steps: ReadonlySet<number> = $derived.by(() => (this.fits ? this.seen.steps : NOTHING_SEEN.steps));
+  readonly scan: number = $derived.by(() => this.seen.scan);
+  private readonly blocks: SheetLive = $derived.by(() => (this.fits && this.seenAt === this.at ? this.seen : NOTHING_SEEN));
 
   constructor(private readonly cell: Cell) {}
 
-  // What is shown is told of by the server from now on.
-  private ask(tag: number): void {
-    this.asked.add(tag);
-    if (this.asking) return;
-    this.asking = true;
-    queueMicrotask(() => {
-      this.asking = false;
-      this.showTags();
-    });
+  private get at(): string {
+    return `${this.place.sheet} ${this.place.instance}`;
   }
 
-  showTags(): void {
-    this.cell.showTags(this, [...this.asked, this.tags.index(this.target)]);
+  // What is shown now.
+  question(): Question {
+    const tags = [...this.asked, this.tags.index(this.target)].filter((tag) => tag >= 0);
+    return { sheet: this.place.sheet, instance: this.place.instance, blocks: this.askedBlocks, tags };
   }
 
-  end(): void {
-    this.asked.clear();
-    this.cell.showTags(this, []);
+  see({ sheet, instance }: Question, answer: SheetLive): void {
+    // What is still drawn is asked for again when it is drawn.
+    this.askedBlocks.clear();
+    this.seenAt = `${sheet} ${instance}`;
+    this.seen = answer;
   }
 
-  // All of one scan, taken at one moment.
-  look(): void {
-    this.values = this.fits ? [...this.cell.tags] : [];
-    this.steps = new Set(this.fits ? this.cell.live.steps : []);
-    this.scan = this.cell.live.scan;
+  rung(block: number): RungFlow | undefined {
+    this.askedBlocks.add(block);
+    return this.blocks.rungs.get(block);
+  }
+
+  body(block: number): BodyValues | undefined {
+    this.askedBlocks.add(block);
+    return this.blocks.bodies.get(block);
+  }
+
+  wires(block: number): Wires | undefined {
+    this.askedBlocks.add(block);
+    return this.blocks.diagrams.get(block);
   }
 
   // Outputs of an instance that have a value, by the sheet of its type or by the names that the library gives them.

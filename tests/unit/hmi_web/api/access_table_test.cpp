@@ -59,6 +59,8 @@ const std::map<std::string, Role>& expected_roles() {
       {"GET /api/drawing", Role::Viewer},
       {"GET /api/scan", Role::Viewer},
       {"GET /api/program", Role::Viewer},
+      {"GET /api/program/live", Role::Viewer},
+      {"GET /api/program/chart", Role::Viewer},
       {"GET /api/change", Role::Engineer},
       {"GET /api/change/diff", Role::Engineer},
       {"GET /api/change/sources", Role::Engineer},

@@ -1,4 +1,4 @@
-// The logic of the program's panel: documents of any shape, names and their tags, expressions, uses, search.
+// The logic of the program's panel: documents and values of any shape, names and their tags, uses, search.
 //
 //   node --test program_test.mjs, with CLIENT: the folder in which the client is built
 
@@ -8,9 +8,8 @@ import { test } from 'node:test';
 import { load } from './load_modules.mjs';
 
 const program = await load(process.env.CLIENT, [
-  'program/diagram_layout', 'program/diagram_values', 'program/document', 'program/expression', 'program/lines', 'program/power', 'program/rung_layout', 'program/scope', 'program/uses',
+  'program/diagram_layout', 'program/document', 'program/lines', 'program/live', 'program/rung_layout', 'program/scope', 'program/uses',
 ]);
-const { evaluate } = program;
 
 const TAGS = [
   ['Main.level', 'INT', ''], ['Main.f.y', 'REAL', ''], ['Main.f.x', 'REAL', ''], ['Main.a[1]', 'INT', ''], ['Main.a[2]', 'INT', ''],
@@ -84,33 +83,42 @@ test('Scope_WhenNamesAreResolved_ThenTheyAreTagsOfTheInstance', () => {
   assert.deepEqual(program.homeOf('main.F.y', sources), { sheet: 1, instance: 'Main.f' });
 });
 
-test('Expression_WhenValuesAreKnown_ThenItIsWhatTheEngineSays', () => {
-  const names = { a: ['bool', 1], b: ['bool', 0], n: ['int', 7], r: ['real', 2.5], t: ['time', 5e9], 'x[7].y': ['int', 3] };
-  const lookup = (path) => (names[path] ? { kind: names[path][0], value: names[path][1] } : null);
-  const value = (text) => evaluate(text, lookup)?.value ?? null;
-  const cases = {
-    'a AND NOT b': 1, 'a XOR b AND FALSE': 1, 'b OR (n > 5)': 1, 'n + 2 * 3': 13, '(n + 2) * 3': 27, 'n / 2': 3, '-n / 2': -3, 'n MOD 4': 3, '2 ** 3': 8,
-    'n = 7': 1, 'n <> 7': 0, 'r >= 2.0': 1, 'r > 2.5': null, 't < T#5s1ms': 1, 't = TIME#5000ms': 1, 'x[n].y': 3, 'x[8].y': null, '16#1F': 31, '2#1_01': 5,
-    'INT#5': 5, 'MAX(n, 9)': 9, 'LIMIT(0, n, 5)': 5, 'SEL(b, 4, 5)': 4, 'unknown(n)': null, 'a & b': 0, 'NOT unknown': null, 'unknown AND b': 0,
-    'unknown OR a': 1, 'unknown OR b': null, 'n (* seven *) = 7 // so': 1, '1.5E2 = 150': null, 'n / 0': null, 'p^.x': null, 'TRUE': 1,
-    '': null, 'n +': null, '(n': null, 'n )': null, 'a := b': null, "'text' = x": null,
-  };
-  for (const [text, expected] of Object.entries(cases)) assert.equal(value(text), expected, text);
-  assert.equal(value('('.repeat(5_000) + 'a' + ')'.repeat(5_000)), null);
-  assert.equal(value('NOT '.repeat(3_000) + 'a'), null);
+test('Live_WhenTheAnswerHasAnyShape_ThenWhatIsWrongIsNotKnown', () => {
+  for (const wrong of [null, 5, [], {}, { blocks: [], tags: 'x', steps: 7, scan: 'y' }, { blocks: { 0: null } }]) {
+    const live = program.readLive(wrong);
+    assert.deepEqual([live.digest, live.scan, live.steps.size, live.tags.length], ['', 0, 0, 0]);
+  }
+  const live = program.readLive({
+    digest: 'd', scan: 12, steps: [1, 'x'], tags: { 3: 1.5, 4: 'text', 5: null },
+    blocks: {
+      0: { ran: true, power: '1', nodes: '110?00x', coils: '10' },
+      1: { ran: false },
+      2: { tested: [[2, true], [5, false], 7], indexed: [[3, 12, 'a[2]'], []] },
+      3: { wires: { '0 ': [7, 'INT'], '1 OUT': null } },
+    },
+  });
+  assert.deepEqual([live.digest, live.scan, [...live.steps], live.tags[3], live.tags[4], live.tags[5]], ['d', 12, [1], 1.5, 'text', null]);
+  assert.deepEqual(live.rungs.get(0), { ran: true, power: 'on', coils: [true, false], nodes: [{ in: 'on', out: 'on', closed: false }, { in: 'open', out: 'off', closed: false }] });
+  assert.deepEqual(live.rungs.get(1), { ran: false, power: 'open', nodes: [], coils: [] });
+  assert.deepEqual([live.bodies.get(2).tested.get(2), live.bodies.get(2).tested.get(5), live.bodies.get(2).tested.get(1)], [true, false, undefined]);
+  assert.equal(live.bodies.get(2).indexed.get(program.placeKey(3, 12)), 'a[2]');
+  assert.deepEqual([live.diagrams.get(3).get(program.wireKey(0, '')), live.diagrams.get(3).get(program.wireKey(1, 'out'))], [{ value: 7, type: 'INT' }, null]);
+});
+
+test('Live_WhenAConditionHasParts_ThenTheyComeInTheOrderOfTheFlow', () => {
+  const condition = { kind: 'all', of: [{ kind: 'any', of: [contact('a'), contact('b')] }, contact('c')] };
+  assert.deepEqual(program.partsOf(condition).map((part) => part.name ?? part.kind), ['all', 'any', 'a', 'b', 'c']);
 });
 
 test('Lines_WhenTheyNameVariables_ThenTheirValuesStandBesideThem', () => {
   const live = liveOf(scopeOf(0, 'Main'));
   const usesOf = (line) => sources.sheets[0].uses.filter((use) => use.line === line);
+  const body = { tested: new Map(), indexed: new Map([[program.placeKey(3, 12), 'a[2]']]) };
   const values = (line) =>
-    program.lineValues(LINES[line - 1], usesOf(line), live, (path) => (path === 'f' ? ['y'] : ['Q'])).map(({ name, live: { value } }) => [name, value]);
+    program.lineValues(usesOf(line), live, (path) => (path === 'f' ? ['y'] : ['Q']), body).map(({ name, live: { value } }) => [name, value]);
   assert.deepEqual(values(1), [['f.y', 12.5], ['level', 7]]);
   assert.deepEqual(values(3), [['Alarm', 1], ['a[2]', 2], ['i', 2]]);
   assert.deepEqual(values(4), [['t.Q', 0]]);
-  assert.equal(program.truth(program.conditionOf(LINES[1]), live), 'TRUE');
-  assert.equal(program.conditionOf('IF a THEN x := 1; END_IF;'), 'a');
-  assert.equal(program.conditionOf('IFFY := 1;'), '');
   const comments = program.commentRanges(LINES);
   const kinds = (line) => program.pieces(LINES[line - 1], usesOf(line), comments[line - 1]).map(({ text, kind }) => `${kind}:${text}`);
   assert.deepEqual(kinds(2), ['keyword:IF', 'plain: ', 'variable:f.y', 'plain: > ', 'literal:10.0', 'plain: ', 'keyword:THEN']);
@@ -145,45 +153,10 @@ test('Search_WhenNamesAndTextsFit_ThenTheBestComeFirst', () => {
 
 const contact = (name, more = {}) => ({ kind: 'contact', name, ...more });
 const rungOf = (condition, more = {}) => ({ kind: 'rung', number: 1, condition, boxes: [], coils: [], ...more });
-const flowsOf = (rungs, values) => {
-  const read = program.readSources({ state: 'complete', document: { sheets: [{ blocks: rungs }] } }).sheets[0].blocks;
-  const lookup = (path) => (path in values ? (values[path] === null ? null : { kind: 'bool', value: values[path] }) : null);
-  return { read, flows: program.flowOf(read, lookup, (name) => !/^(__|>)/.test(name)) };
-};
-
-test('Power_WhenContactsAreOpenClosedOrUnknown_ThenItGoesAsFarAsItIsKnown', () => {
-  const latch = rungOf({ kind: 'all', of: [{ kind: 'any', of: [contact('start'), contact('run')] }, contact('stop', { negated: true })] }, { coils: [{ kind: 'normal', name: 'run' }] });
-  const powers = (values) => {
-    const { read, flows } = flowsOf([latch], values);
-    return [read[0].condition.of[0], read[0].condition.of[1], read[0].condition].map((node) => flows[0].conditions.get(node).out?.value ?? null);
-  };
-  assert.deepEqual(powers({ start: 0, run: 1, stop: 0 }), [1, 1, 1]);
-  assert.deepEqual(powers({ start: 1, run: 0, stop: 1 }), [1, 0, 0]);
-  assert.deepEqual(powers({ run: 1, stop: 0 }), [1, 1, 1]);
-  assert.deepEqual(powers({ run: 0, stop: 0 }), [null, null, null]);
-  assert.deepEqual(powers({ run: 0, stop: 1 }), [null, 0, 0]);
-});
-
-test('Power_WhenEdgesWiresAndJumpsCome_ThenTheyAreFollowed', () => {
-  const edge = (kind, value) => flowsOf([rungOf(contact('x', { edge: kind }))], { x: value }).flows[0].power?.value ?? null;
-  assert.deepEqual([edge('rising', 0), edge('rising', 1), edge('falling', 1), edge('falling', 0)], [0, null, 0, null]);
-  const wire = flowsOf([rungOf(contact('x'), { coils: [{ kind: 'normal', name: '__W1' }] }), rungOf(contact('__W1', { negated: true }))], { x: 1 });
-  assert.equal(wire.flows[1].power.value, 0);
-  const line = flowsOf([rungOf(contact('x'), { coils: [{ kind: 'connector', name: '>1>' }] }), rungOf(contact('>1>', { negated: true }))], { x: 1 });
-  assert.equal(line.read[0].coils[0].kind, 'connector');
-  assert.equal(line.flows[1].power.value, 0);
-  const jump = flowsOf([rungOf(contact('x'), { jump: 'END' }), rungOf({ kind: 'true' }), rungOf({ kind: 'true' }, { label: 'End' })], { x: 1 });
-  assert.deepEqual(jump.flows.map(({ ran }) => ran), [true, false, true]);
-  const stay = flowsOf([rungOf(contact('x'), { jump: 'END' }), rungOf({ kind: 'true' })], { x: 0 });
-  assert.deepEqual(stay.flows.map(({ ran }) => ran), [true, true]);
-  const back = flowsOf([rungOf({ kind: 'true' }, { label: 'again' }), rungOf(contact('x'), { jump: 'again' }), rungOf({ kind: 'true' })], { x: 1 });
-  assert.deepEqual(back.flows.map(({ ran }) => ran), [true, true, true]);
-  const leave = flowsOf([rungOf(contact('x'), { return: true }), rungOf({ kind: 'true' })], { x: 1 });
-  assert.equal(leave.flows[1].ran, false);
-});
+const readRungs = (rungs) => program.readSources({ state: 'complete', document: { sheets: [{ blocks: rungs }] } }).sheets[0].blocks;
 
 test('Drawing_WhenALineEndsInAConnector_ThenItHasItsSymbolAndNoWireToTheRail', () => {
-  const { read } = flowsOf([rungOf(contact('x'), { coils: [{ kind: 'connector', name: '>1>' }] })], {});
+  const read = readRungs([rungOf(contact('x'), { coils: [{ kind: 'connector', name: '>1>' }] })]);
   const layout = program.layOutRung(read[0], () => [], 500);
   const symbol = layout.symbols.find(({ kind }) => kind === 'connector');
   assert.equal(symbol.name, '>1>');
@@ -194,7 +167,7 @@ test('Drawing_WhenALineEndsInAConnector_ThenItHasItsSymbolAndNoWireToTheRail', (
 
 test('Drawing_WhenALineBeginsWithAConnector_ThenItHasItsSymbolAndNoWireFromTheRail', () => {
   const condition = { kind: 'all', of: [{ kind: 'any', of: [{ kind: 'all', of: [contact('>1>'), contact('a')] }, contact('>2>'), contact('>1>', { negated: true })] }, contact('>1>')] };
-  const { read } = flowsOf([rungOf(condition), rungOf(contact('>1>'))], {});
+  const read = readRungs([rungOf(condition), rungOf(contact('>1>'))]);
   const named = (layout, kind) => layout.symbols.filter((symbol) => symbol.kind === kind).map((symbol) => symbol.name ?? symbol.condition.name);
   const branches = program.layOutRung(read[0], () => [], 500);
   assert.deepEqual(named(branches, 'connector'), ['>1>', '>2>']);
@@ -213,7 +186,7 @@ test('Drawing_WhenRungsAreOfAnySize_ThenNothingSticksOut', () => {
   const deep = { kind: 'any', of: [wide, { kind: 'all', of: [] }, { kind: 'test', text: 'x > 1' }, { kind: 'any', of: [contact('y'), contact('z', { negated: true })] }] };
   const box = { type: 'TON', instance: 'patience', power: 'IN', inputs: [['PT', 'T#5s']], outputs: [['Q', 'late'], ['ET', '']] };
   for (const rung of [rungOf(wide), rungOf(deep, { boxes: [box, { ...box, text: 'x := 1;' }], coils: [{ name: 'c' }, { kind: 'set', name: 'd' }, { kind: 'connector', name: '>12>' }], jump: 'END', return: true }), rungOf({ kind: 'true' })]) {
-    const { read } = flowsOf([rung], {});
+    const read = readRungs([rung]);
     const layout = program.layOutRung(read[0], () => ['Q', 'ET'], 500);
     assert.ok(layout.width >= 500);
     for (const symbol of layout.symbols) {
@@ -231,28 +204,6 @@ test('Drawing_WhenRungsAreOfAnySize_ThenNothingSticksOut', () => {
 const drawn = (elements) => program.readSources({ state: 'complete', document: { sheets: [{ blocks: [{ kind: 'diagram', elements }] }] } }).sheets[0].blocks[0];
 const variableAt = (kind, name, y, inputs = []) => ({ kind, name, at: [10, y], size: [40, 20], inputs });
 const pin = (name, from, output = '', more = {}) => ({ name, connections: from === undefined ? [] : [{ from, output, path: [] }], ...more });
-
-test('Diagram_WhenBlocksAreConnected_ThenTheirWiresHaveValues', () => {
-  const diagram = drawn([
-    variableAt('inVariable', 'n', 0),
-    { kind: 'block', name: 'GT', at: [100, 0], size: [60, 60], inputs: [pin('IN1', 0), pin('IN2', undefined, '', { text: '5' })], outputs: [{ name: 'OUT' }] },
-    { kind: 'block', name: 'AND', at: [200, 0], inputs: [pin('IN1', 1, 'OUT', { negated: true }), pin('IN2', 3, 'Q')], outputs: [{ name: 'OUT', negated: true }] },
-    { kind: 'block', name: 'TON', instance: 't', at: [300, 0], inputs: [pin('IN', 2, 'OUT')], outputs: [{ name: 'Q' }, { name: 'ET' }] },
-    variableAt('outVariable', 'o', 80, [pin('', 2, 'OUT')]),
-    { kind: 'block', name: 'ADD', at: [100, 200], inputs: [pin('IN1', 5, 'OUT'), pin('IN2', 0)], outputs: [{ name: 'OUT' }] },
-    variableAt('connector', 'wire', 300, [pin('', 1, 'OUT')]),
-    variableAt('continuation', 'WIRE', 340),
-  ]);
-  const names = { n: ['int', 7], 't.Q': ['bool', 1], 't.ET': ['time', 2e9] };
-  const values = new program.DiagramValues(diagram, (path) => (names[path] ? { kind: names[path][0], value: names[path][1] } : null));
-  const of = (element, output) => values.of(element, output)?.value ?? null;
-  assert.deepEqual([of(0, ''), of(1, 'OUT'), of(3, 'Q'), of(3, 'ET')], [7, 1, 1, 2e9]);
-  assert.equal(of(2, 'OUT'), 1, 'NOT (NOT TRUE AND Q)');
-  assert.equal(of(4, ''), 1);
-  assert.equal(of(5, 'OUT'), null, 'what leads back to itself is open');
-  assert.equal(of(7, ''), 1, 'a continuation has what its connector has');
-  assert.equal(of(99, ''), null);
-});
 
 test('Diagram_WhenTheFileSaysAnythingAboutPlaces_ThenAllIsOnThePicture', () => {
   const elements = [

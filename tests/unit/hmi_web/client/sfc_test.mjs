@@ -1,4 +1,4 @@
-// Which steps of a chart are ticked off: those that the run has left behind, and no others.
+// Which steps of a chart are ticked off: those that the run has left behind, and no others; and pictures of any shape.
 //
 //   node --test sfc_test.mjs, with CLIENT: the folder in which the client is built
 
@@ -7,7 +7,7 @@ import { test } from 'node:test';
 
 import { load } from './load_modules.mjs';
 
-const { passedSteps } = await load(process.env.CLIENT, ['sfc/passed']);
+const { passedSteps, readPicture } = await load(process.env.CLIENT, ['sfc/passed', 'sfc/picture']);
 
 const steps = (...names) => names.map((name, index) => ({ name, comment: '', initial: index === 0 }));
 const chart = (names, ways) => ({ steps: steps(...names), transitions: ways.map(([from, to]) => ({ name: '', from, to, condition: '' })) });
@@ -34,4 +34,14 @@ test('Ticks_WhenThePlanSaysWhatIsDone_ThenThatHolds', () => {
   const actions = [{ index: 0, text: '', step: 's1', state: 'done' }, { index: 1, text: '', step: 's2', state: 'active' }];
   assert.deepEqual(ticked(plan, [3], actions), ['START', 's1', 'REST']);
   assert.deepEqual(ticked(plan, [1], [{ ...actions[0], state: 'active' }, { ...actions[1], state: 'pending' }]), ['START']);
+});
+
+test('Picture_WhenItHasAnyShape_ThenWhatIsWrongIsLeftOut', () => {
+  for (const wrong of [null, 7, [], { steps: 5, lines: [[1, 2, 3], 'x'] }]) {
+    const picture = readPicture(wrong, 'Main');
+    assert.deepEqual([picture.chart, picture.width, picture.steps, picture.lines], ['Main', 0, [], []]);
+  }
+  const picture = readPicture({ digest: 'd', exits: [2], steps: [{ index: 1, x: 5, y: 6, width: 190, height: 42, entry: null }], lines: [[1, 2, 3, 4]] }, '');
+  assert.deepEqual(picture.steps, [{ index: 1, x: 5, y: 6, width: 190, height: 42, entry: null }]);
+  assert.deepEqual([picture.digest, picture.exits, picture.lines], ['d', [2], [[1, 2, 3, 4]]]);
 });
