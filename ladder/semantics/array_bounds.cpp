@@ -9,7 +9,7 @@ using syntax::Expression;
 ValuePtr ExpressionAnalyzer::array_bound(const Expression& call, bool upper) {
   const auto operands = plain_arguments(call, {"ARR", "DIM"}, 2);
   if (!operands) return nullptr;
-  const auto array = place(*(*operands)[0], Access::Read);
+  const auto array = places_.place(*(*operands)[0], Access::Read);
   const auto dimension = constant_integer(*(*operands)[1]);
   if (!array || !dimension) return nullptr;
   if (array->type->kind != TypeKind::Array) {

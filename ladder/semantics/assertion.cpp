@@ -50,7 +50,7 @@ std::optional<Statement> TestAnalyzer::assertion(const Form& form, const Express
   fails.kind = StatementKind::If;
   fails.where = call.where;
   Branch& branch = fails.branches.emplace_back();
-  branch.condition = expressions_.invert(std::move(operands.holds), call.where);
+  branch.condition = expressions_.operators().invert(std::move(operands.holds), call.where);
   if (message) {
     Statement& copy = branch.body.emplace_back();
     copy.kind = StatementKind::Assign;
@@ -70,7 +70,7 @@ bool TestAnalyzer::read_operands(const Form& form, const Expression& call,
   if (form.kind == Form::Kind::Truth) {
     out.holds = expressions_.condition(*arguments[0]->value, "what is asserted");
     if (out.holds && form.op == Operator::NotEqual)
-      out.holds = expressions_.invert(std::move(out.holds), call.where);
+      out.holds = expressions_.operators().invert(std::move(out.holds), call.where);
     return out.holds != nullptr;
   }
   bool sound = true;
@@ -102,22 +102,22 @@ bool TestAnalyzer::compare(const Form& form, Operands& operands) {
   ValuePtr& expected = operands.values[kExpected];
   const Position where = operands.where[kExpected];
   if (actual->type->is_literal() && expected->type->is_literal()) {
-    actual = expressions_.settle(std::move(actual));
-    expected = expressions_.settle(std::move(expected));
+    actual = expressions_.conversions().settle(std::move(actual));
+    expected = expressions_.conversions().settle(std::move(expected));
     if (!actual || !expected) return false;
   }
-  const Type* common = expressions_.common_type(*actual, *expected);
+  const Type* common = expressions_.operators().common_type(*actual, *expected);
   if (common != nullptr && common->kind == TypeKind::Subrange) common = common->base;
-  const bool comparable =
-      common != nullptr && (common->is_string() || expressions_.operator_applies(form.op, *common));
+  const bool comparable = common != nullptr && (common->is_string() ||
+                                                expressions_.operators().operator_applies(form.op, *common));
   // References are compared, but their values mean nothing to a reader.
   if (comparable && !common->is_reference()) {
-    actual = expressions_.convert(std::move(actual), common, operands.where[kActual]);
-    expected = expressions_.convert(std::move(expected), common, where);
+    actual = expressions_.conversions().convert(std::move(actual), common, operands.where[kActual]);
+    expected = expressions_.conversions().convert(std::move(expected), common, where);
     actual = keep(std::move(actual), common, kActual, operands);
     expected = keep(std::move(expected), common, kExpected, operands);
   }
-  operands.holds = expressions_.combine(form.op, std::move(actual), std::move(expected), where);
+  operands.holds = expressions_.operators().combine(form.op, std::move(actual), std::move(expected), where);
   return operands.holds != nullptr;
 }
 
@@ -142,13 +142,13 @@ bool TestAnalyzer::compare_near(const Expression& call, Operands& operands) {
     const Type* real = nullptr;
     for (ValuePtr& each : values) {
       if (each->type->is_literal()) continue;
-      each = expressions_.as_real(std::move(each));
+      each = expressions_.conversions().as_real(std::move(each));
       if (!each) return false;
       if (real != lreal) real = each->type;
     }
     if (real == nullptr) real = lreal;
     for (std::size_t i = 0; i < values.size(); ++i) {
-      values[i] = expressions_.convert(std::move(values[i]), real, operands.where[i]);
+      values[i] = expressions_.conversions().convert(std::move(values[i]), real, operands.where[i]);
       if (!values[i]) return false;
     }
   }
@@ -161,16 +161,19 @@ bool TestAnalyzer::compare_near(const Expression& call, Operands& operands) {
   };
   const Position where = call.where;
   const auto difference = [&] {
-    return expressions_.combine(Operator::Subtract, again(kActual), again(kExpected), where);
+    return expressions_.operators().combine(Operator::Subtract, again(kActual), again(kExpected), where);
   };
-  ValuePtr above = expressions_.combine(Operator::LessEqual, difference(), again(kTolerance), where);
+  ValuePtr above =
+      expressions_.operators().combine(Operator::LessEqual, difference(), again(kTolerance), where);
   ValuePtr minus = make(ValueKind::Unary, values[kTolerance]->type, where);
   minus->op = Operator::Negate;
   minus->operands.push_back(again(kTolerance));
-  ValuePtr below = expressions_.combine(Operator::GreaterEqual, difference(), std::move(minus), where);
-  ValuePtr within = expressions_.combine(Operator::And, std::move(above), std::move(below), where);
-  ValuePtr equal = expressions_.combine(Operator::Equal, again(kActual), again(kExpected), where);
-  operands.holds = expressions_.combine(Operator::Or, std::move(equal), std::move(within), where);
+  ValuePtr below =
+      expressions_.operators().combine(Operator::GreaterEqual, difference(), std::move(minus), where);
+  ValuePtr within =
+      expressions_.operators().combine(Operator::And, std::move(above), std::move(below), where);
+  ValuePtr equal = expressions_.operators().combine(Operator::Equal, again(kActual), again(kExpected), where);
+  operands.holds = expressions_.operators().combine(Operator::Or, std::move(equal), std::move(within), where);
   return operands.holds != nullptr;
 }
 

@@ -51,8 +51,9 @@ ValuePtr CallAnalyzer::callee(const Expression& expression) {
   if (!expression.operands.empty()) {
     const Expression* root = expression.operands[0].get();
     while (!root->operands.empty()) root = root->operands[0].get();
-    if (root->kind == syntax::ExpressionKind::Variable && e_.find_variable(root->name.id) == nullptr) {
-      e_.report_unknown(root->name);
+    if (root->kind == syntax::ExpressionKind::Variable &&
+        e_.places().find_variable(root->name.id) == nullptr) {
+      e_.places().report_unknown(root->name);
       return nullptr;
     }
     a_.error(code::kNoResult, expression.where, "a function block has no result",
@@ -60,7 +61,7 @@ ValuePtr CallAnalyzer::callee(const Expression& expression) {
     return nullptr;
   }
   const syntax::Name& name = expression.name;
-  const Variable* variable = e_.find_variable(name.id);
+  const Variable* variable = e_.places().find_variable(name.id);
   const bool own_result = pou_ != nullptr && pou_->kind == PouKind::Function && pou_->name == name.id;
   if (variable != nullptr && !own_result) {
     if (variable->type == nullptr) return nullptr;
@@ -86,10 +87,13 @@ ValuePtr CallAnalyzer::callee(const Expression& expression) {
   bool known = false;
   ValuePtr result = StandardAnalyzer(a_, e_).call(expression, folded, known);
   if (known) return result;
-  if (const auto conversion = e_.named_conversion(folded))
-    return e_.explicit_conversion(expression, *conversion);
+  if (const auto conversion = e_.explicit_conversions().named_conversion(folded)) {
+    auto arguments = StandardAnalyzer(a_, e_).arguments(expression, "IN", 1);
+    return arguments ? e_.explicit_conversions().apply(std::move(arguments->front()), *conversion, expression)
+                     : nullptr;
+  }
   if (is_test_statement(folded)) {
-    if (e_.in_test()) {
+    if (e_.places().in_test()) {
       a_.error(code::kNoResult, name.where, quote(name.text) + " is a statement and has no result");
     } else {
       a_.error(code::kOnlyInTest, name.where, quote(name.text) + " stands in a TEST only",
@@ -151,7 +155,7 @@ ValuePtr CallAnalyzer::function_call(const Expression& expression, Pou& function
 
 std::optional<Statement> CallAnalyzer::call_statement(const Expression& call) {
   if (!call.operands.empty()) return block_call(call, call.operands[0].get());
-  const Variable* variable = e_.find_variable(call.name.id);
+  const Variable* variable = e_.places().find_variable(call.name.id);
   if (variable != nullptr && variable->type == nullptr) return std::nullopt;
   if (variable != nullptr && variable->type->kind == TypeKind::Instance) return block_call(call, nullptr);
   ValuePtr value = this->call(call);
@@ -166,14 +170,14 @@ std::optional<Statement> CallAnalyzer::call_statement(const Expression& call) {
 std::optional<Statement> CallAnalyzer::block_call(const Expression& call, const Expression* path) {
   if (pou_ == nullptr) return std::nullopt;
   std::optional<Place> instance =
-      path != nullptr ? e_.place(*path, Access::Read) : e_.variable_place(call.name);
+      path != nullptr ? e_.places().place(*path, Access::Read) : e_.places().variable_place(call.name);
   if (!instance) return std::nullopt;
   if (instance->type->kind != TypeKind::Instance) {
     a_.error(code::kNotCallable, call.where, instance->type->name + " cannot be called");
     return std::nullopt;
   }
   const Pou& block = *instance->type->pou;
-  if (block.kind == PouKind::Program && !e_.in_test()) {
+  if (block.kind == PouKind::Program && !e_.places().in_test()) {
     a_.error(code::kNotCallable, call.where, "a program cannot be called");
     return std::nullopt;
   }

@@ -105,7 +105,7 @@ bool CallAnalyzer::match_given(const std::vector<Argument>& given, const Pou& po
 bool CallAnalyzer::pass_output(const Argument& argument, Place source, std::vector<CopyAfter>& after,
                                bool any_integer) {
   if (!argument.value) return true;
-  auto target = e_.place(*argument.value, Access::Write);
+  auto target = e_.places().place(*argument.value, Access::Write);
   if (!target) return false;
   const Position where = argument.value->where;
   ValuePtr value = load(std::move(source), where);
@@ -120,7 +120,7 @@ bool CallAnalyzer::pass_output(const Argument& argument, Place source, std::vect
     value = std::move(inverse);
   }
   if (any_integer) value = within_type(std::move(value), *target->type);
-  value = e_.convert(std::move(value), target->type, where);
+  value = e_.conversions().convert(std::move(value), target->type, where);
   if (!value) return false;
   after.push_back({std::move(*target), std::move(value)});
   return true;
@@ -137,7 +137,7 @@ ValuePtr CallAnalyzer::within_type(ValuePtr integer, const Type& target) {
   const IntegerRange both{std::max(held.low, wanted.low), std::min(held.high, wanted.high)};
   ValuePtr checked = make(ValueKind::Check, a_.type_table().subrange(integer->type, both), where);
   checked->operands.push_back(std::move(integer));
-  return e_.convert_exactly(std::move(checked), &to);
+  return convert_exactly(std::move(checked), &to);
 }
 
 // The value of an input. ANY_INT takes a ULINT too: what a LINT does not hold is as good as the largest,
@@ -148,9 +148,9 @@ ValuePtr CallAnalyzer::input_value(const Variable& parameter, const Expression& 
   if (parameter.any_integer && found->type->is(ElementaryType::Ulint)) {
     const IntegerRange held = range_of(ElementaryType::Lint);
     found = StandardAnalyzer(a_, e_).bounded(std::move(found), 0, held.high);
-    return e_.convert_exactly(std::move(found), parameter.type);
+    return convert_exactly(std::move(found), parameter.type);
   }
-  return e_.convert(std::move(found), parameter.type, given.where);
+  return e_.conversions().convert(std::move(found), parameter.type, given.where);
 }
 
 // The address of a VAR_IN_OUT argument. What has none (a bit, a local slot) goes through a copy.
@@ -158,11 +158,11 @@ ValuePtr CallAnalyzer::reference_argument(const Argument& argument, const Variab
                                           std::vector<CopyBefore>& before, std::vector<CopyAfter>& after) {
   if (!argument.value) return nullptr;
   const Position where = argument.value->where;
-  auto target = e_.place(*argument.value, Access::Write);
+  auto target = e_.places().place(*argument.value, Access::Write);
   if (!target) return nullptr;
   if (!matches_parameter(*target->type, *parameter.type)) {
     if (!is_too_long(*target->type, *parameter.type))
-      return e_.mismatch(*target->type, *parameter.type, where);
+      return e_.conversions().mismatch(*target->type, *parameter.type, where);
     a_.error(code::kTypeMismatch, where,
              target->type->name + " is too long to stand for " + quote(parameter.spelling) +
                  ": the length of a " + parameter.type->name + " is an INT",
@@ -232,9 +232,9 @@ bool CallAnalyzer::in_out_argument(const Variable& parameter, const Argument* ar
   ValuePtr address;
   if (parameter.section == Section::InOut) {
     address = reference_argument(*argument, parameter, out.before, out.after);
-  } else if (auto source = e_.place(*argument->value, Access::Read)) {
+  } else if (auto source = e_.places().place(*argument->value, Access::Read)) {
     if (!matches_parameter(*source->type, *parameter.type)) {
-      e_.mismatch(*source->type, *parameter.type, argument->value->where);
+      e_.conversions().mismatch(*source->type, *parameter.type, argument->value->where);
       return false;
     }
     address = address_of(std::move(*source), argument->value->where);

@@ -141,7 +141,7 @@ std::optional<Place> Configurer::trigger_place(const Expression& source) {
     case ExpressionKind::Direct: {
       // A configuration sees what a program without variables sees.
       Pou outside;
-      return ExpressionAnalyzer(a_, &outside).place(source, Access::Read);
+      return ExpressionAnalyzer(a_, &outside).places().place(source, Access::Read);
     }
     case ExpressionKind::Error:
       return std::nullopt;

@@ -26,7 +26,7 @@ std::string_view stem(std::string_view path) {
 ValuePtr ExpressionAnalyzer::dotted_enumerator(const Expression& expression, bool& known) {
   known = false;
   const Expression& base = *expression.operands[0];
-  if (base.kind != ExpressionKind::Variable || find_variable(base.name.id) != nullptr) return nullptr;
+  if (base.kind != ExpressionKind::Variable || places_.find_variable(base.name.id) != nullptr) return nullptr;
   const auto type = a_.types.find(base.name.id.value);
   if (type == a_.types.end() || type->second == nullptr || type->second->kind != TypeKind::Enumeration)
     return nullptr;
@@ -47,12 +47,12 @@ ValuePtr ExpressionAnalyzer::dotted_enumerator(const Expression& expression, boo
 }
 
 // The name of a configuration, a resource, or of the file that declares the global.
-bool ExpressionAnalyzer::is_list_of(const Variable& global, const syntax::Name& list) const {
+bool Places::is_list_of(const Variable& global, const syntax::Name& list) const {
   return a_.list_names.contains(list.id.value) ||
          naming::same_name(stem(a_.sink.sources().name(global.where.file)), list.text);
 }
 
-const Variable* ExpressionAnalyzer::qualified_global(const Expression& expression) {
+const Variable* Places::qualified_global(const Expression& expression) {
   const Expression& base = *expression.operands[0];
   if (base.kind != ExpressionKind::Variable || find_variable(base.name.id) != nullptr) return nullptr;
   const auto global = a_.globals.find(expression.name.id.value);

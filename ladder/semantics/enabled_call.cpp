@@ -48,7 +48,7 @@ ValuePtr CallAnalyzer::enabled(ValuePtr called, const Expression& call) {
     a_.error(code::kNotConstant, call.where, "the value must be known when the program is compiled");
     return nullptr;
   }
-  called = e_.settle(std::move(called));
+  called = e_.conversions().settle(std::move(called));
   if (!called) return nullptr;
   ValuePtr result = make(ValueKind::Enabled, called->type, call.where);
   auto slot = enable_slot(call, result->before, result->after);

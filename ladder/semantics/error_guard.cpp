@@ -150,8 +150,8 @@ ValuePtr ErrorGuard::unless_error(ValuePtr called, const Place& enabled) {
   }
   ValuePtr good = condition.has_value(*called, test);
   if (good && in_parts)
-    good =
-        e_.combine(Operator::And, load(copy_direct(enabled), called->where), std::move(good), called->where);
+    good = e_.operators().combine(Operator::And, load(copy_direct(enabled), called->where), std::move(good),
+                                  called->where);
   if (!good) return nullptr;
   result->before.push_back({copy_direct(enabled), std::move(good)});
   result->operands.push_back(load(copy_direct(enabled), called->where));

@@ -48,7 +48,8 @@ ValuePtr ExpressionAnalyzer::value(const Expression& expression) {
         return enumerator;
       } else if (known) {
         return nullptr;
-      } else if (const Variable* global = qualified_global(expression); global != nullptr && global->value) {
+      } else if (const Variable* global = places_.qualified_global(expression);
+                 global != nullptr && global->value) {
         const Type* type = global->type->kind == TypeKind::Subrange ? global->type->base : global->type;
         return make_constant(*global->value, type, expression.where);
       }
@@ -57,7 +58,7 @@ ValuePtr ExpressionAnalyzer::value(const Expression& expression) {
     case ExpressionKind::Index:
     case ExpressionKind::Dereference:
     case ExpressionKind::Part: {
-      auto found = place(expression, Access::Read);
+      auto found = places_.place(expression, Access::Read);
       return found ? load(std::move(*found), expression.where) : nullptr;
     }
     case ExpressionKind::Unary:
@@ -106,7 +107,7 @@ ValuePtr ExpressionAnalyzer::literal(const Expression& expression) {
 
 // INT#5, WORD#16#FF, REAL#1
 ValuePtr ExpressionAnalyzer::typed_literal(const Expression& expression) {
-  const Type* type = named_type(a_.names.folded(expression.prefix->id));
+  const Type* type = explicit_.named_type(a_.names.folded(expression.prefix->id));
   if (type == nullptr) {
     a_.error(code::kUnknownType, expression.prefix->where,
              quote(expression.prefix->text) + " is no elementary type");
@@ -120,7 +121,7 @@ ValuePtr ExpressionAnalyzer::typed_literal(const Expression& expression) {
   } else {
     inner = literal(expression);
   }
-  return inner ? convert(std::move(inner), type, expression.where) : nullptr;
+  return inner ? conversions_.convert(std::move(inner), type, expression.where) : nullptr;
 }
 
 ValuePtr ExpressionAnalyzer::variable(const Expression& expression) {
@@ -128,7 +129,7 @@ ValuePtr ExpressionAnalyzer::variable(const Expression& expression) {
   if (a_.numbered != nullptr)
     if (const Enumerator* before = a_.numbered->find_enumerator(name.id))
       return make_constant({before->value}, a_.numbered->base, expression.where);
-  const Variable* found = find_variable(name.id);
+  const Variable* found = places_.find_variable(name.id);
   if (found == nullptr) {
     const auto known = a_.enum_values.find(name.id.value);
     if (known != a_.enum_values.end()) return enum_value(expression);
@@ -136,7 +137,7 @@ ValuePtr ExpressionAnalyzer::variable(const Expression& expression) {
     const Type* type = found->type->kind == TypeKind::Subrange ? found->type->base : found->type;
     return make_constant(*found->value, type, expression.where);
   }
-  auto at = place(expression, Access::Read);
+  auto at = places_.place(expression, Access::Read);
   return at ? load(std::move(*at), expression.where) : nullptr;
 }
 
@@ -170,28 +171,14 @@ ValuePtr ExpressionAnalyzer::enum_value(const Expression& expression) {
   return nullptr;
 }
 
-ValuePtr ExpressionAnalyzer::settle(ValuePtr value) {
-  if (value && value->type->kind == TypeKind::AnyEnumerator)
-    return convert_enumerator(std::move(value), nullptr, Position());
-  if (!value || !value->type->is_literal()) return value;
-  const TypeTable& types = a_.type_table();
-  const Position where = value->where;
-  if (value->type->kind == TypeKind::AnyReal)
-    return convert(std::move(value), types.elementary(ElementaryType::Real), where);
-  for (const auto which : {ElementaryType::Int, ElementaryType::Dint, ElementaryType::Lint})
-    if (fits(value->constant, *types.elementary(which)))
-      return convert(std::move(value), types.elementary(which), where);
-  return convert(std::move(value), types.elementary(ElementaryType::Ulint), where);
-}
-
 ValuePtr ExpressionAnalyzer::settled_value(const Expression& expression) {
-  return settle(value(expression));
+  return conversions_.settle(value(expression));
 }
 
 ValuePtr ExpressionAnalyzer::value_as(const Expression& expression, const Type* type) {
   ValuePtr found = value(expression);
   if (!found || type == nullptr) return nullptr;
-  return convert(std::move(found), type, expression.where);
+  return conversions_.convert(std::move(found), type, expression.where);
 }
 
 ValuePtr ExpressionAnalyzer::condition(const Expression& expression, const char* what) {
@@ -218,11 +205,11 @@ std::optional<Constant> ExpressionAnalyzer::constant(const Expression& expressio
 }
 
 std::optional<std::int64_t> ExpressionAnalyzer::constant_integer(const Expression& expression) {
-  const ValuePtr found = counted(settled_value(expression));
+  const ValuePtr found = conversions_.bits().counted(settled_value(expression));
   if (!found) return std::nullopt;
   if (!found->type->is_integer()) {
     a_.error(code::kTypeMismatch, expression.where, "an integer is needed here, not " + found->type->name,
-             bits_hint(*found->type));
+             conversions_.bits().bits_hint(*found->type));
     return std::nullopt;
   }
   if (found->kind != ValueKind::Constant) {
@@ -235,6 +222,34 @@ std::optional<std::int64_t> ExpressionAnalyzer::constant_integer(const Expressio
     return std::nullopt;
   }
   return static_cast<std::int64_t>(found->constant.integer);
+}
+
+// 'abc' or "abc"
+ValuePtr ExpressionAnalyzer::text_literal(const Expression& expression) {
+  const bool wide = expression.kind == ExpressionKind::WideString;
+  if (expression.characters.size() > bytecode::kMaxStringCapacity) {
+    a_.error(code::kLiteralRange, expression.where, "a string has at most 65535 characters");
+    return nullptr;
+  }
+  const Type* type = a_.type_table().string(wide ? ElementaryType::Wstring : ElementaryType::String,
+                                            static_cast<std::uint32_t>(expression.characters.size()));
+  return make_constant({0, 0, expression.characters}, type, expression.where);
+}
+
+ValuePtr ExpressionAnalyzer::unary(const Expression& expression) {
+  return operators_.unary(expression.op, value(*expression.operands[0]), expression.where);
+}
+
+ValuePtr ExpressionAnalyzer::binary(const Expression& expression) {
+  ValuePtr result = value(*expression.operands[0]);
+  for (std::size_t i = 1; i < expression.operands.size(); ++i) {
+    // The others are analysed even after a mistake: each may have its own.
+    ValuePtr right = value(*expression.operands[i]);
+    result = result && right
+                 ? operators_.combine(expression.op, std::move(result), std::move(right), expression.where)
+                 : nullptr;
+  }
+  return result;
 }
 
 }  // namespace stepwright::semantics::internal

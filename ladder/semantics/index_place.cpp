@@ -4,13 +4,14 @@
 #include <limits>
 #include <utility>
 
-#include "ladder/semantics/internal/expression_analyzer.h"
+#include "ladder/semantics/internal/places.h"
+#include "ladder/semantics/internal/text.h"
 
 namespace stepwright::semantics::internal {
 
 using syntax::Expression;
 
-std::optional<Place> ExpressionAnalyzer::index_place(const Expression& expression) {
+std::optional<Place> Places::index_place(const Expression& expression) {
   std::optional<Place> base = part(*expression.operands[0]);
   if (base && base->type->is_string()) return character_place(std::move(*base), expression);
   bool sound = base.has_value();
@@ -38,17 +39,17 @@ std::optional<Place> ExpressionAnalyzer::index_place(const Expression& expressio
   return base;
 }
 
-ValuePtr ExpressionAnalyzer::index_value(const Expression& index) {
-  ValuePtr value = counted(settled_value(index));
+ValuePtr Places::index_value(const Expression& index) {
+  ValuePtr value = c_.bits().counted(c_.settle(values_.value(index)));
   if (!value || value->type->is_integer()) return value;
   a_.error(code::kTypeMismatch, index.where, "an index must be an integer, not " + value->type->name,
-           bits_hint(*value->type));
+           c_.bits().bits_hint(*value->type));
   return nullptr;
 }
 
 // Any integer is an index (6.4.4.5), the machine has DINT: what is larger is first brought next to the
 // bounds, where it stays outside of them.
-ValuePtr ExpressionAnalyzer::narrow_index(ValuePtr value, const Dimension& bounds) {
+ValuePtr Places::narrow_index(ValuePtr value, const Dimension& bounds) {
   const Type* dint = a_.type_table().elementary(ElementaryType::Dint);
   const Position where = value->where;
   const auto converted = [&](ValuePtr from, const Type* to) {
@@ -75,8 +76,8 @@ ValuePtr ExpressionAnalyzer::narrow_index(ValuePtr value, const Dimension& bound
   return converted(std::move(value), dint);
 }
 
-bool ExpressionAnalyzer::add_index(Place& place, const Expression& index, const Dimension& dimension,
-                                   std::uint32_t stride) {
+bool Places::add_index(Place& place, const Expression& index, const Dimension& dimension,
+                       std::uint32_t stride) {
   ValuePtr value = index_value(index);
   if (!value) return false;
   if (value->kind != ValueKind::Constant) {
@@ -100,7 +101,7 @@ bool ExpressionAnalyzer::add_index(Place& place, const Expression& index, const 
 }
 
 // An element of a variable-length array: the bounds are known when the program runs.
-std::optional<Place> ExpressionAnalyzer::open_index(Place base, const Expression& expression) {
+std::optional<Place> Places::open_index(Place base, const Expression& expression) {
   PlaceStep step;
   step.stride = base.type->element->size;
   for (std::size_t i = 1; i < expression.operands.size(); ++i) {
@@ -121,6 +122,33 @@ std::optional<Place> ExpressionAnalyzer::open_index(Place base, const Expression
   base.type = base.type->element;
   base.open = nullptr;
   return base;
+}
+
+// s[i]
+std::optional<Place> Places::character_place(Place text, const Expression& expression) {
+  if (expression.operands.size() != 2) {
+    a_.error(code::kIndexCount, expression.where, "a string has one index, the position of a character");
+    return std::nullopt;
+  }
+  const Expression& index = *expression.operands[1];
+  ValuePtr position = index_value(index);
+  if (!position) return std::nullopt;
+  const bool of_any_length = text.base == Base::ThisRef || text.base == Base::SlotRef;
+  const std::uint32_t most = of_any_length ? bytecode::kMaxStringCapacity : text.type->capacity;
+  const __int128 number = position->constant.integer;
+  const bool constant = position->kind == ValueKind::Constant;
+  if (constant && (number < 1 || number > static_cast<__int128>(most))) {
+    a_.error(code::kConstantIndex, index.where, "the string has no character " + to_string(number),
+             "positions go from 1 to " + std::to_string(most));
+    return std::nullopt;
+  }
+  const Dimension bounds{1, static_cast<std::int32_t>(most)};
+  text.character =
+      constant ? make_constant({number}, a_.type_table().elementary(ElementaryType::Dint), position->where)
+               : narrow_index(std::move(position), bounds);
+  text.type = a_.type_table().elementary(
+      width_of(*text.type) == ElementaryType::Wstring ? ElementaryType::Wchar : ElementaryType::Char);
+  return text;
 }
 
 }  // namespace stepwright::semantics::internal

@@ -1,6 +1,10 @@
 #include "ladder/semantics/internal/make_value.h"
 
+#include <algorithm>
 #include <utility>
+
+#include "ladder/semantics/constant_conversion.h"
+#include "ladder/semantics/constant_function.h"
 
 namespace stepwright::semantics::internal {
 
@@ -46,6 +50,35 @@ void advance(Place& place, std::uint32_t offset) {
     step.offset = offset;
     place.steps.push_back(std::move(step));
   }
+}
+
+ValuePtr convert_exactly(ValuePtr value, const Type* type) {
+  if (value->type == type) return value;
+  if (value->kind == ValueKind::Constant) {
+    if (const auto constant = converted(value->constant, *value->type, *type))
+      return make_constant(*constant, type, value->where);
+  }
+  ValuePtr result = make(ValueKind::Convert, type, value->where);
+  result->operands.push_back(std::move(value));
+  return result;
+}
+
+ValuePtr make_standard(StandardFunction function, const Type* type, std::vector<ValuePtr> values,
+                       source::Position where) {
+  const bool constant = std::ranges::all_of(values, [](const ValuePtr& each) {
+    return each->kind == ValueKind::Constant && !each->type->is_string();
+  });
+  if (constant) {
+    std::vector<Constant> operands;
+    for (const ValuePtr& each : values) operands.push_back(each->constant);
+    if (const auto folded = evaluate(function, operands, *values.front()->type, *type))
+      return make_constant(*folded, type, where);
+  }
+  ValuePtr result = make(ValueKind::Standard, type, where);
+  result->function = function;
+  if (type->is_literal()) result->constant = widest_of(values);
+  result->operands = std::move(values);
+  return result;
 }
 
 }  // namespace stepwright::semantics::internal

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "ladder/semantics/internal/expression_analyzer.h"
+#include "ladder/semantics/internal/places.h"
 
 namespace stepwright::semantics::internal {
 
@@ -27,7 +27,7 @@ ElementaryType part_type(std::uint8_t bits) {
 
 }  // namespace
 
-std::optional<Place> ExpressionAnalyzer::partial_place(const Expression& expression) {
+std::optional<Place> Places::partial_place(const Expression& expression) {
   std::optional<Place> base = part(*expression.operands[0]);
   if (!base) return std::nullopt;
   const Type& whole = *base->type;

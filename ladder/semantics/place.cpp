@@ -22,7 +22,7 @@ bool is_outside(const Place& place) {
 
 }  // namespace
 
-const Variable* ExpressionAnalyzer::find_variable(NameId name) const {
+const Variable* Places::find_variable(NameId name) const {
   if (pou_ != nullptr) {
     if (const Variable* found = pou_->find(name)) return found;
   }
@@ -30,7 +30,7 @@ const Variable* ExpressionAnalyzer::find_variable(NameId name) const {
   return global == a_.globals.end() ? nullptr : &a_.model.globals[global->second];
 }
 
-void ExpressionAnalyzer::report_unknown(const syntax::Name& name) {
+void Places::report_unknown(const syntax::Name& name) {
   if (a_.pous.count(name.id.value) != 0) {
     a_.error(code::kNotAVariable, name.where, quote(name.text) + " is a POU, not a variable",
              "declare an instance of a function block, or call the function with (...)");
@@ -56,7 +56,7 @@ constexpr const char* kPlantHint = "what the plant measures is read; commands go
 
 }  // namespace
 
-ExpressionAnalyzer::Protection ExpressionAnalyzer::protection(const Variable& variable) const {
+Places::Protection Places::protection(const Variable& variable) const {
   if (variable.constant) return {"is a constant", "declare it without CONSTANT to write it"};
   // Who tests a program plays its plant.
   if (in_test()) return {};
@@ -70,12 +70,12 @@ ExpressionAnalyzer::Protection ExpressionAnalyzer::protection(const Variable& va
   return {"is an input (VAR_INPUT)", std::move(hint), own && a_.dialect->written_inputs};
 }
 
-void ExpressionAnalyzer::protect(Position where, std::string why, std::string hint) {
+void Places::protect(Position where, std::string why, std::string hint) {
   read_only_ = {std::move(why), std::move(hint)};
   read_only_where_ = where;
 }
 
-std::optional<Place> ExpressionAnalyzer::place(const Expression& expression, Access access) {
+std::optional<Place> Places::place(const Expression& expression, Access access) {
   // Indexes hold expressions of their own, so the state is that of the outer place again afterwards.
   Protection outer = std::exchange(read_only_, {});
   const Position outer_where = read_only_where_;
@@ -93,13 +93,13 @@ std::optional<Place> ExpressionAnalyzer::place(const Expression& expression, Acc
 }
 
 // An input that its own POU writes. A function that writes one in memory works on a copy.
-void ExpressionAnalyzer::tolerate(Place& written) {
+void Places::tolerate(Place& written) {
   a_.sink.warning(code::kInputWritten, read_only_where_, read_only_.why + " and is written here",
                   "its callers see no change; a variable of VAR says so");
   if (written.base == Base::SlotRef && pou_ != nullptr) pou_->writes_outside = true;
 }
 
-std::optional<Place> ExpressionAnalyzer::part(const Expression& expression) {
+std::optional<Place> Places::part(const Expression& expression) {
   switch (expression.kind) {
     case ExpressionKind::Variable:
       return variable_place(expression.name);
@@ -130,7 +130,7 @@ std::optional<Place> ExpressionAnalyzer::part(const Expression& expression) {
   }
 }
 
-std::optional<Place> ExpressionAnalyzer::variable_place(const syntax::Name& name) {
+std::optional<Place> Places::variable_place(const syntax::Name& name) {
   const Variable* found = find_variable(name.id);
   if (found == nullptr) {
     std::optional<Place> instance = in_test() ? program_instance(name) : std::nullopt;
@@ -144,7 +144,7 @@ std::optional<Place> ExpressionAnalyzer::variable_place(const syntax::Name& name
   return known_place(*found, name);
 }
 
-Place ExpressionAnalyzer::known_place(const Variable& variable, const syntax::Name& name) {
+Place Places::known_place(const Variable& variable, const syntax::Name& name) {
   const Variable* const found = &variable;
   Protection kept = protection(variable);
   if (!kept.why.empty()) {
@@ -158,7 +158,7 @@ Place ExpressionAnalyzer::known_place(const Variable& variable, const syntax::Na
   return place;
 }
 
-std::optional<Place> ExpressionAnalyzer::field_place(const Expression& expression) {
+std::optional<Place> Places::field_place(const Expression& expression) {
   if (in_test()) {
     if (auto flag = step_flag(expression)) return flag;
   }
@@ -187,8 +187,7 @@ std::optional<Place> ExpressionAnalyzer::field_place(const Expression& expressio
   return base;
 }
 
-std::optional<ExpressionAnalyzer::Member> ExpressionAnalyzer::struct_member(const Type& type,
-                                                                            const syntax::Name& name) {
+std::optional<Places::Member> Places::struct_member(const Type& type, const syntax::Name& name) {
   if (const Field* field = type.find_field(name.id)) return Member{field->type, field->offset, field->bit};
   std::vector<std::string_view> candidates;
   if (!a_.sink.is_full())
@@ -199,8 +198,7 @@ std::optional<ExpressionAnalyzer::Member> ExpressionAnalyzer::struct_member(cons
   return std::nullopt;
 }
 
-std::optional<ExpressionAnalyzer::Member> ExpressionAnalyzer::instance_member(const Type& type,
-                                                                              const syntax::Name& name) {
+std::optional<Places::Member> Places::instance_member(const Type& type, const syntax::Name& name) {
   // Writing a member writes into the block, not to the variable that holds it: t.IN := x, t being an input.
   read_only_ = {};
   const Variable* found = type.pou->find(name.id);
@@ -232,7 +230,7 @@ std::optional<ExpressionAnalyzer::Member> ExpressionAnalyzer::instance_member(co
 }
 
 // %QX0.3 used in place: a BOOL or a bit string of the size that it names.
-std::optional<Place> ExpressionAnalyzer::direct_place(const Expression& expression) {
+std::optional<Place> Places::direct_place(const Expression& expression) {
   const syntax::DirectAddress& address = expression.address;
   if (address.area == syntax::Area::Input && !in_test()) {
     protect(expression.where, quote(syntax::to_string(address)) + " is an input of the plant", kPlantHint);
@@ -261,6 +259,24 @@ std::optional<Place> ExpressionAnalyzer::direct_place(const Expression& expressi
   const std::size_t end = std::size_t{address.byte} + place.type->size;
   if (area.size() < end) area.resize(end);
   return place;
+}
+
+// r^
+std::optional<Place> Places::followed_place(const Expression& expression) {
+  std::optional<Place> base = part(*expression.operands[0]);
+  if (!base) return std::nullopt;
+  // A constant or an input that holds a reference can be followed and what it leads to written.
+  read_only_ = {};
+  if (!base->type->is_reference()) {
+    a_.error(code::kTypeMismatch, expression.where, base->type->name + " is no reference",
+             "'^' follows a REF_TO");
+    return std::nullopt;
+  }
+  PlaceStep step;
+  step.follow = true;
+  base->steps.push_back(std::move(step));
+  base->type = base->type->element;
+  return base;
 }
 
 }  // namespace stepwright::semantics::internal

@@ -27,7 +27,7 @@ ValuePtr ExpressionAnalyzer::reference_to(const Expression& call) {
   if (!operands) return nullptr;
   const Expression& target = *(*operands)[0];
   // Who holds the reference may write: what cannot be written has none.
-  auto found = place(target, Access::Write);
+  auto found = places_.place(target, Access::Write);
   if (!found) return nullptr;
   if (is_short_lived(*found)) {
     a_.error(code::kShortLived, target.where,
@@ -46,13 +46,6 @@ ValuePtr ExpressionAnalyzer::reference_to(const Expression& call) {
   return result;
 }
 
-ValuePtr ExpressionAnalyzer::null_beside(ValuePtr value, const Value& other) const {
-  const bool is_zero = value->kind == ValueKind::Constant && value->type->kind == TypeKind::AnyInteger &&
-                       value->constant.integer == 0;
-  if (!a_.dialect->pointers || !is_zero || !other.type->is_reference()) return value;
-  return make_constant({bytecode::kNullRef}, a_.type_table().null(), value->where);
-}
-
 // A reference in a first value is the number of its target (first_reference.cpp).
 ValuePtr ExpressionAnalyzer::first_value(const Constant& value, const Type* type, Position where) const {
   const FirstTarget* target = a_.first_target(value, *type);
@@ -62,24 +55,6 @@ ValuePtr ExpressionAnalyzer::first_value(const Constant& value, const Type* type
   result->place.offset = target->offset;
   result->place.type = type->element;
   return result;
-}
-
-// r^
-std::optional<Place> ExpressionAnalyzer::followed_place(const Expression& expression) {
-  std::optional<Place> base = part(*expression.operands[0]);
-  if (!base) return std::nullopt;
-  // A constant or an input that holds a reference can be followed and what it leads to written.
-  read_only_ = {};
-  if (!base->type->is_reference()) {
-    a_.error(code::kTypeMismatch, expression.where, base->type->name + " is no reference",
-             "'^' follows a REF_TO");
-    return std::nullopt;
-  }
-  PlaceStep step;
-  step.follow = true;
-  base->steps.push_back(std::move(step));
-  base->type = base->type->element;
-  return base;
 }
 
 }  // namespace stepwright::semantics::internal

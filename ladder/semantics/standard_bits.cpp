@@ -41,7 +41,7 @@ ValuePtr StandardAnalyzer::shift(const Expression& call, Values values, int whic
   const Type& given = *values[0]->type;
   const bool is_code = given.kind == TypeKind::Elementary && given.is_integer() &&
                        (given.is_unsigned() || function != StandardFunction::Shr);
-  if (is_code) values[0] = e_.as_bits(std::move(values[0]));
+  if (is_code) values[0] = e_.conversions().bits().as_bits(std::move(values[0]));
   if (!values[0]->type->is_bits()) {
     const std::string hint = "it works on BYTE, WORD, DWORD and LWORD; a literal needs a type: WORD#16#1";
     return wrong_operand(call, *values[0]->type,
@@ -57,8 +57,8 @@ ValuePtr StandardAnalyzer::shift(const Expression& call, Values values, int whic
     // A negative number stays one.
     const IntegerRange range = range_of(count->elementary);
     if (!count->is_unsigned()) values[1] = bounded(std::move(values[1]), -1, range.high);
-    values[1] = e_.combine(syntax::Operator::Modulo, std::move(values[1]),
-                           make_constant({bits}, count, where), where);
+    values[1] = e_.operators().combine(syntax::Operator::Modulo, std::move(values[1]),
+                                       make_constant({bits}, count, where), where);
   }
   values[1] = as_dint(std::move(values[1]), -1, bits);
   if (!values[1]) return nullptr;
@@ -82,7 +82,7 @@ ValuePtr StandardAnalyzer::is_valid_bcd(const Expression& call, Values values, i
 
 // The machine is little-endian, so TO_LITTLE_ENDIAN changes nothing.
 ValuePtr StandardAnalyzer::swap_bytes(const Expression& call, Values values, int which) {
-  values[0] = e_.settle(std::move(values[0]));
+  values[0] = e_.conversions().settle(std::move(values[0]));
   if (!values[0]) return nullptr;
   const Type* type = values[0]->type;
   const bool has_bytes = type->is_integer() || type->is_bits() || type->is_time();

@@ -68,7 +68,8 @@ ValuePtr StandardAnalyzer::call(const Expression& call, const std::string& folde
   }
   // "ADD_INT": the function for one type (6.6.1.7.3).
   const std::size_t last = folded.rfind('_');
-  const Type* type = last == std::string::npos ? nullptr : e_.named_type(folded.substr(last + 1));
+  const Type* type =
+      last == std::string::npos ? nullptr : e_.explicit_conversions().named_type(folded.substr(last + 1));
   const Entry* entry = type == nullptr ? nullptr : find(std::string_view(folded).substr(0, last));
   if (entry != nullptr && entry->typed_count > 0) return typed_call(call, *entry, type);
   known = false;
@@ -81,7 +82,7 @@ ValuePtr StandardAnalyzer::typed_call(const Expression& call, const Entry& entry
   const std::size_t end = std::min(values->size(), entry.typed_first + entry.typed_count);
   for (std::size_t i = entry.typed_first; i < end; ++i) {
     const Position where = (*values)[i]->where;
-    (*values)[i] = e_.convert(std::move((*values)[i]), type, where);
+    (*values)[i] = e_.conversions().convert(std::move((*values)[i]), type, where);
     if (!(*values)[i]) return nullptr;
   }
   return (this->*entry.analyse)(call, std::move(*values), entry.which);
@@ -165,11 +166,11 @@ const Type* StandardAnalyzer::unify(Values& values, std::size_t first, Position 
       stand_in.type = common;
       stand_in.adapts = common == values[model]->type && values[model]->adapts;
       if (common->is_literal()) stand_in.constant = values[model]->constant;
-      const Type* wider = e_.common_type(stand_in, *values[i]);
+      const Type* wider = e_.operators().common_type(stand_in, *values[i]);
       if (wider == nullptr) {
         const Type& other = *values[i]->type;
-        const bool is_wider = e_.exchanges_bits(*common, other);
-        e_.mismatch(is_wider ? *common : other, is_wider ? other : *common, values[i]->where);
+        const bool is_wider = e_.conversions().bits().exchanges_bits(*common, other);
+        e_.conversions().mismatch(is_wider ? *common : other, is_wider ? other : *common, values[i]->where);
         return nullptr;
       }
       common = wider;
@@ -177,7 +178,7 @@ const Type* StandardAnalyzer::unify(Values& values, std::size_t first, Position 
   }
   for (std::size_t i = first; i < values.size(); ++i) {
     if (values[i]->type == common) continue;
-    values[i] = e_.convert(std::move(values[i]), common, where);
+    values[i] = e_.conversions().convert(std::move(values[i]), common, where);
     if (!values[i]) return nullptr;
   }
   return common;
@@ -201,32 +202,14 @@ ValuePtr StandardAnalyzer::as_dint(ValuePtr value, __int128 low, __int128 high) 
   const Type* dint = a_.type_table().elementary(ElementaryType::Dint);
   const Position where = value->where;
   const bool fits = !value->type->is_integer() || value->type->is_literal() || widens(*value->type, *dint);
-  if (fits) return e_.convert(std::move(value), dint, where);
-  return e_.convert_exactly(bounded(std::move(value), low, high), dint);
+  if (fits) return e_.conversions().convert(std::move(value), dint, where);
+  return convert_exactly(bounded(std::move(value), low, high), dint);
 }
 
 ValuePtr StandardAnalyzer::wrong_operand(const Expression& call, const Type& type, std::string hint) {
   a_.error(code::kBadOperand, call.where, quote(call.name.text) + " cannot be applied to " + type.name,
            std::move(hint));
   return nullptr;
-}
-
-ValuePtr StandardAnalyzer::make_standard(StandardFunction function, const Type* type, Values values,
-                                         Position where) {
-  const bool constant = std::ranges::all_of(values, [](const ValuePtr& each) {
-    return each->kind == ValueKind::Constant && !each->type->is_string();
-  });
-  if (constant) {
-    std::vector<Constant> operands;
-    for (const ValuePtr& each : values) operands.push_back(each->constant);
-    if (const auto folded = evaluate(function, operands, *values.front()->type, *type))
-      return make_constant(*folded, type, where);
-  }
-  ValuePtr result = make(ValueKind::Standard, type, where);
-  result->function = function;
-  if (type->is_literal()) result->constant = widest_of(values);
-  result->operands = std::move(values);
-  return result;
 }
 
 }  // namespace stepwright::semantics::internal

@@ -41,27 +41,17 @@ std::span<const StandardAnalyzer::Entry> StandardAnalyzer::numeric_entries() {
 }
 
 ValuePtr StandardAnalyzer::numeric(const Expression& call, Values values, int which) {
-  values[0] = e_.counted(std::move(values[0]));
+  values[0] = e_.conversions().bits().counted(std::move(values[0]));
   const Type* type = values[0]->type;
-  if (!type->is_number()) return wrong_operand(call, *type, e_.bits_hint(*type));
+  if (!type->is_number()) return wrong_operand(call, *type, e_.conversions().bits().bits_hint(*type));
   return make_standard(static_cast<StandardFunction>(which), type, std::move(values), call.where);
 }
 
 // A function of literals that has no value was not folded.
-ValuePtr StandardAnalyzer::defined(ValuePtr result, Position where) {
+ValuePtr StandardAnalyzer::defined(Analysis& analysis, ValuePtr result, Position where) {
   if (!result->type->is_literal() || result->kind == ValueKind::Constant) return result;
-  a_.error(code::kOutOfRange, where, "the function is not defined for this number");
+  analysis.error(code::kOutOfRange, where, "the function is not defined for this number");
   return nullptr;
-}
-
-// An integer is converted to the narrowest real type that holds all of its values.
-ValuePtr ExpressionAnalyzer::as_real(ValuePtr value) {
-  value = settle(std::move(value));
-  if (!value || value->type->is_real()) return value;
-  const TypeTable& types = a_.type_table();
-  const Type* real = types.elementary(ElementaryType::Real);
-  if (!widens(*value->type, *real)) real = types.elementary(ElementaryType::Lreal);
-  return convert_exactly(std::move(value), real);
 }
 
 // Literals are computed without a type, in double: 4.0 * ATAN(1.0) is as near to pi as an LREAL comes.
@@ -71,20 +61,20 @@ bool StandardAnalyzer::as_reals(const Expression& call, Values& values) {
   });
   const Type* type = literals ? a_.type_table().any_real() : nullptr;
   for (ValuePtr& each : values) {
-    each = e_.counted(std::move(each));
+    each = e_.conversions().bits().counted(std::move(each));
     if (!each->type->is_number()) {
-      wrong_operand(call, *each->type, e_.bits_hint(*each->type));
+      wrong_operand(call, *each->type, e_.conversions().bits().bits_hint(*each->type));
       return false;
     }
     if (literals) {
-      each = e_.convert(std::move(each), type, call.where);
+      each = e_.conversions().convert(std::move(each), type, call.where);
     } else if (!each->type->is_literal()) {
-      each = e_.as_real(std::move(each));
+      each = e_.conversions().as_real(std::move(each));
     }
   }
   if (literals) return true;
   if (unify(values, 0, call.where) == nullptr) return false;
-  for (ValuePtr& each : values) each = e_.as_real(std::move(each));
+  for (ValuePtr& each : values) each = e_.conversions().as_real(std::move(each));
   return true;
 }
 
@@ -93,52 +83,19 @@ ValuePtr StandardAnalyzer::real_function(const Expression& call, Values values, 
   const Type* type = values[0]->type;
   const Position where = values[0]->where;
   ValuePtr result = make_standard(static_cast<StandardFunction>(which), type, std::move(values), call.where);
-  return defined(std::move(result), where);
+  return defined(a_, std::move(result), where);
 }
 
 ValuePtr StandardAnalyzer::power(const Expression& call, Values values, int) {
-  return e_.power(std::move(values[0]), std::move(values[1]), call.where);
-}
-
-// REAL ** number is REAL, all else is computed as LREAL: an integer power is exact up to 2^53. An integer
-// that is implicitly a REAL makes a REAL power where one stands (figure 12).
-ValuePtr ExpressionAnalyzer::power(ValuePtr base, ValuePtr exponent, Position where) {
-  base = counted(std::move(base));
-  exponent = counted(std::move(exponent));
-  const Type& b = *base->type;
-  const Type& e = *exponent->type;
-  if (!b.is_number() || !e.is_number()) return bad_operands(syntax::Operator::Power, *base, *exponent, where);
-  const TypeTable& types = a_.type_table();
-  const bool literals = b.is_literal() && e.is_literal() && base->kind == ValueKind::Constant &&
-                        exponent->kind == ValueKind::Constant;
-  const bool single =
-      (b.is(ElementaryType::Real) || b.kind == TypeKind::AnyReal) && !e.is(ElementaryType::Lreal);
-  const Type* type =
-      literals ? types.any_real() : types.elementary(single ? ElementaryType::Real : ElementaryType::Lreal);
-  const Type& real = *types.elementary(ElementaryType::Real);
-  const bool adapts = !literals && !single && b.is_integer() && (b.is_literal() || widens(b, real)) &&
-                      !e.is(ElementaryType::Lreal);
-  std::vector<ValuePtr> operands;
-  operands.push_back(std::move(base));
-  operands.push_back(std::move(exponent));
-  for (ValuePtr& each : operands) {
-    each = each->type->is_literal() ? convert(std::move(each), type, where)
-                                    : convert_exactly(std::move(each), type);
-    if (!each) return nullptr;
-  }
-  StandardAnalyzer standard(a_, *this);
-  ValuePtr result = standard.defined(
-      standard.make_standard(StandardFunction::Power, type, std::move(operands), where), where);
-  if (result) result->adapts = adapts;
-  return result;
+  return e_.operators().power(std::move(values[0]), std::move(values[1]), call.where);
 }
 
 // The type of the result is that of the place where the call stands (tables 22 and 23), DINT if that says
 // nothing.
 ValuePtr StandardAnalyzer::truncate(const Expression& call, Values values, int) {
   const bool constant = values[0]->kind == ValueKind::Constant;
-  ValuePtr result =
-      e_.truncated(std::move(values[0]), a_.type_table().elementary(ElementaryType::Lint), call);
+  ValuePtr result = e_.explicit_conversions().truncated(
+      std::move(values[0]), a_.type_table().elementary(ElementaryType::Lint), call);
   if (!result) return nullptr;
   if (constant && result->kind == ValueKind::Constant) {
     result->type = a_.type_table().any_integer();
@@ -150,7 +107,7 @@ ValuePtr StandardAnalyzer::truncate(const Expression& call, Values values, int) 
 }
 
 ValuePtr StandardAnalyzer::is_valid(const Expression& call, Values values, int) {
-  values[0] = e_.settle(std::move(values[0]));
+  values[0] = e_.conversions().settle(std::move(values[0]));
   if (!values[0]) return nullptr;
   if (!values[0]->type->is_real()) return wrong_operand(call, *values[0]->type, "it tells NaN and infinity");
   return make_standard(StandardFunction::IsValid, a_.type_table().boolean(), std::move(values), call.where);

@@ -46,12 +46,13 @@ std::span<const StandardAnalyzer::Entry> StandardAnalyzer::operator_entries() {
 ValuePtr StandardAnalyzer::operate(const Expression& call, Values values, int which) {
   ValuePtr result = std::move(values[0]);
   for (std::size_t i = 1; i < values.size() && result; ++i)
-    result = e_.combine(static_cast<Operator>(which), std::move(result), std::move(values[i]), call.where);
+    result = e_.operators().combine(static_cast<Operator>(which), std::move(result), std::move(values[i]),
+                                    call.where);
   return result;
 }
 
 ValuePtr StandardAnalyzer::invert(const Expression& call, Values values, int) {
-  return e_.invert(std::move(values[0]), call.where);
+  return e_.operators().invert(std::move(values[0]), call.where);
 }
 
 ValuePtr StandardAnalyzer::move(const Expression&, Values values, int) {
@@ -61,15 +62,16 @@ ValuePtr StandardAnalyzer::move(const Expression&, Values values, int) {
 // GT(a, b, c) is (a > b) AND (b > c), each argument evaluated once.
 ValuePtr StandardAnalyzer::compare(const Expression& call, Values values, int which) {
   const auto op = static_cast<Operator>(which);
-  if (values.size() == 2) return e_.combine(op, std::move(values[0]), std::move(values[1]), call.where);
+  if (values.size() == 2)
+    return e_.operators().combine(op, std::move(values[0]), std::move(values[1]), call.where);
   const Type* type = unify(values, 0, call.where);
   if (type == nullptr) return nullptr;
   if (type->is_literal()) {
-    for (ValuePtr& each : values) each = e_.settle(std::move(each));
+    for (ValuePtr& each : values) each = e_.conversions().settle(std::move(each));
     type = unify(values, 0, call.where);
     if (type == nullptr) return nullptr;
   }
-  if (!type->is_string() && !e_.operator_applies(op, *type)) return wrong_operand(call, *type);
+  if (!type->is_string() && !e_.operators().operator_applies(op, *type)) return wrong_operand(call, *type);
   ValuePtr result = make(ValueKind::Chain, a_.type_table().boolean(), call.where);
   result->op = op;
   result->operands = std::move(values);

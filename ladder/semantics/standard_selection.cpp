@@ -56,7 +56,7 @@ ValuePtr StandardAnalyzer::limit(const Expression& call, Values values, int) {
 }
 
 ValuePtr StandardAnalyzer::select(const Expression& call, Values values, int) {
-  values[0] = e_.convert(std::move(values[0]), a_.type_table().boolean(), call.where);
+  values[0] = e_.conversions().convert(std::move(values[0]), a_.type_table().boolean(), call.where);
   if (!values[0]) return nullptr;
   const Type* type = unify(values, 1, call.where);
   if (type == nullptr) return nullptr;

@@ -57,15 +57,15 @@ std::optional<std::uint32_t> StandardAnalyzer::text_operands(const Expression& c
         wrong_operand(call, *values[i]->type, "convert it with TO_STRING(...)");
         return std::nullopt;
       }
-      values[i] = e_.convert(std::move(values[i]), text, where);
+      values[i] = e_.conversions().convert(std::move(values[i]), text, where);
       if (!values[i]) return std::nullopt;
       capacity = std::min(capacity + values[i]->type->capacity, bytecode::kMaxStringCapacity);
       continue;
     }
-    values[i] = e_.counted(e_.settle(std::move(values[i])));
+    values[i] = e_.conversions().bits().counted(e_.conversions().settle(std::move(values[i])));
     if (!values[i]) return std::nullopt;
     if (!values[i]->type->is_integer()) {
-      e_.mismatch(*values[i]->type, *types.elementary(ElementaryType::Int), where);
+      e_.conversions().mismatch(*values[i]->type, *types.elementary(ElementaryType::Int), where);
       return std::nullopt;
     }
     // No string is longer than the bound.
@@ -83,7 +83,7 @@ ValuePtr StandardAnalyzer::measure(const Expression& call, Values values, int wh
   if (!capacity) return nullptr;
   const bool small = values[0]->type->capacity <= kMostOfInt;
   const Type* type = a_.type_table().elementary(small ? ElementaryType::Int : ElementaryType::Dint);
-  return e_.text_operation(static_cast<StringOpId>(which), type, std::move(values), call.where);
+  return text_operation(static_cast<StringOpId>(which), type, std::move(values), call.where);
 }
 
 ValuePtr StandardAnalyzer::join(const Expression& call, Values values, int which) {
@@ -91,7 +91,7 @@ ValuePtr StandardAnalyzer::join(const Expression& call, Values values, int which
   const auto capacity = text_operands(call, values, op == StringOpId::ConcatS ? values.size() : 2);
   if (!capacity) return nullptr;
   const Type* type = a_.type_table().string(values[0]->type->elementary, *capacity);
-  return e_.text_operation(op, type, std::move(values), call.where);
+  return text_operation(op, type, std::move(values), call.where);
 }
 
 ValuePtr StandardAnalyzer::cut(const Expression& call, Values values, int which) {
@@ -102,7 +102,7 @@ ValuePtr StandardAnalyzer::cut(const Expression& call, Values values, int which)
   if (takes && values[1]->constant.integer < *capacity)
     capacity = static_cast<std::uint32_t>(values[1]->constant.integer);
   const Type* type = a_.type_table().string(values[0]->type->elementary, *capacity);
-  return e_.text_operation(op, type, std::move(values), call.where);
+  return text_operation(op, type, std::move(values), call.where);
 }
 
 }  // namespace stepwright::semantics::internal

@@ -66,13 +66,13 @@ ValuePtr StandardAnalyzer::time_operation(const Expression& call, Values values,
     const auto type = static_cast<ElementaryType>(which >> (i == 0 ? 8 : 0) & 0xFF);
     const Position where = values[i]->where;
     if (type != Bool) {
-      values[i] = e_.convert(std::move(values[i]), types.elementary(type), where);
+      values[i] = e_.conversions().convert(std::move(values[i]), types.elementary(type), where);
       if (!values[i]) return nullptr;
     } else if (!values[i]->type->is_number()) {
       return wrong_operand(call, *values[i]->type, "the factor is a number");
     }
   }
-  return e_.combine(op, std::move(values[0]), std::move(values[1]), call.where);
+  return e_.operators().combine(op, std::move(values[0]), std::move(values[1]), call.where);
 }
 
 ValuePtr StandardAnalyzer::now(const Expression& call, Values, int) {

@@ -138,7 +138,7 @@ std::optional<Statement> StatementAnalyzer::assign(const syntax::Statement& stat
     return std::nullopt;
   }
   if (wire != nullptr) deduce(*wire, value->type, statement.value->where);
-  auto target = expressions_.place(*statement.target, Access::Write);
+  auto target = expressions_.places().place(*statement.target, Access::Write);
   if (wire == nullptr) value = expressions_.value(*statement.value);
   if (!target || !value) return std::nullopt;
   if (target->type->kind == TypeKind::Instance) {
@@ -146,7 +146,7 @@ std::optional<Statement> StatementAnalyzer::assign(const syntax::Statement& stat
              "assign its inputs, or pass it as VAR_IN_OUT");
     return std::nullopt;
   }
-  value = expressions_.convert(std::move(value), target->type, statement.value->where);
+  value = expressions_.conversions().convert(std::move(value), target->type, statement.value->where);
   if (!value) return std::nullopt;
   Statement result = make(StatementKind::Assign, statement.where);
   result.target = std::move(*target);
@@ -157,7 +157,7 @@ std::optional<Statement> StatementAnalyzer::assign(const syntax::Statement& stat
 // ref ?= other: without inheritance a reference leads to what its type says, so that the attempt succeeds
 // exactly if the types are equal; it is NULL otherwise (6.6.6.7.3).
 std::optional<Statement> StatementAnalyzer::attempt(const syntax::Statement& statement) {
-  auto target = expressions_.place(*statement.target, Access::Write);
+  auto target = expressions_.places().place(*statement.target, Access::Write);
   ValuePtr value = expressions_.value(*statement.value);
   if (!target || !value) return std::nullopt;
   const bool refers = value->type->is_reference() || value->type->kind == TypeKind::Null;
@@ -250,7 +250,7 @@ std::optional<Statement> StatementAnalyzer::select(const syntax::Statement& stat
 
 std::optional<Statement> StatementAnalyzer::count(const syntax::Statement& statement) {
   Statement result = make(StatementKind::For, statement.where);
-  auto target = expressions_.place(*statement.target, Access::Write);
+  auto target = expressions_.places().place(*statement.target, Access::Write);
   bool sound = target.has_value();
   if (sound && !target->type->is_integer()) {
     a_.error(code::kBadForVariable, statement.target->where,

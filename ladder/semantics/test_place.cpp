@@ -23,7 +23,7 @@ std::string path_of(const Expression& expression) {
 
 }  // namespace
 
-std::optional<Place> ExpressionAnalyzer::program_instance(const syntax::Name& name) const {
+std::optional<Place> Places::program_instance(const syntax::Name& name) const {
   for (const ProgramInstance& each : a_.model.instances) {
     if (!naming::same_name(each.name, name.text)) continue;
     Place place;
@@ -35,14 +35,14 @@ std::optional<Place> ExpressionAnalyzer::program_instance(const syntax::Name& na
   return std::nullopt;
 }
 
-bool ExpressionAnalyzer::is_unconfigured(const syntax::Name& name) const {
+bool Places::is_unconfigured(const syntax::Name& name) const {
   const auto found = a_.pous.find(name.id.value);
   return in_test() && a_.model.instances.empty() && a_.sink.has_errors() && found != a_.pous.end() &&
          found->second->kind == PouKind::Program;
 }
 
 // The lowering of a chart keeps S.X in the variable S_X.
-std::optional<Place> ExpressionAnalyzer::step_flag(const Expression& expression) {
+std::optional<Place> Places::step_flag(const Expression& expression) {
   const std::string& flag = a_.names.folded(expression.name.id);
   const Expression& step = *expression.operands[0];
   if ((flag != "X" && flag != "T") || step.kind != ExpressionKind::Field) return std::nullopt;
@@ -60,7 +60,7 @@ std::optional<Place> ExpressionAnalyzer::step_flag(const Expression& expression)
   return owner;
 }
 
-std::optional<Place> ExpressionAnalyzer::inner_place(Place base, const Expression& expression) {
+std::optional<Place> Places::inner_place(Place base, const Expression& expression) {
   const syntax::Name& name = expression.name;
   const Variable* found = base.type->pou->find(name.id);
   if (found == nullptr) {

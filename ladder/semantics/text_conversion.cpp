@@ -2,7 +2,8 @@
 
 #include <utility>
 
-#include "ladder/semantics/internal/expression_analyzer.h"
+#include "ladder/semantics/internal/explicit_conversions.h"
+#include "ladder/semantics/internal/text.h"
 
 namespace stepwright::semantics::internal {
 
@@ -40,13 +41,10 @@ const Row* row_of(const Type& type) {
   return nullptr;
 }
 
-bool is_character(const Type& type) {
-  return type.is(Char) || type.is(Wchar);
-}
-
 }  // namespace
 
-ValuePtr ExpressionAnalyzer::text_conversion(ValuePtr value, const Type* to, const syntax::Expression& call) {
+ValuePtr ExplicitConversions::text_conversion(ValuePtr value, const Type* to,
+                                              const syntax::Expression& call) {
   const Type* from = value->type;
   ValuePtr result;
   if (from->is_string() && to->is_string()) {
@@ -77,11 +75,11 @@ ValuePtr ExpressionAnalyzer::text_conversion(ValuePtr value, const Type* to, con
 }
 
 // A value as the literal that stands for it.
-ValuePtr ExpressionAnalyzer::to_text(ValuePtr value, const Type* to, const syntax::Expression& call) {
+ValuePtr ExplicitConversions::to_text(ValuePtr value, const Type* to, const syntax::Expression& call) {
   const TypeTable& types = a_.type_table();
   if (is_character(*value->type)) {
     const Type* character = types.elementary(to->elementary == Wstring ? Wchar : Char);
-    return convert_text(convert_exactly(std::move(value), character), to, call.where);
+    return c_.convert_text(convert_exactly(std::move(value), character), to, call.where);
   }
   const Row* row = row_of(*value->type);
   if (row == nullptr) return no_conversion(*value->type, *to, call);
@@ -90,8 +88,8 @@ ValuePtr ExpressionAnalyzer::to_text(ValuePtr value, const Type* to, const synta
                         call.where);
 }
 
-ValuePtr ExpressionAnalyzer::no_conversion(const Type& from, const Type& to, const syntax::Expression& call,
-                                           std::string hint) {
+ValuePtr ExplicitConversions::no_conversion(const Type& from, const Type& to, const syntax::Expression& call,
+                                            std::string hint) {
   a_.error(code::kTypeMismatch, call.where,
            "there is no conversion from " + plain_name(from) + " to " + plain_name(to), std::move(hint));
   return nullptr;

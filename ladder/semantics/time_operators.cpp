@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "ladder/semantics/internal/standard_analyzer.h"
+#include "ladder/semantics/internal/operators.h"
 
 namespace stepwright::semantics::internal {
 
@@ -29,9 +29,9 @@ constexpr Row kRows[] = {
 
 }  // namespace
 
-ValuePtr ExpressionAnalyzer::combine_time(Operator op, ValuePtr left, ValuePtr right, Position where) {
+ValuePtr Operators::combine_time(Operator op, ValuePtr left, ValuePtr right, Position where) {
   if (op == Operator::Multiply && right->type->is_time()) std::swap(left, right);
-  right = counted(std::move(right));
+  right = c_.bits().counted(std::move(right));
   const bool scales = (op == Operator::Multiply || op == Operator::Divide) && left->type->is_time() &&
                       right->type->is_number();
   if (scales) return scale_time(op, std::move(left), std::move(right), where);
@@ -55,12 +55,12 @@ ValuePtr ExpressionAnalyzer::combine_time(Operator op, ValuePtr left, ValuePtr r
 }
 
 // TIME * number, number * TIME, TIME / number. With a real in LREAL, rounded.
-ValuePtr ExpressionAnalyzer::scale_time(Operator op, ValuePtr left, ValuePtr right, Position where) {
+ValuePtr Operators::scale_time(Operator op, ValuePtr left, ValuePtr right, Position where) {
   const TypeTable& types = a_.type_table();
   const Type* time = types.elementary(Time);
   const bool with_real = right->type->is_real();
   const Type* factor = types.elementary(with_real ? Lreal : Lint);
-  right = convert(std::move(right), factor, where);
+  right = c_.convert(std::move(right), factor, where);
   if (!right) return nullptr;
   if (op == Operator::Divide && !with_real && right->kind == ValueKind::Constant &&
       right->constant.integer == 0) {
@@ -85,13 +85,12 @@ ValuePtr ExpressionAnalyzer::scale_time(Operator op, ValuePtr left, ValuePtr rig
   return result;
 }
 
-ValuePtr ExpressionAnalyzer::within_day(ValuePtr value) {
+ValuePtr Operators::within_day(ValuePtr value) {
   const Type* type = value->type;
   const Position where = value->where;
   std::vector<ValuePtr> operands;
   operands.push_back(std::move(value));
-  return StandardAnalyzer(a_, *this).make_standard(StandardFunction::TimeOfDay, type, std::move(operands),
-                                                   where);
+  return make_standard(StandardFunction::TimeOfDay, type, std::move(operands), where);
 }
 
 }  // namespace stepwright::semantics::internal

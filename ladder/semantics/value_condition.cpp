@@ -36,13 +36,14 @@ __int128 most_of_digits(unsigned digits) {
 }  // namespace
 
 ValuePtr ValueCondition::compare(const Value& operand, Operator op, Constant bound) {
-  return e_.combine(op, again(operand), make_constant(bound, operand.type, operand.where), operand.where);
+  return e_.operators().combine(op, again(operand), make_constant(bound, operand.type, operand.where),
+                                operand.where);
 }
 
 ValuePtr ValueCondition::both(ValuePtr left, ValuePtr right) {
   if (!left || !right) return nullptr;
   const Position where = left->where;
-  return e_.combine(Operator::And, std::move(left), std::move(right), where);
+  return e_.operators().combine(Operator::And, std::move(left), std::move(right), where);
 }
 
 ValuePtr ValueCondition::neither(ValuePtr wrong) {
@@ -84,9 +85,9 @@ ValuePtr ValueCondition::has_value(const Value& called, ErrorTest test) {
       return takes_arguments(called);
     case ErrorTest::FirstCharacter: {
       const Type* dint = a_.type_table().elementary(ElementaryType::Dint);
-      return e_.combine(Operator::Greater,
-                        e_.text_operation(StringOpId::LengthS, dint, again(first), first.where),
-                        make_constant({0}, dint, first.where), first.where);
+      return e_.operators().combine(Operator::Greater,
+                                    text_operation(StringOpId::LengthS, dint, again(first), first.where),
+                                    make_constant({0}, dint, first.where), first.where);
     }
     case ErrorTest::Counts:
       break;
@@ -146,11 +147,13 @@ ValuePtr ValueCondition::is_duration(const Value& called) {
   constexpr double kLimit = 9223372036854775808.0;
   const auto in_ns = [&] {
     const auto unit = static_cast<double>(time_unit_ns(*called.type));
-    return e_.combine(Operator::Multiply, e_.convert_exactly(again(first), real),
-                      make_constant({0, unit}, real, where), where);
+    return e_.operators().combine(Operator::Multiply, convert_exactly(again(first), real),
+                                  make_constant({0, unit}, real, where), where);
   };
-  return both(e_.combine(Operator::GreaterEqual, in_ns(), make_constant({0, -kLimit}, real, where), where),
-              e_.combine(Operator::Less, in_ns(), make_constant({0, kLimit}, real, where), where));
+  return both(
+      e_.operators().combine(Operator::GreaterEqual, in_ns(), make_constant({0, -kLimit}, real, where),
+                             where),
+      e_.operators().combine(Operator::Less, in_ns(), make_constant({0, kLimit}, real, where), where));
 }
 
 // NaN is no error of these.
@@ -177,13 +180,13 @@ ValuePtr ValueCondition::is_power(const Value& base, const Value& exponent) {
                         compare(exponent, Operator::Greater, {0, -kWhole}));
   ValuePtr whole = make(ValueKind::Truncate, a_.type_table().elementary(ElementaryType::Lint), where);
   whole->operands.push_back(again(exponent));
-  whole = e_.combine(Operator::Equal, e_.convert_exactly(std::move(whole), exponent.type), again(exponent),
-                     where);
+  whole = e_.operators().combine(Operator::Equal, convert_exactly(std::move(whole), exponent.type),
+                                 again(exponent), where);
   // Cut only if the integer type holds it.
   ValuePtr has_root = neither(both(std::move(roots), std::move(small)));
   if (!has_root || !whole) return nullptr;
   return both(neither(std::move(pole)),
-              e_.combine(Operator::OrElse, std::move(has_root), std::move(whole), where));
+              e_.operators().combine(Operator::OrElse, std::move(has_root), std::move(whole), where));
 }
 
 ValuePtr ValueCondition::takes_arguments(const Value& called) {
@@ -202,18 +205,18 @@ ValuePtr ValueCondition::is_literal(const Value& called) {
   const Value& text = *called.operands[0];
   const Type& type = *called.type;
   const TypeTable& types = a_.type_table();
-  ValuePtr good = e_.text_operation(bytecode::test_of(read), types.boolean(), again(text), text.where);
+  ValuePtr good = text_operation(bytecode::test_of(read), types.boolean(), again(text), text.where);
   const bool narrow = (type.is_integer() || type.is_bits()) && type.size < 8;
   if (!narrow) return good;
   const Type* whole = types.elementary(type.is_unsigned() ? ElementaryType::Ulint : ElementaryType::Lint);
   const IntegerRange range = range_of(type.elementary);
   const auto bounded = [&](Operator op, __int128 bound) {
-    return e_.combine(op, e_.text_operation(read, whole, again(text), text.where),
-                      make_constant({bound}, whole, text.where), text.where);
+    return e_.operators().combine(op, text_operation(read, whole, again(text), text.where),
+                                  make_constant({bound}, whole, text.where), text.where);
   };
   ValuePtr held = bounded(Operator::LessEqual, range.high);
   if (!type.is_unsigned()) held = both(bounded(Operator::GreaterEqual, range.low), std::move(held));
-  return e_.combine(Operator::AndThen, std::move(good), std::move(held), text.where);
+  return e_.operators().combine(Operator::AndThen, std::move(good), std::move(held), text.where);
 }
 
 // BCD compares as what it stands for.

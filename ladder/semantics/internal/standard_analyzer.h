@@ -33,10 +33,8 @@ class StandardAnalyzer {
   // The arguments of a call in the order of the parameters; nothing after a report.
   std::optional<Values> arguments(const syntax::Expression& call, std::string_view formals,
                                   std::size_t least);
-  // A function of operands, folded if they are constants and the function has a value for them.
-  ValuePtr make_standard(StandardFunction function, const Type* type, Values values, Position where);
   // The result, unless it is a function of literals that has no value; then null after a report.
-  ValuePtr defined(ValuePtr result, Position where);
+  static ValuePtr defined(Analysis& analysis, ValuePtr result, Position where);
   // An integer, cut to the bounds.
   ValuePtr bounded(ValuePtr value, __int128 low, __int128 high);
   // The names of all functions, for hints.

@@ -1,11 +1,13 @@
 // Bit strings beside numbers, where the dialect has them (Dialect::bits_calculate): a bit string is the
 // unsigned integer of its bits where a number stands, an integer the bit string of its bits where one stands.
 
+#include "ladder/semantics/internal/bit_strings.h"
+
 #include <algorithm>
 #include <utility>
 
 #include "ladder/semantics/constant_conversion.h"
-#include "ladder/semantics/internal/expression_analyzer.h"
+#include "ladder/semantics/internal/make_value.h"
 
 namespace stepwright::semantics::internal {
 
@@ -32,7 +34,7 @@ bool is_typed_integer(const Type& type) {
 
 }  // namespace
 
-const Type* ExpressionAnalyzer::whole_type(std::uint32_t bytes, bool bits) const {
+const Type* BitStrings::whole_type(std::uint32_t bytes, bool bits) const {
   using enum ElementaryType;
   return a_.type_table().elementary(bytes == 1   ? (bits ? Byte : Usint)
                                     : bytes == 2 ? (bits ? Word : Uint)
@@ -40,40 +42,38 @@ const Type* ExpressionAnalyzer::whole_type(std::uint32_t bytes, bool bits) const
                                                  : (bits ? Lword : Ulint));
 }
 
-bool ExpressionAnalyzer::exchanges_bits(const Type& from, const Type& to) const {
+bool BitStrings::exchanges_bits(const Type& from, const Type& to) const {
   if (is_typed_integer(from) && to.is_bits()) return to.bit_count() >= from.bit_count();
   if (!from.is_bits()) return false;
   if (is_typed_integer(to)) return to.bit_count() >= from.bit_count();
   return to.is_real() && widens(*whole_type(from.size, false), to);
 }
 
-ValuePtr ExpressionAnalyzer::counted(ValuePtr value) const {
+ValuePtr BitStrings::counted(ValuePtr value) const {
   if (!value || !a_.dialect->bits_calculate || !value->type->is_bits()) return value;
   const Type* number = whole_type(value->type->size, false);
   return convert_exactly(std::move(value), number);
 }
 
-ValuePtr ExpressionAnalyzer::as_bits(ValuePtr value, std::uint32_t bytes) const {
+ValuePtr BitStrings::as_bits(ValuePtr value, std::uint32_t bytes) const {
   if (!value || !a_.dialect->bits_calculate || !is_typed_integer(*value->type)) return value;
   const Type* bits = whole_type(std::max(value->type->size, bytes), true);
   return convert_exactly(std::move(value), bits);
 }
 
-std::string ExpressionAnalyzer::bits_hint(const Type& type, std::string hint) const {
+std::string BitStrings::bits_hint(const Type& type, std::string hint) const {
   if (!type.is_bits() || a_.dialect->bits_calculate) return hint;
   return source::with_dialects(std::move(hint), &source::Dialect::bits_calculate);
 }
 
-// The type beside that of another operand.
-const Type& ExpressionAnalyzer::type_beside(const Value& value, const Value& other) const {
+const Type& BitStrings::type_beside(const Value& value, const Value& other) const {
   const Type& type = *value.type;
   if (!a_.dialect->bits_calculate || !type.is_bits() || !other.type->is_number()) return type;
   const bool is_code = other.type->kind == TypeKind::AnyInteger && fits(other.constant, type);
   return is_code ? type : *whole_type(type.size, false);
 }
 
-// How many bytes an operand needs: a literal no more than its value does.
-std::uint32_t ExpressionAnalyzer::whole_size(const Value& value) const {
+std::uint32_t BitStrings::whole_size(const Value& value) const {
   if (!value.type->is_literal()) return value.type->size;
   for (const std::uint32_t bytes : {1u, 2u, 4u})
     if (fits({std::max(value.constant.integer, -(value.constant.integer + 1))}, *whole_type(bytes, true)))
@@ -81,26 +81,10 @@ std::uint32_t ExpressionAnalyzer::whole_size(const Value& value) const {
   return 8;
 }
 
-bool ExpressionAnalyzer::works_on_bits(Operator op, const Type& left, const Type& right) {
+bool BitStrings::works_on_bits(Operator op, const Type& left, const Type& right) {
   if (!is_whole(left) || !is_whole(right)) return false;
   if (is_arithmetic(op)) return left.is_bits() || right.is_bits();
   return is_logic(op) && (is_typed_integer(left) || is_typed_integer(right));
-}
-
-// What is calculated is a bit string of the larger width, whose bits are those of signed arithmetic as well.
-ValuePtr ExpressionAnalyzer::combine_bits(Operator op, ValuePtr left, ValuePtr right, Position where) {
-  const std::uint32_t size = std::max(whole_size(*left), whole_size(*right));
-  for (ValuePtr* each : {&left, &right}) {
-    if ((*each)->type->is_literal()) continue;
-    if (is_logic(op)) {
-      *each = as_bits(std::move(*each), size);
-    } else {
-      *each = convert_exactly(counted(std::move(*each)), whole_type(size, false));
-    }
-  }
-  ValuePtr result = combine(op, std::move(left), std::move(right), where);
-  return result && is_arithmetic(op) ? convert_exactly(std::move(result), whole_type(size, true))
-                                     : std::move(result);
 }
 
 }  // namespace stepwright::semantics::internal
