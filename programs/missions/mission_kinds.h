@@ -1,54 +1,55 @@
 #pragma once
 
-// Mission of a cell's supervisor, of either kind: a PDDL problem ([planning]) or a fleet's ([fleet]).
+// The planner of a cell, by the list of planners (missions.def): opened from the cell's files, whichever it
+// is, for the supervisor's process and for `stepwright check`.
 //
-// Threads: `run` belongs to one; every other function but `begin` may be called from another one meanwhile.
+//   auto planner = missions::open(config);              // what is wrong with the planner's files
+//   auto mission = (*planner)->mission(controller, publish);
+//   run::RunRecord record = mission->run();
 //
-//   auto mission = CellMission::open(config);
-//   (*mission)->begin(controller, publish);
-//   run::RunRecord record = (*mission)->run();
-//   while ((*mission)->wait_start(1s)) record = (*mission)->run();
+// Threads: one uses a CellPlanner; a mission's are those of run::Mission.
 
-#include <chrono>
-#include <functional>
+#include <cstddef>
 #include <memory>
-#include <optional>
 #include <string>
+#include <vector>
 
 #include "programs/config/cell_config.h"
-#include "programs/supervisor/operator_request.h"
+#include "runtime/result/exit_code.h"
+#include "runtime/result/result.h"
 #include "supervisor/run/controller.h"
-#include "supervisor/run/run_record.h"
+#include "supervisor/run/mission.h"
 
-namespace stepwright::supervisor_program {
+namespace stepwright::missions {
 
-class CellMission {
- public:
-  using Observer =
-      std::function<void(const run::RunRecord&)>;  // after every change, from the thread of `run`
-
-  virtual ~CellMission() = default;
-  // Whether the cell has anything for a supervisor to do.
-  static bool is_wanted(const config::CellConfig& config);
-  // Reads all files; what is wrong with them. Requires that it is wanted.
-  [[nodiscard]] static result::Result<std::unique_ptr<CellMission>> open(const config::CellConfig& config);
-
-  // Once, before the others; the controller must outlive this.
-  virtual void begin(run::Controller& controller, Observer observer) = 0;
-  virtual run::RunRecord run() = 0;
-  // Waits until somebody wants another run after one that has ended; false after `timeout`.
-  virtual bool wait_start(std::chrono::milliseconds timeout) = 0;
-  // X0003 and others where the request cannot be meant, X0008 where not now.
-  [[nodiscard]] virtual result::Result<void> obey(const OperatorRequest& request) = 0;
-
-  // What a page makes a goal of (supervisor/doc/goals.md), JSON: the same for as long as this lives.
-  virtual std::string goal_form() const = 0;
-  // Where a plan would begin and what a what-if has come to, JSON; nothing if that is as it was at the last
-  // call. One thread at a time.
-  virtual std::optional<std::string> new_outlook() = 0;
+// The first plan of a cell, as the supervisor would make it at its start.
+struct FirstPlan {
+  std::size_t actions = 0;
+  double cost = 0.0;
+  std::vector<std::byte> program{};  // empty: there is no plan
+  std::string no_plan{};             // why, although nothing is wrong with the files
+  result::ExitCode exit = result::ExitCode::Done;
 };
 
-// X0003: a request that another kind of cell takes.
-[[nodiscard]] result::Result<void> not_of_this_cell(const char* hint);
+// Everything that a mission needs but its controller. A mission must not outlive it.
+class CellPlanner {
+ public:
+  virtual ~CellPlanner() = default;
 
-}  // namespace stepwright::supervisor_program
+  virtual std::unique_ptr<run::Mission> mission(run::Controller& controller,
+                                                run::Mission::Observer observer) = 0;
+  // Costs seconds. What is wrong with the cell's files, beyond what `open` has said.
+  [[nodiscard]] virtual result::Result<FirstPlan> first_plan() = 0;
+};
+
+// What every mission has to know of its cell.
+inline run::MissionOptions mission_options(const config::CellConfig& config) {
+  return {.cell = config.name,
+          .barrier = config.clock.mode == config::ClockMode::Simulated,
+          .operator_starts = config.executive.start == config::RunStart::Operator};
+}
+
+// Reads all files; what is wrong with them. Requires that the cell names a planner.
+[[nodiscard]] result::Result<std::unique_ptr<CellPlanner>> open(const config::CellConfig& config);
+
+}  // namespace stepwright::missions

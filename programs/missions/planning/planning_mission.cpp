@@ -1,77 +1,49 @@
-#include "programs/supervisor/planned_mission.h"
+// The cell of a PDDL problem ([planning]).
 
-#include <optional>
 #include <utility>
 
-#include "programs/config/executive_options.h"
-#include "supervisor/executive/goal_form.h"
+#include "programs/missions/mission_kinds.h"
+#include "programs/missions/planning/executive_options.h"
+#include "supervisor/pddl/plan/describe_run.h"
 
-namespace stepwright::supervisor_program {
+namespace stepwright::missions {
 namespace {
 
-class PlannedMission final : public CellMission {
+class PlanningPlanner final : public CellPlanner {
  public:
-  PlannedMission(const config::CellConfig& config, executive::PlanningService planning)
-      : options_(config::executive_options(config)),
-        planning_(std::move(planning)),
-        what_if_(planning_, config::what_if_options(config)),
-        outlook_(planning_) {}
+  PlanningPlanner(executive::ExecutiveOptions options, executive::PlanningService planning)
+      : options_(std::move(options)), planning_(std::move(planning)) {}
 
-  void begin(run::Controller& controller, Observer observer) override {
-    executive_.emplace(planning_, controller, options_, std::move(observer));
-  }
-  run::RunRecord run() override { return executive_->run(); }
-  bool wait_start(std::chrono::milliseconds timeout) override { return executive_->wait_start(timeout); }
-
-  result::Result<void> obey(const OperatorRequest& request) override {
-    if (const auto* start = std::get_if<StartRequest>(&request))
-      return executive_->request_start(start->goal);
-    if (const auto* question = std::get_if<WhatIfRequest>(&request))
-      return what_if_.ask({question->id, question->goal, executive_->outlook()});
-    if (const auto* cancel = std::get_if<CancelWhatIfRequest>(&request)) return what_if_.cancel(cancel->id);
-    if (std::holds_alternative<fleet::FleetChange>(request))
-      return not_of_this_cell("it has no fleet; change a fluent or the goal");
-    if (executive_->over()) return result::fail("X0008", {}, "the run is over", "start another one");
-    return obey_in_run(request);
+  std::unique_ptr<run::Mission> mission(run::Controller& controller,
+                                        run::Mission::Observer observer) override {
+    return std::make_unique<executive::Executive>(planning_, controller, options_, std::move(observer));
   }
 
-  std::string goal_form() const override { return executive::goal_form_json(planning_); }
-  std::optional<std::string> new_outlook() override {
-    const std::pair now{executive_->outlook_revision(), what_if_.revision()};
-    if (told_ == now) return std::nullopt;
-    told_ = now;
-    return outlook_.json(executive_->outlook(), what_if_.answer());
+  result::Result<FirstPlan> first_plan() override {
+    auto outcome = planning_.prepare({.start = {.planning = pddl::to_named(planning_.task().initial())}});
+    if (!outcome) return result::forward(outcome);
+    executive::PreparedPlan& prepared = outcome->prepared;
+    switch (outcome->status) {
+      case executive::PrepareStatus::Ready:
+        return FirstPlan{prepared.plan.actions.size(), prepared.plan.cost, std::move(prepared.container), {}};
+      case executive::PrepareStatus::Infeasible:
+        return FirstPlan{.no_plan = outcome->reason, .exit = result::ExitCode::NoPlan};
+      default:
+        return FirstPlan{.no_plan = outcome->reason, .exit = result::ExitCode::BudgetExhausted};
+    }
   }
 
  private:
-  result::Result<void> obey_in_run(const OperatorRequest& request) {
-    if (std::holds_alternative<HoldRequest>(request)) return executive_->request_hold();
-    if (std::holds_alternative<ResumeRequest>(request)) return executive_->request_resume();
-    if (const auto* goal = std::get_if<GoalRequest>(&request)) return executive_->request_goal(goal->goal);
-    if (const auto* change = std::get_if<ChangeRequest>(&request))
-      return executive_->request_change(change->fluent, change->value);
-    executive_->request_abort();
-    return {};
-  }
-
-  executive::ExecutiveOptions options_;
-  executive::PlanningService planning_;
-  std::optional<executive::Executive> executive_;
-  executive::WhatIf what_if_;
-  executive::OutlookWriter outlook_;
-  std::optional<std::pair<std::uint64_t, std::uint64_t>> told_;  // revisions of outlook and what-if
+  const executive::ExecutiveOptions options_;
+  const executive::PlanningService planning_;
 };
 
 }  // namespace
 
-bool has_planning(const config::CellConfig& config) {
-  return !config.planning.domain.empty();
-}
-
-result::Result<std::unique_ptr<CellMission>> open_planned_mission(const config::CellConfig& config) {
-  auto planning = executive::PlanningService::open(config::planning_options(config));
+result::Result<std::unique_ptr<CellPlanner>> open_planning(const config::CellConfig& config) {
+  auto planning = executive::PlanningService::open(planning_options(config));
   if (!planning) return result::forward(planning);
-  return std::make_unique<PlannedMission>(config, *std::move(planning));
+  return std::make_unique<PlanningPlanner>(executive_options(config), *std::move(planning));
 }
 
-}  // namespace stepwright::supervisor_program
+}  // namespace stepwright::missions
