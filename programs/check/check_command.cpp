@@ -8,58 +8,36 @@
 #include "hmi_web/alarms/definition_file.h"
 #include "hmi_web/drawing/drawing_file.h"
 #include "hmi_web/recipes/definition_file.h"
-#include "programs/check/check_fleet.h"
 #include "programs/check/check_processes.h"
 #include "programs/check/check_program.h"
-#include "programs/config/executive_options.h"
 #include "programs/config/state_dir.h"
+#include "programs/missions/mission_kinds.h"
 #include "programs/process/diagnostics_json.h"
 #include "programs/runtime/cell_io.h"
 #include "programs/runtime/host_options.h"
-#include "supervisor/pddl/plan/describe_run.h"
 
 namespace stepwright::check {
 namespace {
 
-// The cell's own problem: planned, translated and compiled, as the supervisor would do it at its start.
-void check_planning(const config::CellConfig& config, CheckReport& report) {
-  auto planning = executive::PlanningService::open(config::planning_options(config));
-  if (!planning) return add(report.problems, planning.error());
-  auto outcome = planning->prepare({.start = {.planning = pddl::to_named(planning->task().initial())}});
-  if (!outcome) return add(report.problems, outcome.error());
-  if (outcome->status == executive::PrepareStatus::Ready) {
-    report.program = "the program of the plan";
-    add(report.problems, check_program(config, {report.program, outcome->prepared.container}));
-    report.plan = {outcome->prepared.plan.actions.size(), outcome->prepared.plan.cost,
-                   outcome->prepared.container.size()};
-    return;
-  }
-  report.no_plan = outcome->reason;
-  report.plan_exit = outcome->status == executive::PrepareStatus::Infeasible
-                         ? result::ExitCode::NoPlan
-                         : result::ExitCode::BudgetExhausted;
-}
-
-// The first plan of its fleet, as the supervisor would make it at its start.
-void check_missions(const config::CellConfig& config, CheckReport& report) {
-  FleetCheck fleet = check_fleet(config);
-  add(report.problems, fleet.problems);
-  if (!fleet.no_plan.empty()) {
-    report.no_plan = fleet.no_plan;
-    report.plan_exit = fleet.proved ? result::ExitCode::NoPlan : result::ExitCode::BudgetExhausted;
-  }
-  if (fleet.program.empty()) return;
+// The first plan of its planner, as the supervisor would make it at its start.
+void check_mission(const config::CellConfig& config, CheckReport& report) {
+  auto planner = missions::open(config);
+  if (!planner) return add(report.problems, planner.error());
+  const auto first = (*planner)->first_plan();
+  if (!first) return add(report.problems, first.error());
+  report.no_plan = first->no_plan;
+  report.plan_exit = first->exit;
+  if (first->program.empty()) return;
   report.program = "the program of the plan";
-  add(report.problems, check_program(config, {report.program, fleet.program}));
-  report.plan = {fleet.stops, fleet.makespan_s, fleet.program.size()};
+  add(report.problems, check_program(config, {report.program, first->program}));
+  report.plan = {first->actions, first->cost, first->program.size()};
 }
 
 // A sound report must not be taken for more than it is.
 void note_unknown(const config::CellConfig& config, result::Diagnostics& problems) {
-  const bool plans = !config.planning.domain.empty() || !config.fleet.problem.empty();
   const bool ranges = config.modbus_server.enabled && !config.modbus_server.map.ranges.empty();
   const bool tags = !config.modbus_client.devices.empty();
-  if (plans || (!ranges && !tags)) return;
+  if (config.mission.table || (!ranges && !tags)) return;
   const result::Location where =
       ranges ? config.modbus_server.map.ranges.front().where : config.modbus_client.devices.front().where;
   problems.push_back({"C0530", result::Severity::Note, where,
@@ -114,10 +92,7 @@ CheckReport check_cell(const std::filesystem::path& file, const std::vector<std:
   }
   check_image(cell.config, image, report);
   // Planning costs seconds: not for a file that has to be changed anyway.
-  const bool plans = !cell.config.planning.domain.empty();
-  if (plans && !result::has_errors(report.problems)) check_planning(cell.config, report);
-  if (!cell.config.fleet.problem.empty() && !result::has_errors(report.problems))
-    check_missions(cell.config, report);
+  if (cell.config.mission.table && !result::has_errors(report.problems)) check_mission(cell.config, report);
   sort(report.problems);
   return report;
 }

@@ -54,42 +54,6 @@ void read_safe_state(const TomlTable& table, CellConfig& config) {
       std::chrono::milliseconds(table.integer("supervisor_lost_after_ms", 1'000, {100, 600'000}));
 }
 
-std::filesystem::path file_of(const TomlTable& table, const char* key, const std::filesystem::path& folder,
-                              const std::string& text) {
-  const std::filesystem::path path = folder / text;
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error)) {
-    table.report(key, "there is no file " + path.string(), "paths are taken from the folder of this file");
-  }
-  return path;
-}
-
-std::filesystem::path required_file(const TomlTable& table, const char* key,
-                                    const std::filesystem::path& folder) {
-  const std::string text = table.required_text(key);
-  return text.empty() ? std::filesystem::path() : file_of(table, key, folder, text);
-}
-
-void read_planning(const TomlTable& table, const std::filesystem::path& folder, bool real,
-                   PlanningConfig& planning) {
-  planning.domain = required_file(table, "domain", folder);
-  planning.problem = required_file(table, "problem", folder);
-  planning.binding = required_file(table, "binding", folder);
-  for (const std::string& text : table.texts("programs"))
-    planning.programs.push_back(file_of(table, "programs", folder, text));
-  std::vector<std::string> dialects;
-  for (const source::Dialect& each : source::dialects()) dialects.emplace_back(each.name);
-  planning.dialect = source::find_dialect(table.choice("dialect", dialects.front(), dialects));
-  planning.optimal = table.boolean("optimal", planning.optimal);
-  planning.sequential = table.boolean("sequential", planning.sequential);
-  planning.initial =
-      table.choice("initial", real ? "observed" : "problem", {"problem", "observed"}) == "observed"
-          ? InitialState::Observed
-          : InitialState::Problem;
-  planning.monitors = table.boolean("monitors", planning.monitors);
-  planning.time = std::chrono::milliseconds(table.integer("time_ms", planning.time.count(), {1, 86'400'000}));
-}
-
 void read_addresses(const TomlTable& table, DdsConfig& dds) {
   if (table.has("interfaces")) dds.interfaces = table.texts("interfaces");
   dds.peers = table.texts("peers");
@@ -216,15 +180,7 @@ CellReading read_cell_config(const std::filesystem::path& file, const std::vecto
                                              config.image.input_bytes, config.image.output_bytes},
                                             found);
   config.modbus_client_metrics = read_metrics(root.table("modbus").table("client"));
-  if (root.has("planning"))
-    read_planning(root.table("planning"), folder, config.safety.io.shared_memory, config.planning);
-  if (root.has("fleet")) {
-    config.fleet = read_fleet_mission(root.table("fleet"), folder);
-    if (root.has("planning")) {
-      root.report("fleet", "the cell has [planning] and [fleet]",
-                  "a cell has one mission: leave one of them out", "0545");
-    }
-  }
+  config.mission = missions::read_mission(root, {folder, config.safety.io.shared_memory});
   for (const TomlTable& fault : root.tables("faults")) {
     config.faults.push_back({fault.required_number("at_s", {0.0, 1e9}), fault.required_text("name"),
                              fault.required_number("value"), fault.where("name")});

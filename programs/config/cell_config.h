@@ -15,7 +15,6 @@
 #include <string>
 #include <vector>
 
-#include "ladder/source/dialect.h"
 #include "programs/config/change_config.h"
 #include "programs/config/controller_config.h"
 #include "programs/config/fleet_config.h"
@@ -28,6 +27,7 @@
 #include "programs/config/retain_config.h"
 #include "programs/config/safety_config.h"
 #include "programs/config/task_config.h"
+#include "programs/missions/table/mission_tables.h"
 #include "runtime/result/result.h"
 #include "runtime/settings/toml_document.h"
 
@@ -36,8 +36,6 @@ namespace stepwright::config {
 enum class ClockMode : std::uint8_t { Simulated, Real };
 enum class LostSupervisorPolicy : std::uint8_t { Continue, Safe };
 enum class RunStart : std::uint8_t { Auto, Operator };
-// Where the first plan starts: as the problem says, or where sensors show something, as they show it.
-enum class InitialState : std::uint8_t { Problem, Observed };
 enum class EngineKind : std::uint8_t { Auto, Native, Vm };
 
 struct ClockConfig {
@@ -84,21 +82,6 @@ struct ImageConfig {
   std::uint32_t output_bytes = 64;
 };
 
-// All empty where the cell has no [planning] table: a runtime with hand-written programs only.
-struct PlanningConfig {
-  std::filesystem::path domain;
-  std::filesystem::path problem;
-  std::filesystem::path binding;
-  std::vector<std::filesystem::path> programs;   // PLCopen XML, hand-written; run behind the plan in its task
-  bool optimal = true;                           // prove the optimum before the start (within `time`)
-  std::chrono::milliseconds time{10'000};        // budget of one planning or replanning
-  bool sequential = false;                       // strictly sequential chart, as in the paper
-  InitialState initial = InitialState::Problem;  // Observed where the I/O is real
-  bool monitors = true;  // rungs that watch the plan in the scan; false for small controllers
-  // What hand-written programs, and sources that the page brings, may write beside the standard.
-  const source::Dialect* dialect = &source::standard_dialect();
-};
-
 struct ExecutiveConfig {
   int max_replans = 8;                      // then the plant is left in its safe state
   std::string report_fluent;                // what the report follows per action; empty: the metric
@@ -138,8 +121,7 @@ struct CellConfig {
   SafetyConfig safety;  // [safe_state] by cause and output, [watchdog], [tasks.NAME], [guard], [io]
   LostSupervisorPolicy on_lost_supervisor = LostSupervisorPolicy::Continue;
   std::chrono::milliseconds supervisor_lost_after{1'000};
-  PlanningConfig planning;
-  FleetMissionConfig fleet;  // [fleet]; a cell has this or [planning]
+  missions::CellMission mission;  // the table of its planner, [planning], [fleet]; or none
   ExecutiveConfig executive;
   DdsConfig dds;
   HmiConfig hmi;

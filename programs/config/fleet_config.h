@@ -22,10 +22,7 @@
 //
 // Thread-safe: pure.
 
-#include <chrono>
-#include <cstdint>
 #include <filesystem>
-#include <string>
 #include <vector>
 
 #include "runtime/result/diagnostic.h"
@@ -61,58 +58,5 @@ struct FleetPlantConfig {
 
 // What is wrong is reported to the document of `plant`. Relative paths are taken from `folder`.
 FleetPlantConfig read_fleet_plant(const settings::TomlTable& plant, const std::filesystem::path& folder);
-
-// A load that somebody orders while the fleet runs.
-struct FleetOrderConfig {
-  double at_s = 0.0;
-  std::string name;
-  std::string from;
-  std::string to;
-  std::uint32_t amount = 1;
-  result::Location where;
-};
-
-// What an operator asks for at that time: "return" of a vehicle that was lost, "hold" of all, "resume" after
-// that or after an emergency stop.
-struct FleetRequestConfig {
-  double at_s = 0.0;
-  std::string request;
-  std::string vehicle;  // of "return"
-  result::Location where;
-};
-
-// [fleet]: what the supervisor has the fleet do.
-//
-//   [fleet]
-//   problem = "warehouse.json"   # supervisor/doc/fleet_problems.md
-//   path_factor = 1.5            # paths are proved to cost at most so many times the least
-//   time_ms = 0                  # budget of a planning; 0: none, so that plans are the same on every machine
-//   late_ms = 3000               # who is later than scheduled by more gives all others new times
-//   hold_s = 3600                # so long an emergency stop holds the fleet until somebody lets it go on
-//   attended = true              # somebody can see to what the fleet cannot do; false: then the run ends
-//   [[fleet.orders]]             # somebody orders this at that time
-//   at_s = 60.0
-//   name = "order 43"
-//   from = "rack A"
-//   to = "outbound"
-//   amount = 1
-//   [[fleet.requests]]           # an operator asks for this at that time
-//   at_s = 90.0
-//   request = "return"           # or "hold", "resume", without a vehicle
-//   vehicle = "truck 2"
-struct FleetMissionConfig {
-  std::filesystem::path problem;  // empty: the supervisor has no fleet
-  double path_factor = 1.5;
-  std::chrono::milliseconds time{0};
-  std::chrono::milliseconds late{3'000};
-  std::chrono::seconds hold{3'600};
-  bool attended = true;
-  std::vector<FleetOrderConfig> orders;
-  std::vector<FleetRequestConfig> requests;
-  result::Location where;  // of `problem`
-};
-
-// A file that is not there is reported to the document of `fleet`.
-FleetMissionConfig read_fleet_mission(const settings::TomlTable& fleet, const std::filesystem::path& folder);
 
 }  // namespace stepwright::config

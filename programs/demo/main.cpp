@@ -193,17 +193,21 @@ int run_demo(const DemoOptions& options) {
   }
   // What people would have to see to ends a run at which nobody can look; whoever sets the value himself
   // wins.
-  if (options.headless && !config->fleet.problem.empty())
-    overrides->insert(overrides->begin(), "fleet.attended=false");
+  const missions::MissionTable* const mission = config->mission.table.get();
+  if (options.headless && mission != nullptr) {
+    const auto unattended = mission->unattended();
+    overrides->insert(overrides->begin(), unattended.begin(), unattended.end());
+  }
   auto run = run_once(setting, *overrides, options.state_dir, 0);
   if (!run) return fail(run.error(), ExitCode::RuntimeFault);
   std::optional<CellRunResult> sequential;
   // Two charts are compared on the host: on a controller that says the same and takes its time.
-  const bool planned = config->fleet.problem.empty();  // a fleet's missions are never sequential
-  const bool compare = options.compare && planned && !options.sequential && !config->controller.remote();
+  const std::string in_sequence = mission == nullptr ? std::string() : mission->in_sequence();
+  const bool compare =
+      options.compare && !in_sequence.empty() && !options.sequential && !config->controller.remote();
   if (run->report && run->exit == ExitCode::Done && compare && !stop_requested) {
     std::vector<std::string> strict = *overrides;
-    strict.emplace_back("planning.sequential=true");
+    strict.push_back(in_sequence);
     strict.emplace_back("clock.speed=0");
     Setting again = setting;
     again.page = false;

@@ -20,10 +20,9 @@ std::int64_t real_time_ns() {
 result::Result<recorder::RecorderOptions> options_of(const config::CellConfig& config,
                                                      const protocol::Synoptic& synoptic) {
   const config::HistoryConfig& history = config.history;
-  const bool plans = !config.planning.domain.empty();
   recorder::BuiltInAlarms wanted;
-  wanted.supervisor = plans || !config.fleet.problem.empty();
-  wanted.monitors = plans && config.planning.monitors ? kMostMonitors : 0;
+  wanted.supervisor = config.mission.table != nullptr;
+  wanted.monitors = wanted.supervisor && config.mission.table->has_monitors() ? kMostMonitors : 0;
   recorder::RecorderOptions options;
   options.folder = history.folder;
   options.real_time = config.clock.mode == config::ClockMode::Real;

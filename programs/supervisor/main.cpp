@@ -19,11 +19,10 @@
 #include "programs/log/logger.h"
 #include "programs/log/refused_samples.h"
 #include "programs/log/reload_log.h"
+#include "programs/missions/mission_kinds.h"
 #include "programs/process/command_line.h"
 #include "programs/process/notify_socket.h"
 #include "programs/process/reload_signal.h"
-#include "programs/supervisor/cell_mission.h"
-#include "programs/supervisor/operator_request.h"
 #include "runtime/dds/plan_channel.h"
 #include "runtime/result/exit_code.h"
 #include "runtime/result/last_barrier.h"
@@ -54,8 +53,8 @@ struct Shared {
   std::string of(const config::CellConfig& config) const { return cells > 1 ? config.name + ": " : ""; }
 };
 
-result::Result<void> obey(supervisor_program::CellMission& mission, const std::string& text) {
-  auto request = supervisor_program::parse_operator_request(text);
+result::Result<void> obey(run::Mission& mission, const std::string& text) {
+  auto request = run::Request::parse(text);
   if (!request) return result::forward(request);
   return mission.obey(*request);
 }
@@ -98,8 +97,8 @@ void write_file(const std::filesystem::path& file, const std::string& text) {
 // Attends one cell. Returns when that cannot be done, or, with `once`, when its run is over.
 int attend(const config::CellConfig& config, bool once, Shared& shared) {
   if (auto made = config::claim_state_dir(config); !made) return fail(made.error(), ExitCode::BadInput);
-  auto mission = supervisor_program::CellMission::open(config);
-  if (!mission) return fail(mission.error(), ExitCode::BadInput);
+  auto planner = missions::open(config);
+  if (!planner) return fail(planner.error(), ExitCode::BadInput);
   dds::ParticipantConfig participant = config::participant_of(config.dds, "supervisor");
   participant.on_trouble = log::refused_samples(shared.log);
   std::unique_lock joining(shared.joining);
@@ -122,30 +121,30 @@ int attend(const config::CellConfig& config, bool once, Shared& shared) {
   joining.unlock();
 
   std::string last_line;
-  (*mission)->begin(**controller, [&](const run::RunRecord& record) {
+  const auto mission = (*planner)->mission(**controller, [&](const run::RunRecord& record) {
     narrate(record, last_line, config, shared);
     (void)(*publisher)->publish(to_json(record));  // viewers keep the last one
   });
-  (void)(*publisher)->publish_goal_form((*mission)->goal_form());
+  (void)(*publisher)->publish_goal_form(mission->goal_form());
   std::jthread requests([&](const std::stop_token& stop) {
     while (!stop.stop_requested()) {
       const auto thrown = result::thrown_by([&] {
         if (const auto request = (*publisher)->wait_request(kLook))
-          answer(**publisher, *request, obey(**mission, request->text), shared.of(config), shared.log);
-        if (const auto outlook = (*mission)->new_outlook()) (void)(*publisher)->publish_outlook(*outlook);
+          answer(**publisher, *request, obey(*mission, request->text), shared.of(config), shared.log);
+        if (const auto outlook = mission->new_outlook()) (void)(*publisher)->publish_outlook(*outlook);
       });
       if (thrown) shared.log.error("requests", shared.of(config) + "a request failed: " + *thrown);
     }
   });
   while (true) {
-    const run::RunRecord record = (*mission)->run();
+    const run::RunRecord record = mission->run();
     const run::Report report{record, final_status(**controller)};
     write_file(config.report_path(), run::to_json(report));
     std::printf("%s%s", shared.of(config).c_str(), run::report_table(record).c_str());
     std::fflush(stdout);
     shared.init.status(shared.of(config) + to_string(record.phase));
     if (once) return to_int(record.exit);
-    while (!(*mission)->wait_start(std::chrono::seconds(1))) {  // viewers still want the document
+    while (!mission->wait_start(std::chrono::seconds(1))) {  // viewers still want the document
     }
   }
 }
@@ -155,10 +154,9 @@ result::Diagnostics check(std::span<const config::CellConfig> cells) {
   result::Diagnostics problems;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const result::Location where{cells[i].file.string(), 0, 0};
-    if (!supervisor_program::CellMission::is_wanted(cells[i])) {
-      problems.push_back({"C0005", result::Severity::Error, where,
-                          "there is no [planning] table and no [fleet]",
-                          "name domain, problem and binding there, or the problem of a fleet"});
+    if (!cells[i].mission.table) {
+      problems.push_back({"C0005", result::Severity::Error, where, "there is no table of a planner",
+                          "one of " + missions::mission_tables()});
     }
     for (std::size_t j = 0; j < i; ++j) {
       const bool same = cells[i].dds.runtime_id == cells[j].dds.runtime_id &&

@@ -6,6 +6,7 @@
 #include <system_error>
 #include <utility>
 
+#include "runtime/host/named_values.h"
 #include "runtime/host/task_status.h"
 
 namespace stepwright::host {
@@ -217,7 +218,7 @@ StepEvent HostRuntime::to_event(const PreparedProgram& program, const EventRing:
     if (!slot.note.reason.view().empty()) event.detail += "; " + slot.note.reason.str();
   }
   event.image = slot.image;
-  for (std::size_t i = 0; i < slot.plant.size(); ++i) event.plant.push_back({plant_names_[i], slot.plant[i]});
+  event.plant = named_values(plant_names_, slot.plant);
   return event;
 }
 

@@ -20,7 +20,9 @@ inline constexpr std::size_t kMaxDevices = 64;                // devices of one 
 inline constexpr std::size_t kMaxProcessBytes = 256;          // as a supervisor calls itself
 inline constexpr std::size_t kMaxReasonBytes = 200;           // why a runtime is stopped
 inline constexpr std::size_t kMaxBlockWrites = 2'048;         // parts of one write
-inline constexpr std::size_t kDigestLetters = 64;             // of a program's SHA-256 in hexadecimal
+// How often image and figures are published while nothing happens. Events publish at once.
+inline constexpr std::int64_t kPublishPeriodNs = 5'000'000;
+inline constexpr std::size_t kDigestLetters = 64;  // of a program's SHA-256 in hexadecimal
 inline constexpr std::uint64_t kMaxForceMs = 366ull * 24 * 3'600 * 1'000;  // of a force that ends by itself
 
 }  // namespace stepwright::host

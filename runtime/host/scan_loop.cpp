@@ -8,8 +8,6 @@ namespace stepwright::host {
 namespace {
 
 constexpr std::size_t kQueue = 256;
-// How often image and figures are published while nothing happens. Events publish at once.
-constexpr std::int64_t kPublishPeriodNs = 5'000'000;
 // How often the figures of the tasks are published: they are large.
 constexpr std::int64_t kTimingPeriodNs = 100'000'000;
 constexpr std::int64_t kRecordingWaitNs = 1'000'000;
@@ -43,12 +41,9 @@ ScanLoop::ScanLoop(const HostConfig& config, AreaDriver& io, PlantAccess* plant,
       commands_(kQueue),
       completions_(kQueue),
       liveness_(config.safety.stall_ns),
-      barrier_(config),
+      gate_(config),
       faults_(config.faults),
-      truths_(plant == nullptr ? 0 : plant->value_names().size()),
-      pace_(config.speed) {
-  std::stable_sort(faults_.begin(), faults_.end(),
-                   [](const ScheduledFault& a, const ScheduledFault& b) { return a.at_ns < b.at_ns; });
+      truths_(plant == nullptr ? 0 : plant->value_names().size()) {
   origin_ns_ = clock_.now_ns();
   placement_.cpu = config.cpu;  // HostRuntime gave it to the thread
   finished_.reserve(kQueue);
@@ -135,17 +130,15 @@ void ScanLoop::report_task_failure() {
 }
 
 void ScanLoop::turn_simulated() {
-  const bool held =
-      now_.state != RuntimeState::Running || now_.waiting_for_supervisor || !stepper_.may_scan();
-  if (held) return wait(-1);
+  if (now_.state != RuntimeState::Running || !gate_.may_scan()) return wait(-1);
   // A full ring holds the clock too: no event is lost in simulated time. It may have room again although
   // nobody has rung: it was not full yet when the service began to take.
   if (program_->events().full()) return wait(kFullRingWaitNs);
   // So does a recording that cannot follow; its writer looks for news by itself.
   if (!tap_.has_room(program_->image().bytes().size())) return wait(kRecordingWaitNs);
   // What a person steps through waits for that person only.
-  if (pace_.keeps_step() && !stepper_.on()) {
-    const std::int64_t early_ns = pace_.wait_ns(clock_.now_ns(), program_->cycle().next_time_ns());
+  if (gate_.keeps_step()) {
+    const std::int64_t early_ns = gate_.wait_ns(clock_.now_ns(), program_->cycle().next_time_ns());
     if (early_ns > 0) return wait(early_ns);
   }
   scan_once();
@@ -169,14 +162,14 @@ void ScanLoop::wait(std::int64_t timeout_ns) {
 
 void ScanLoop::scan_once() {
   liveness_.busy();
-  inject_scheduled(program_->cycle().next_time_ns());
+  faults_.inject_due(program_->cycle().next_time_ns(), plant_);
   if (tap_.recording() && !program_->task_threads().empty()) tap_.state(record::StateCause::Tasks, running());
   const scan::ScanReport report = program_->cycle().run_scan();
   now_.scan = report.scan;
   now_.time_ns = report.time_ns;
   now_.trace_hash = program_->cycle().trace_hash();
   now_.overruns = earlier_overruns_ + program_->cycle().statistics().overruns;
-  const bool stands = stepper_.scanned();
+  const bool stands = gate_.scanned();
   const bool changed = program_->steps().changed(program_->image().bytes());
   // A scan that is taken back is no part of a recording.
   if (trial_.active() && tried(report)) return;
@@ -188,7 +181,7 @@ void ScanLoop::scan_once() {
   if (report.state != scan::ScanState::Running) return faulted(report);
   retain_.offer(program_->image().bytes(), clock_.now_ns());
   if (changed) {
-    stand_at_barrier();
+    gate_.stand(reading());
     emit(EventKind::StepChange, {}, {});
   } else if (stands) {
     publish();
@@ -200,7 +193,7 @@ void ScanLoop::scan_once() {
 
 void ScanLoop::faulted(const scan::ScanReport& report) {
   retain_.finish(program_->image().bytes());
-  end_stretch();
+  gate_.rest(reading());
   program_->task_threads().stop();
   now_.state = RuntimeState::Fault;
   next_start_ns_ = program_->cycle().next_time_ns();
@@ -215,15 +208,6 @@ void ScanLoop::idle_io(std::int64_t time_ns) {
   if (io_.takes_over()) cycle.inherit_outputs(io_.outputs(), cycle.safe_state().cause(), time_ns);
   cycle.idle(time_ns);
   now_.time_ns = time_ns;
-}
-
-void ScanLoop::inject_scheduled(std::int64_t time_ns) {
-  for (; next_fault_ < faults_.size() && faults_[next_fault_].at_ns <= time_ns; ++next_fault_) {
-    if (plant_ == nullptr) continue;
-    const ScheduledFault& fault = faults_[next_fault_];
-    // What the plant refuses was refused when the configuration was read, too.
-    static_cast<void>(plant_->inject_fault(fault.name, fault.value));
-  }
 }
 
 void ScanLoop::emit(EventKind kind, const bytecode::Trap& trap, std::string_view reason,
@@ -255,27 +239,6 @@ void ScanLoop::note(EventKind kind, const bytecode::Trap& trap, std::string_view
   if (!program_->events().push(event, program_->image().bytes(), truths_)) ++now_.lost_events;
 }
 
-void ScanLoop::stand_at_barrier() {
-  if (!barrier_.holds()) return;
-  now_.waiting_for_supervisor = true;
-  end_stretch();
-}
-
-void ScanLoop::release_barrier() {
-  if (!now_.waiting_for_supervisor) return;
-  now_.waiting_for_supervisor = false;
-  begin_stretch();
-}
-
-void ScanLoop::begin_stretch() {
-  if (stepper_.on()) return;  // what a person steps through says nothing about speed
-  pace_.begin(clock_.now_ns(), now_.time_ns, next_time_ns());
-}
-
-void ScanLoop::end_stretch() {
-  pace_.end(clock_.now_ns(), now_.time_ns);
-}
-
 // The other tasks of the program neither take nor give values while it lives.
 TaskThreads::Hold ScanLoop::hold_tasks() {
   return program_ == nullptr ? TaskThreads::Hold(nullptr) : program_->task_threads().hold();
@@ -287,7 +250,8 @@ void ScanLoop::publish_if_due() {
 
 void ScanLoop::publish() {
   published_ns_ = clock_.now_ns();
-  now_.realtime_factor = pace_.factor(published_ns_, now_.time_ns).value_or(now_.realtime_factor);
+  now_.waiting_for_supervisor = gate_.waits_for_supervisor();
+  now_.realtime_factor = gate_.factor(published_ns_, now_.time_ns).value_or(now_.realtime_factor);
   if (program_ != nullptr) {
     scan::Histogram all = earlier_scans_;
     all.add(program_->cycle().statistics().scan_time);

@@ -20,12 +20,12 @@
 #include <vector>
 
 #include "runtime/host/area_driver.h"
-#include "runtime/host/barrier.h"
 #include "runtime/host/change_trial.h"
+#include "runtime/host/clock_gate.h"
 #include "runtime/host/command.h"
+#include "runtime/host/fault_schedule.h"
 #include "runtime/host/host_config.h"
 #include "runtime/host/notifier.h"
-#include "runtime/host/pace.h"
 #include "runtime/host/plant_access.h"
 #include "runtime/host/prepared_program.h"
 #include "runtime/host/real_time.h"
@@ -33,7 +33,6 @@
 #include "runtime/host/seq_cell.h"
 #include "runtime/host/snapshot_memory.h"
 #include "runtime/host/spsc_queue.h"
-#include "runtime/host/stepper.h"
 #include "runtime/host/wake_signal.h"
 #include "runtime/record/scan_tap.h"
 #include "runtime/scan/histogram.h"
@@ -148,15 +147,11 @@ class ScanLoop {
   void scan_once();
   void faulted(const scan::ScanReport& report);
   void idle_io(std::int64_t time_ns);
-  void inject_scheduled(std::int64_t time_ns);
   void emit(EventKind kind, const bytecode::Trap& trap, std::string_view reason,
             const PreparedProgram* other = nullptr);
   void note(EventKind kind, const bytecode::Trap& trap, std::string_view reason,
             const PreparedProgram* other);
-  void stand_at_barrier();
-  void release_barrier();
-  void begin_stretch();
-  void end_stretch();
+  ClockReading reading() { return {clock_.now_ns(), now_.time_ns, next_time_ns()}; }
   void publish_if_due();
   void publish();
   [[nodiscard]] TaskThreads::Hold hold_tasks();
@@ -193,16 +188,13 @@ class ScanLoop {
   std::int64_t idle_due_ns_ = 0;    // real clock: scan time of the next I/O while no program runs
   bool commands_left_ = false;      // real clock: there was no time for all of them before the scan
   std::uint64_t stopped_at_ = 0;    // order of the newest stop: starts that were asked for before it are void
-  Barrier barrier_;
-  std::size_t next_fault_ = 0;  // into config_.faults, which are sorted by time
-  std::vector<ScheduledFault> faults_;
+  ClockGate gate_;
+  FaultSchedule faults_;
   std::vector<double> truths_;
   scan::Histogram earlier_scans_;  // of the programs before
   std::uint64_t earlier_overruns_ = 0;
-  Pace pace_;
   std::int64_t published_ns_ = 0;
   std::int64_t timings_published_ns_ = 0;
-  Stepper stepper_;
   record::ScanTap tap_;
   ChangeTrial trial_;
   WarmChange warm_change_;

@@ -80,7 +80,7 @@ Completion ScanLoop::change(const Command& command) {
   }
   ++now_.changes;
   // Whoever changed the program has decided; nothing waits for its word any more.
-  release_barrier();
+  gate_.release(reading());
   note(EventKind::Changed, {}, {}, &before);
   // Who sees the completion sees these figures: take_commands publishes them in front of it.
   now_.last_change_pause_ns = clock_.now_ns() - begin_ns;
@@ -115,7 +115,7 @@ void ScanLoop::roll_back(const bytecode::Trap& trap) {
   publish_forces();
   trial_ = {};
   now_.kept = &failed;  // until the event, which speaks of it, is on its way
-  stand_at_barrier();
+  gate_.stand(reading());
   emit(EventKind::RolledBack, trap, dropped_text(dropped).view(), &failed);
   now_.kept = nullptr;
 }

@@ -106,7 +106,7 @@ Completion ScanLoop::apply(const Command& command) {
       stopped_at_ = command.order;
       return done(stop(command.text.view()));
     case CommandKind::Acknowledge:
-      if (command.event >= now_.last_event) release_barrier();
+      if (command.event >= now_.last_event) gate_.release(reading());
       return done(Outcome::Done);
     case CommandKind::Force:
       return done(force(command.bits, command.duration_ns));
@@ -119,7 +119,7 @@ Completion ScanLoop::apply(const Command& command) {
     case CommandKind::InjectFault:
       return inject_fault(command);
     case CommandKind::SupervisorAlive:
-      barrier_.supervisor_is_there(true);
+      gate_.supervisor_is_there();
       return done(Outcome::Done);
     case CommandKind::SupervisorLost:
       if (config_.on_lost_supervisor == LostSupervisor::Safe) stopped_at_ = command.order;
@@ -128,8 +128,7 @@ Completion ScanLoop::apply(const Command& command) {
     case CommandKind::Step:
       return step(command);
     case CommandKind::Continue:
-      stepper_.release();
-      if (now_.state == RuntimeState::Running && !now_.waiting_for_supervisor) begin_stretch();
+      gate_.go_on(now_.state == RuntimeState::Running, reading());
       return done(Outcome::Done);
     case CommandKind::RecordBegin:
       record(command.recording);
@@ -202,11 +201,11 @@ Outcome ScanLoop::start(const Command& command) {
   retain_.begin(program_->retained(), program_->image().bytes(), command.cold);
   program_->steps().reset(program_->image().bytes());
   program_->task_threads().start(next_start_ns_);
-  barrier_.arm(command.barrier);
+  gate_.arm(command.barrier);
   now_.state = RuntimeState::Running;
   tap_.state(record::StateCause::Start, running());
   emit(EventKind::Started, {}, {});
-  begin_stretch();
+  gate_.begin(reading());
   return Outcome::Done;
 }
 
@@ -214,7 +213,7 @@ Outcome ScanLoop::start(const Command& command) {
 Outcome ScanLoop::stop(std::string_view reason, scan::SafeCause cause) {
   if (now_.state != RuntimeState::Running) return program_ == nullptr ? Outcome::NoProgram : Outcome::Done;
   end_trial();
-  end_stretch();
+  gate_.rest(reading());
   // In real time the next scan may be far away: ramps begin now.
   next_start_ns_ = real() ? safe_time_ns() : program_->cycle().next_time_ns();
   idle_due_ns_ = next_start_ns_;
@@ -227,7 +226,6 @@ Outcome ScanLoop::stop(std::string_view reason, scan::SafeCause cause) {
   }
   program_->publish_timings();
   now_.state = RuntimeState::Stopped;
-  now_.waiting_for_supervisor = false;
   tap_.stopped(reason);
   emit(EventKind::Stopped, {}, reason);
   return Outcome::Done;
@@ -292,11 +290,11 @@ Completion ScanLoop::inject_fault(const Command& command) {
 }
 
 void ScanLoop::supervisor_lost() {
-  barrier_.supervisor_is_there(false);
   if (config_.on_lost_supervisor == LostSupervisor::Safe) {
+    gate_.supervisor_is_away();
     stop(kSupervisorLost, scan::SafeCause::SupervisorLost);
-  } else if (!barrier_.holds()) {
-    release_barrier();
+  } else {
+    gate_.supervisor_is_lost(reading());
   }
 }
 

@@ -13,8 +13,7 @@ Completion ScanLoop::step(const Command& command) {
   } else if (program_ == nullptr) {
     completion.outcome = Outcome::NoProgram;
   } else {
-    end_stretch();
-    stepper_.step(command.count);
+    gate_.step(command.count, reading());
     completion.scan = now_.scan + command.count;
   }
   return completion;

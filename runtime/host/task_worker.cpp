@@ -8,7 +8,7 @@ namespace stepwright::host {
 namespace {
 
 // How often the figures of a task are published.
-constexpr std::int64_t kPublishPeriodNs = 100'000'000;
+constexpr std::int64_t kFiguresPeriodNs = 100'000'000;
 
 }  // namespace
 
@@ -164,7 +164,7 @@ bool TaskWorker::tell_of_fault() {
 }
 
 void TaskWorker::publish_if_due(std::int64_t now_ns) {
-  if (now_ns - published_ns_ < kPublishPeriodNs) return;
+  if (now_ns - published_ns_ < kFiguresPeriodNs) return;
   published_ns_ = now_ns;
   published_.store(timing_);
 }

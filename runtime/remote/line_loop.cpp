@@ -23,8 +23,7 @@ LineLoop::LineLoop(const RemoteConfig& config, RegisterLine& line, image::IoDriv
       queues_(queues),
       link_(line, {.patience = config.lost_after}, quit_),
       plant_(config.host, driver, plant),
-      barrier_(config.host),
-      pace_(config.host.speed) {
+      gate_(config.host) {
   origin_ns_ = clock_.now_ns();
   publish();
 }
@@ -42,7 +41,7 @@ void LineLoop::run() {
   if (running()) {
     // The last word; what the line does not carry any more the controller's own watch has to do.
     if (contact_) static_cast<void>(link_.command(control::Command::Stop));
-    end_stretch();
+    gate_.rest(reading());
     now_.state = host::RuntimeState::Stopped;
     plant_.make_safe(own_time_ns());
     publish();
@@ -60,10 +59,9 @@ void LineLoop::wait(std::int64_t timeout_ns) {
 }
 
 LineLoop::Done LineLoop::turn_lock_step() {
-  const bool held = !running() || now_.waiting_for_supervisor || !stepper_.may_scan() || queues_.full();
+  const bool held = !running() || !gate_.may_scan() || queues_.full();
   if (!held) {
-    const bool paced = pace_.keeps_step() && !stepper_.on();
-    const std::int64_t early_ns = paced ? pace_.wait_ns(wall_ns(), next_ns_) : 0;
+    const std::int64_t early_ns = gate_.keeps_step() ? gate_.wait_ns(wall_ns(), next_ns_) : 0;
     if (early_ns <= 0) return scan_once();
     publish_if_due();
     wait(early_ns);
@@ -104,7 +102,7 @@ LineLoop::Done LineLoop::scan_once() {
   now_.time_ns = next_ns_;
   next_ns_ = answer->next_ns + base_ns_;
   if (!plant_.write(now_.time_ns)) return plant_lost();
-  const bool stands = stepper_.scanned();
+  const bool stands = gate_.scanned();
   if (answer->event != known_event_) return take_turns_event();
   if (stands || wall_ns() >= image_due_ns_) {
     if (auto checked = check_turn(); !checked) return tl::unexpected(checked.error());
@@ -205,7 +203,7 @@ LineLoop::Done LineLoop::plant_lost() {
   auto status = link_.status();
   if (!status) return result::forward(status);
   known_event_ = status->event;
-  end_stretch();
+  gate_.rest(reading());
   now_.state = host::RuntimeState::Fault;
   plant_.make_safe(own_time_ns());
   emit(host::EventKind::Trap, reason);

@@ -17,11 +17,9 @@
 #include <string_view>
 #include <vector>
 
-#include "runtime/host/barrier.h"
-#include "runtime/host/pace.h"
+#include "runtime/host/clock_gate.h"
 #include "runtime/host/real_time.h"
 #include "runtime/host/snapshot_memory.h"
-#include "runtime/host/stepper.h"
 #include "runtime/remote/controller_link.h"
 #include "runtime/remote/line_queues.h"
 #include "runtime/remote/plant_feed.h"
@@ -92,9 +90,7 @@ class LineLoop {
   [[nodiscard]] Done read_event_image();
   void emit(host::EventKind kind, std::string detail);
   std::string trap_detail(const ControllerStatus& status) const;
-  void release_barrier();
-  void begin_stretch();
-  void end_stretch();
+  host::ClockReading reading() { return {wall_ns(), now_.time_ns, next_ns_}; }
   [[nodiscard]] Done refresh_image();
   void publish_if_due();
   void publish();
@@ -129,10 +125,9 @@ class LineLoop {
   std::uint32_t uptime_ms_ = 0;
   std::int64_t base_ns_ = 0;  // own time = the controller's + base
   std::int64_t next_ns_ = 0;  // own time of the next scan
-  host::Barrier barrier_;
+  host::ClockGate gate_;
   std::uint64_t stopped_at_ = 0;  // order of the newest stop: starts that were asked for before it are void
-  host::Stepper stepper_;
-  scan::Histogram turns_;  // how long a turn takes, there and back
+  scan::Histogram turns_;         // how long a turn takes, there and back
 
   std::int64_t origin_ns_ = 0;      // wall at own time 0
   std::int64_t due_ns_ = 0;         // wall: of the next exchange
@@ -140,7 +135,6 @@ class LineLoop {
   std::int64_t image_due_ns_ = 0;   // wall
   std::int64_t published_ns_ = 0;   // wall
   std::int64_t progress_ns_ = 0;    // wall: when the scan number was seen to change
-  host::Pace pace_;
 };
 
 }  // namespace stepwright::remote

@@ -71,10 +71,10 @@ Completion LineLoop::apply(const RemoteCommand& asked) {
   const Completion done{command.ticket, Outcome::Done, {}};
   switch (command.kind) {
     case CommandKind::Acknowledge:
-      if (command.event >= now_.last_event) release_barrier();
+      if (command.event >= now_.last_event) gate_.release(reading());
       return done;
     case CommandKind::SupervisorAlive:
-      barrier_.supervisor_is_there(true);
+      gate_.supervisor_is_there();
       return done;
     case CommandKind::SupervisorLost:
       return supervisor_lost(command);
@@ -83,8 +83,7 @@ Completion LineLoop::apply(const RemoteCommand& asked) {
     case CommandKind::Step:
       return step(command);
     case CommandKind::Continue:
-      stepper_.release();
-      if (running() && !now_.waiting_for_supervisor) begin_stretch();
+      gate_.go_on(running(), reading());
       return done;
     case CommandKind::RecordEnd:
       return done;
@@ -180,11 +179,11 @@ Completion LineLoop::start(const host::Command& command) {
   if (!answer) return lost(command.ticket, answer.error());
   if (!answer->done()) return refused(command.ticket, *answer);
   if (auto begun = begin_run(); !begun) return lost(command.ticket, begun.error());
-  barrier_.arm(command.barrier);
+  gate_.arm(command.barrier);
   now_.state = host::RuntimeState::Running;
   progress_ns_ = due_ns_ = wall_ns();
   emit(host::EventKind::Started, {});
-  begin_stretch();
+  gate_.begin(reading());
   return {command.ticket, Outcome::Done, {}};
 }
 
@@ -219,9 +218,8 @@ Completion LineLoop::stop(const host::Command& command, std::string_view reason)
     return {};
   };
   if (auto done = stopped(); !done) return lost(command.ticket, done.error());
-  end_stretch();
+  gate_.rest(reading());
   now_.state = host::RuntimeState::Stopped;
-  now_.waiting_for_supervisor = false;
   static_cast<void>(plant_.write(own_time_ns()));
   emit(host::EventKind::Stopped, std::string(reason));
   return {command.ticket, Outcome::Done, {}};
@@ -276,8 +274,7 @@ void LineLoop::end_forces() {
 Completion LineLoop::step(const host::Command& command) {
   if (!simulated()) return {command.ticket, Outcome::NotSimulated, {}};
   if (program_ == nullptr) return {command.ticket, Outcome::NoProgram, {}};
-  end_stretch();
-  stepper_.step(command.count);
+  gate_.step(command.count, reading());
   return {command.ticket, Outcome::Done, {}, now_.scan + command.count};
 }
 
@@ -289,11 +286,11 @@ Completion LineLoop::inject(const host::Command& command) {
 }
 
 Completion LineLoop::supervisor_lost(const host::Command& command) {
-  barrier_.supervisor_is_there(false);
   if (config_.host.on_lost_supervisor != host::LostSupervisor::Safe) {
-    if (!barrier_.holds()) release_barrier();
+    gate_.supervisor_is_lost(reading());
     return {command.ticket, Outcome::Done, {}};
   }
+  gate_.supervisor_is_away();
   stopped_at_ = command.order;
   if (!running() || !contact_) return {command.ticket, Outcome::Done, {}};
   return stop(command, host::kSupervisorLost);

@@ -121,8 +121,7 @@ void LineLoop::lose(const result::Diagnostics& why) {
   ++losses_;
   sought_ns_ = wall_ns();
   line_problem_ = result::to_string(why);
-  end_stretch();
-  now_.waiting_for_supervisor = false;
+  gate_.rest(reading());
   const bool ran = running();
   if (ran) now_.state = host::RuntimeState::Fault;
   plant_.make_safe(own_time_ns());

@@ -16,9 +16,8 @@ host::Completion LineLoop::load(const RemoteCommand& asked) {
     return said_no ? failed(ticket, std::move(moved.error())) : lost(ticket, std::move(moved.error()));
   }
   if (running()) {
-    end_stretch();
+    gate_.rest(reading());
     now_.state = host::RuntimeState::Stopped;
-    now_.waiting_for_supervisor = false;
     emit(host::EventKind::Stopped, "another program was loaded");
   }
   if (auto adopted = adopt(asked.program); !adopted) return lost(ticket, std::move(adopted.error()));

@@ -9,7 +9,6 @@ namespace stepwright::remote {
 namespace {
 
 constexpr double kNsPerUs = 1'000.0;
-constexpr std::int64_t kPublishPeriodNs = 5'000'000;
 // Of the line's time at most one part in so many goes into images that no event asks for.
 constexpr std::int64_t kImageShare = 10;
 
@@ -41,13 +40,12 @@ LineLoop::Done LineLoop::take_events(const ControllerStatus& status) {
       emit(host::EventKind::StepChange, {});
       break;
     case control::Event::Stopped:
-      end_stretch();
+      gate_.rest(reading());
       now_.state = host::RuntimeState::Stopped;
-      now_.waiting_for_supervisor = false;
       emit(host::EventKind::Stopped, "at the controller, by somebody else");
       break;
     case control::Event::Trap:
-      end_stretch();
+      gate_.rest(reading());
       now_.state = host::RuntimeState::Fault;
       ++now_.process.traps;
       emit(host::EventKind::Trap, trap_detail(status));
@@ -84,10 +82,7 @@ LineLoop::Done LineLoop::refresh_image() {
 }
 
 void LineLoop::emit(host::EventKind kind, std::string detail) {
-  if (kind == host::EventKind::StepChange && barrier_.holds()) {
-    now_.waiting_for_supervisor = true;
-    end_stretch();
-  }
+  if (kind == host::EventKind::StepChange) gate_.stand(reading());
   host::StepEvent event;
   event.sequence = ++now_.last_event;
   event.scan = now_.scan;
@@ -96,36 +91,21 @@ void LineLoop::emit(host::EventKind kind, std::string detail) {
   if (program_ != nullptr) event.program_digest = program_->digest();
   event.detail = std::move(detail);
   event.image = image_;
-  const auto truths = plant_.truths();
-  for (std::size_t i = 0; i < truths.size(); ++i)
-    event.plant.push_back({plant_.plant()->value_names()[i], truths[i]});
+  event.plant = plant_.named_truths();
   detail_ = event.detail;
   publish();  // who sees the event must find a status that is at least as new
   if (!queues_.add(std::move(event))) ++now_.process.lost_events;
 }
 
-void LineLoop::release_barrier() {
-  if (!std::exchange(now_.waiting_for_supervisor, false)) return;
-  begin_stretch();
-}
-
-void LineLoop::begin_stretch() {
-  if (stepper_.on()) return;
-  pace_.begin(wall_ns(), now_.time_ns, next_ns_);
-}
-
-void LineLoop::end_stretch() {
-  pace_.end(wall_ns(), now_.time_ns);
-}
-
 void LineLoop::publish_if_due() {
-  if (wall_ns() - published_ns_ >= kPublishPeriodNs) publish();
+  if (wall_ns() - published_ns_ >= host::kPublishPeriodNs) publish();
 }
 
 void LineLoop::publish() {
   published_ns_ = wall_ns();
   plant_.beat();
-  now_.realtime_factor = pace_.factor(published_ns_, now_.time_ns).value_or(now_.realtime_factor);
+  now_.waiting_for_supervisor = gate_.waits_for_supervisor();
+  now_.realtime_factor = gate_.factor(published_ns_, now_.time_ns).value_or(now_.realtime_factor);
   now_.scan_p50_us = static_cast<double>(turns_.percentile_ns(50'000)) / kNsPerUs;
   now_.scan_p99_us = static_cast<double>(turns_.percentile_ns(99'000)) / kNsPerUs;
   now_.scan_max_us = static_cast<double>(turns_.max_ns()) / kNsPerUs;
@@ -142,8 +122,7 @@ void LineLoop::publish() {
   if (losses_ > 0) note("the line was lost " + std::to_string(losses_) + " times");
   if (now_.process.lost_events > 0) note(std::to_string(now_.process.lost_events) + " events were lost");
   const auto truths = plant_.truths();
-  for (std::size_t i = 0; i < truths.size(); ++i)
-    status.plant.push_back({plant_.plant()->value_names()[i], truths[i]});
+  status.plant = plant_.named_truths();
   for (image::Force force : forces_.forces()) {
     if (force.end_ns != image::kNoEnd) force.end_ns = std::max<std::int64_t>(0, force.end_ns - published_ns_);
     figures.forces.push_back(force);

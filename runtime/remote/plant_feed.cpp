@@ -1,6 +1,6 @@
 #include "runtime/remote/plant_feed.h"
 
-#include <algorithm>
+#include "runtime/host/named_values.h"
 
 namespace stepwright::remote {
 
@@ -10,9 +10,7 @@ PlantFeed::PlantFeed(const host::HostConfig& config, image::IoDriver& driver, ho
       safe_memory_(config.output_bytes),
       safe_(config.safety.safe_state.matrix(), safe_memory_),
       faults_(config.faults),
-      truths_(plant == nullptr ? 0 : plant->value_names().size()) {
-  std::ranges::stable_sort(faults_, {}, &host::ScheduledFault::at_ns);
-}
+      truths_(plant == nullptr ? 0 : plant->value_names().size()) {}
 
 void PlantFeed::fit(std::size_t input_bytes, std::size_t output_bytes, std::int64_t time_ns) {
   inputs_.assign(input_bytes, std::byte{0});
@@ -54,17 +52,14 @@ void PlantFeed::keep_safe(std::int64_t time_ns) {
   static_cast<void>(io_.write_outputs(time_ns, safe_.outputs()));
 }
 
-void PlantFeed::inject_due(std::int64_t time_ns) {
-  for (; next_fault_ < faults_.size() && faults_[next_fault_].at_ns <= time_ns; ++next_fault_) {
-    if (plant_ == nullptr) continue;
-    // What the plant refuses was refused when the configuration was read, too.
-    static_cast<void>(plant_->inject_fault(faults_[next_fault_].name, faults_[next_fault_].value));
-  }
-}
-
 std::span<const double> PlantFeed::truths() {
   if (plant_ != nullptr) plant_->read_values(truths_);
   return truths_;
+}
+
+std::vector<host::NamedValue> PlantFeed::named_truths() {
+  const auto names = plant_ == nullptr ? std::span<const std::string>{} : plant_->value_names();
+  return host::named_values(names, truths());
 }
 
 }  // namespace stepwright::remote

@@ -12,7 +12,9 @@
 #include <vector>
 
 #include "runtime/host/area_driver.h"
+#include "runtime/host/fault_schedule.h"
 #include "runtime/host/host_config.h"
+#include "runtime/host/messages.h"
 #include "runtime/host/plant_access.h"
 #include "runtime/scan/safe_state.h"
 
@@ -49,9 +51,10 @@ class PlantFeed {
   void beat() { io_.beat(); }
 
   // Scheduled faults up to `time_ns`.
-  void inject_due(std::int64_t time_ns);
+  void inject_due(std::int64_t time_ns) { faults_.inject_due(time_ns, plant_); }
   host::PlantAccess* plant() const { return plant_; }
   std::span<const double> truths();
+  std::vector<host::NamedValue> named_truths();
 
  private:
   host::AreaDriver io_;
@@ -61,8 +64,7 @@ class PlantFeed {
   std::vector<std::byte> safe_memory_;
   scan::SafeState safe_;
   bool stood_still_ = false;  // until outputs of the controller are written again
-  std::vector<host::ScheduledFault> faults_;
-  std::size_t next_fault_ = 0;
+  host::FaultSchedule faults_;
   std::vector<double> truths_;
 };
 

@@ -18,7 +18,10 @@ Executive::Executive(const PlanningService& planning, run::Controller& controlle
     : Mission(controller, {options.cell, options.barrier, options.operator_starts}, std::move(observer)),
       planning_(planning),
       options_(std::move(options)),
-      drift_(planning.binding()) {}
+      drift_(planning.binding()),
+      requests_(options_.goal_changes),
+      outlook_writer_(planning),
+      what_if_(planning, options_.what_if) {}
 
 bool Executive::begin() {
   if (std::exchange(begun_, true)) return begin_again();
@@ -87,7 +90,7 @@ bool Executive::resume() {
   }
   record_ = std::move((*journal)->record);
   changed_ = std::move((*journal)->changed);
-  next_change_ = (*journal)->next_change;
+  requests_.go_on_at((*journal)->next_request);
   clock_ = run::RunClock((*journal)->clock);
   for (const run::Incident& incident : record_.incidents) devices_.restore(incident.devices);
   tare_ = (*journal)->start.tare;
@@ -115,7 +118,7 @@ bool Executive::stay_over(Journal&& journal) {
   if (!options_.operator_starts) return false;
   record_ = std::move(journal.record);
   changed_ = std::move(journal.changed);
-  next_change_ = journal.next_change;
+  requests_.go_on_at(journal.next_request);
   clock_ = run::RunClock(journal.clock);
   goal_ = std::move(journal.start.goal);
   tare_ = record_.tare;
@@ -127,14 +130,8 @@ bool Executive::stay_over(Journal&& journal) {
 
 // The runtime is there (again): goes on with the plan if the runtime still has it, else replans.
 bool Executive::recover_runtime(Away who) {
-  if (!controller_.alive()) {
-    set_phase(run::Phase::Waiting, "the runtime does not answer; waiting for it");
-    if (!await_runtime()) return false;
-  }
-  const auto program = controller_.program();
-  const auto status = controller_.status();
-  const bool runs = program && *program == current_.container && status &&
-                    status->state == host::RuntimeState::Running && status->program_digest == digest_;
+  if (!await_answer()) return false;
+  const bool runs = runs_program(current_.container);
   // While it is held nobody expects the plan to run: the plant rests under the program that reads the
   // sensors.
   const bool was_away = who == Away::Supervisor;
@@ -144,6 +141,7 @@ bool Executive::recover_runtime(Away who) {
   }
   if (!runs) {
     // A runtime that still has the program was not lost: it has stopped because nobody was there.
+    const auto status = controller_.status();
     const bool has_program = was_away && status && status->program_digest == digest_;
     if (has_program)
       return replan(
@@ -237,10 +235,7 @@ bool Executive::launch() {
   follows_ = true;
   if (record_.episodes.size() == 1) record_.started_s = clock_.now_s();
   record_.episodes.back().started_s = clock_.now_s();
-  while (!install(current_, Kind::Plan)) {
-    if (record_.phase == run::Phase::Safe) return false;
-    if (!await_runtime()) return false;
-  }
+  if (!bring_to_run([this] { return install(current_, Kind::Plan); })) return false;
   record_.episodes.back().digest = digest_;
   set_phase(run::Phase::Executing,
             "executing a plan of " + std::to_string(current_.plan.actions.size()) + " actions");
@@ -300,35 +295,18 @@ void Executive::reach_goal() {
   set_phase(run::Phase::Done, "the goal is reached");
 }
 
-result::Result<void> Executive::request_change(const std::string& fluent, double value) {
-  const std::string name = pddl::canonical_name(fluent);
-  if (!planning_.task().initial().value(name)) {
-    return result::fail("X0003", {}, "there is no fluent " + name,
-                        "name it as in the problem, e.g. (demand c1)");
-  }
-  if (planning_.binding().sensor_of(name) != nullptr) {
-    return result::fail("X0003", {}, name + " is measured; nobody can set it",
-                        "change a demand or a goal instead");
-  }
-  const std::lock_guard lock(requests_mutex_);
-  requests_.push_back({0.0, name, value});
-  return {};
-}
-
-result::Result<void> Executive::request_goal(const std::string& goal) {
-  if (auto checked = planning_.check_goal(goal); !checked) return checked;
-  const std::lock_guard lock(requests_mutex_);
-  requests_.push_back({0.0, {}, 0.0, goal});
-  return {};
-}
-
 void Executive::publish(bool now) {
   if (!now) return;  // every change is told at once
   // Of a run of which nothing has begun only a hold is worth keeping.
   if (!options_.journal.empty() && (!record_.episodes.empty() || hold_ || journalled_hold_)) {
     journalled_hold_ = hold_;
-    Journal journal{record_,        current_.start,   current_.plan, changed_,      next_change_,
-                    clock_.state(), journalled_hold_, known_,        seen_.planning};
+    Journal journal{{record_, clock_.state(), requests_.next()},
+                    current_.start,
+                    current_.plan,
+                    changed_,
+                    journalled_hold_,
+                    known_,
+                    seen_.planning};
     journal.start.goal = goal_;
     // A journal that cannot be written costs a restart its memory, not this run.
     (void)write_journal(options_.journal, journal);

@@ -10,6 +10,8 @@
 //   RunRecord record = executive.run();
 //   while (executive.wait_start(1s)) record = executive.run();   // another one, from where the plant is
 //
+// Another run begins with a look at the plant, with the goal that the start or the run before had.
+//
 // Its run begins at the problem's initial state or, if the journal tells of a plan that the controller still
 // executes, where that stands.
 //
@@ -26,17 +28,21 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "runtime/result/result.h"
 #include "supervisor/executive/classify.h"
 #include "supervisor/executive/device_failures.h"
 #include "supervisor/executive/drift_watch.h"
+#include "supervisor/executive/goal_form.h"
 #include "supervisor/executive/outlook.h"
 #include "supervisor/executive/planning_job.h"
 #include "supervisor/executive/planning_service.h"
 #include "supervisor/executive/recurrence.h"
 #include "supervisor/executive/rest_watch.h"
+#include "supervisor/executive/what_if.h"
+#include "supervisor/run/due_requests.h"
 #include "supervisor/run/image_reader.h"
 #include "supervisor/run/mission.h"
 #include "supervisor/translate/estimate.h"
@@ -63,19 +69,13 @@ struct ExecutiveOptions {
   bool believes_sensors = false;  // the first plan starts where they show the plant, whatever :init says
   std::filesystem::path journal;  // for a restarted supervisor; empty: none is kept
   std::vector<GoalChange> goal_changes;  // in order of time
+  WhatIfOptions what_if{};               // of plans that are only looked at
 };
 
 class Executive final : public run::Mission {
  public:
   Executive(const PlanningService& planning, run::Controller& controller, ExecutiveOptions options,
             Observer observer);
-
-  // Waits until somebody wants another run; false after `timeout`. The next call of `run` is that one: it
-  // begins with a look at the plant, from wherever that is, with the goal that the start or the run before
-  // had.
-  bool wait_start(std::chrono::milliseconds timeout);
-  // Whether `run` has ended and nobody has started another one.
-  bool over() const;
 
   // Begins what waits for an operator, or another run after one that has ended; `goal` (PDDL) takes the place
   // of the goal so far unless it is empty. Refused while a run is under way or no runtime answers (X0008),
@@ -97,7 +97,15 @@ class Executive final : public run::Mission {
   Outlook outlook() const;
   std::uint64_t outlook_revision() const;
 
+  std::string goal_form() const override;
+  std::optional<std::string> new_outlook() override;
+
  private:
+  // executive_requests.cpp: what people ask for.
+  [[nodiscard]] result::Result<void> take(const run::Request& request) override;
+  bool begins_again() const override { return true; }
+  void forget_requests() override;
+
   enum class Away : std::uint8_t { Runtime, Supervisor };  // who was not there for a while
   // executive.cpp: from start to end. Each returns false when the run is over.
   bool begin() override;
@@ -119,7 +127,6 @@ class Executive final : public run::Mission {
   void publish(bool now) override;
 
   // executive_start.cpp: from one run to the next.
-  void start_taken();
   model::NamedState first_state() const;
   bool stay_ready();
   bool begin_again();
@@ -139,7 +146,7 @@ class Executive final : public run::Mission {
     std::map<std::string, double> changed;
   };
   Planned plan_first();
-  bool await_operator();
+  bool await_people();
   void refuse_change(run::Cause cause, Asked before);
   struct Unplannable {
     std::string reason;
@@ -220,7 +227,6 @@ class Executive final : public run::Mission {
   model::NamedState stuck_at_;             // the planner's state at the last replan
   std::string goal_;                       // PDDL; empty: the problem's
   std::map<std::string, double> changed_;  // fluents set from outside so far
-  std::size_t next_change_ = 0;            // into options_.goal_changes
   bool waits_ = false;                     // with a plan, for an operator
 
   std::uint64_t observed_event_ = 0;  // the event with which the last observation ended
@@ -232,10 +238,14 @@ class Executive final : public run::Mission {
   bool journalled_hold_ = false;
 
   std::atomic<bool> hold_{false};
-  std::vector<GoalChange> requests_;  // from other threads, not yet taken; guarded by requests_mutex_
+  run::DueRequests<GoalChange> requests_;
 
   mutable std::mutex outlook_mutex_;
   Outlook outlook_;
+  OutlookWriter outlook_writer_;
+  WhatIf what_if_;
+  // Revisions of outlook and what-if that viewers know.
+  std::optional<std::pair<std::uint64_t, std::uint64_t>> told_;
 };
 
 }  // namespace stepwright::executive

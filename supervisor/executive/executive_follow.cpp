@@ -294,15 +294,7 @@ FailedAction Executive::failure_of(std::size_t action, double time_s) const {
 }
 
 std::optional<run::Cause> Executive::due(double time_s) {
-  std::vector<GoalChange> due;
-  {
-    const std::lock_guard lock(requests_mutex_);
-    due.swap(requests_);
-  }
-  for (; next_change_ < options_.goal_changes.size(); ++next_change_) {
-    if (options_.goal_changes[next_change_].at_s > time_s) break;
-    due.push_back(options_.goal_changes[next_change_]);
-  }
+  const std::vector<GoalChange> due = requests_.take(time_s);
   if (due.empty()) return std::nullopt;
   run::Cause cause;
   cause.kind = run::IncidentKind::ChangedDemand;

@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "supervisor/executive/executive.h"
 
 namespace stepwright::executive {
@@ -17,21 +15,6 @@ run::Cause Executive::held_by_operator() {
 
 std::optional<run::Cause> Executive::wish() {
   return hold_ ? std::optional(held_by_operator()) : std::nullopt;
-}
-
-result::Result<void> Executive::request_hold() {
-  {
-    const std::lock_guard lock(requests_mutex_);
-    if (stage_ == Stage::Ready)
-      return result::fail("X0008", {}, "nothing runs yet that could be held", "it waits for its start");
-  }
-  if (!hold_.exchange(true)) return {};
-  return result::fail("X0008", {}, "the run is held already", "resume or abort it");
-}
-
-result::Result<void> Executive::request_resume() {
-  if (hold_.exchange(false)) return {};
-  return result::fail("X0008", {}, "nothing is held that could be resumed");
 }
 
 // False if the run is over. A runtime that is gone, or stopped, changes nothing here: whoever resumes has the
@@ -54,9 +37,7 @@ bool Executive::stay_held() {
       note_while_held(*event);
       (void)controller_.acknowledge(event->sequence);
     }
-    const auto snapshot = controller_.snapshot();
-    if (snapshot && snapshot->program_digest == digest_)
-      now_s = std::max(now_s, clock_.at(snapshot->incarnation, snapshot->time_ns));
+    now_s = shown_time(controller_.snapshot(), now_s);
   }
   record_.incidents.back().evidence.push_back(fmt::format("resumed after {:.1f} s", now_s - since_s));
   set_phase(run::Phase::Replanning, "resumed by the operator");
@@ -64,9 +45,7 @@ bool Executive::stay_held() {
 }
 
 void Executive::note_while_held(const host::StepEvent& event) {
-  const bool ended = event.kind == host::EventKind::Trap || event.kind == host::EventKind::Stopped ||
-                     event.kind == host::EventKind::RolledBack;
-  if (!ended || event.program_digest != digest_) return;
+  if (!run::ends_program(event.kind) || event.program_digest != digest_) return;
   record_.incidents.back().evidence.push_back("the runtime stopped meanwhile: " + event.detail);
   publish(/*now=*/true);
 }

@@ -292,9 +292,7 @@ std::optional<Executive::Planned> Executive::overtaken(PlanningJob& job, StartSt
   if (options_.barrier) return std::nullopt;
   if (const auto event = controller_.wait_event(milliseconds(0))) {
     (void)controller_.acknowledge(event->sequence);
-    const bool ended = event->kind == host::EventKind::Trap || event->kind == host::EventKind::Stopped ||
-                       event->kind == host::EventKind::RolledBack;
-    if (event->program_digest == digest_ && ended) {
+    if (event->program_digest == digest_ && run::ends_program(event->kind)) {
       job.cancel();
       overtake("the runtime stopped while a plan was made: " + event->detail);
       return Planned::Again;

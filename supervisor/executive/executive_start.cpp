@@ -13,10 +13,6 @@
 namespace stepwright::executive {
 namespace {
 
-using std::chrono::milliseconds;
-
-constexpr milliseconds kLookAtRequests{50};
-
 // As a planner counts it: a level is expected where a pump stops, not at a multiple.
 double counted(const translate::Binding& binding, const std::string& fluent, double value) {
   const translate::Sensor* sensor = binding.sensor_of(fluent);
@@ -25,43 +21,6 @@ double counted(const translate::Binding& binding, const std::string& fluent, dou
 }
 
 }  // namespace
-
-bool Executive::wait_start(std::chrono::milliseconds timeout) {
-  return await_start(timeout);
-}
-
-bool Executive::over() const {
-  const std::lock_guard lock(requests_mutex_);
-  return stage_ == Stage::Over;
-}
-
-result::Result<void> Executive::request_start(const std::string& goal) {
-  if (!goal.empty()) {
-    if (auto checked = planning_.check_goal(goal); !checked) return checked;
-  }
-  if (!controller_.alive()) {
-    return result::fail("X0008", {}, "no runtime answers: the plant would begin to move whenever one comes",
-                        "start the runtime first");
-  }
-  const std::lock_guard lock(requests_mutex_);
-  if (stage_ == Stage::Running || start_) {
-    return result::fail("X0008", {}, "the run is under way",
-                        "abort it first, or hand over another goal without a start");
-  }
-  if (stage_ == Stage::Ready && abort_)
-    return result::fail("X0008", {}, "the run is being aborted", "start again in a moment");
-  if (stage_ == Stage::Over) {
-    // They were for the run that has ended.
-    abort_ = false;
-    hold_ = false;
-    requests_.clear();
-  }
-  if (!goal.empty()) requests_.push_back({0.0, {}, 0.0, goal});
-  stage_ = Stage::Running;
-  start_ = true;
-  start_signal_.notify_all();
-  return {};
-}
 
 // The problem's, with what has been changed from outside.
 model::NamedState Executive::first_state() const {
@@ -81,60 +40,51 @@ void Executive::refuse_change(run::Cause cause, Asked before) {
   cause.evidence.push_back("that is refused, there is no plan for it: " + unplannable_.reason);
   open_incident(cause);
   decide(run::Response::GoOn);
-  enter(Stage::Ready);
+  forget_start();
 }
 
 // The plan is shown, and the runtime is not touched until an operator wants it. False if the run is over.
 bool Executive::stay_ready() {
-  enter(Stage::Ready);
   waits_ = true;
-  const bool started = await_operator();
+  const bool started = await_people();
   waits_ = false;
   if (!started) return false;
-  start_taken();
+  begin_start();
   record_.episodes.clear();
   set_phase(run::Phase::Planning, "started by the operator");
   return true;
 }
 
 // What is wanted meanwhile and cannot be planned is refused.
-bool Executive::await_operator() {
-  const auto show = [this] {
-    record_.episodes = {current_.episode};
-    set_phase(run::Phase::Ready,
-              fmt::format("a plan of {} actions is ready: nothing moves until an operator starts it",
-                          current_.plan.actions.size()));
-  };
-  show();
+bool Executive::await_people() {
   while (true) {
-    if (abort_) return give_up_aborted();
-    bool started = wait_start(kLookAtRequests);
+    record_.episodes = {current_.episode};
     Asked before{goal_, changed_};
-    if (auto change = due(clock_.now_s())) {
-      record_.episodes.clear();
-      set_phase(run::Phase::Planning, "looking for a plan for what is wanted now");
-      const Planned planned = plan_first();
-      if (planned == Planned::None) {
-        refuse_change(*std::move(change), std::move(before));
-        started = false;
-      } else if (planned != Planned::Ready) {
-        return false;
-      }
-      if (!started) show();
+    std::optional<run::Cause> change;
+    const Wish wish =
+        await_wish(Stage::Ready,
+                   fmt::format("a plan of {} actions is ready: nothing moves until an operator starts it",
+                               current_.plan.actions.size()),
+                   change);
+    if (wish != Wish::OtherPlan) return wish == Wish::Start;
+    bool started = start_wanted();
+    record_.episodes.clear();
+    set_phase(run::Phase::Planning, "looking for a plan for what is wanted now");
+    const Planned planned = plan_first();
+    if (planned == Planned::None) {
+      refuse_change(*std::move(change), std::move(before));
+      started = false;
+    } else if (planned != Planned::Ready) {
+      return false;
     }
     if (started) return true;
   }
 }
 
-void Executive::start_taken() {
-  const std::lock_guard lock(requests_mutex_);
-  start_ = false;
-}
-
 // Another run from where the plant is, however the one before has ended: as after a hold, with nothing kept
 // of the plan before. What no sensor sees stands as the run before has left it.
 bool Executive::begin_again() {
-  start_taken();
+  begin_start();
   another_run_ = true;
   const std::vector<model::GroundAction> interrupted =
       follows_ ? begun_actions(false) : std::vector<model::GroundAction>();

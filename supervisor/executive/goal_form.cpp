@@ -57,10 +57,6 @@ std::string bounded(const json& document, const json& otherwise) {
 
 }  // namespace
 
-std::string no_goal_form_json(const std::string& reason) {
-  return run::internal::text_of({{"available", false}, {"reason", reason}});
-}
-
 std::string goal_form_json(const PlanningService& planning) {
   const pddl::GoalVocabulary words = pddl::goal_vocabulary(planning.task());
   const json form = {{"available", true},

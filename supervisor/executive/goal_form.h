@@ -23,8 +23,6 @@ inline constexpr std::size_t kMaxStateBytes = 64u << 10;
 
 // The words of the domain, the objects of its types, and what the binding knows of each sensor.
 std::string goal_form_json(const PlanningService& planning);
-// The form of a cell whose goals are no PDDL.
-std::string no_goal_form_json(const std::string& reason);
 
 // Writes what holds now, again and again; what of that only depends on the problem or the goal it works out
 // once. One thread at a time; the service must outlive it.

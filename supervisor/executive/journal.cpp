@@ -1,14 +1,13 @@
 #include "supervisor/executive/journal.h"
 
-#include "supervisor/run/internal/record_json.h"
-#include "supervisor/run/journal_file.h"
+#include "supervisor/run/internal/journal_json.h"
 
 namespace stepwright::executive {
 namespace {
 
 using run::internal::json;
 
-constexpr int kVersion = 3;
+constexpr run::internal::JournalForm kForm{"journal", 3};
 
 json plan_json(const model::Plan& plan) {
   json actions = json::array();
@@ -61,53 +60,34 @@ bool consistent(const Journal& journal) {
   return episodes.empty() || episodes.back().actions.size() == journal.plan.actions.size();
 }
 
-result::Result<std::optional<Journal>> journal_from(const json& document, const std::filesystem::path& file) {
-  const auto refuse = [&](const char* why) {
-    return result::fail("X0001", {file.string(), 0, 0}, why, "delete the file to start afresh");
-  };
-  if (document.at("version") != kVersion) return refuse("a journal of another version");
-  Journal journal;
-  journal.record = run::internal::record_from(document.at("record"));
+const char* own_from(const json& document, Journal& journal) {
   journal.start = start_from(document.at("start"));
   journal.plan = plan_from(document.at("plan"));
   document.at("changed").get_to(journal.changed);
-  journal.next_change = document.at("next_change");
-  journal.clock = {document.at("time_s"), document.at("time_offset_s"),
-                   document.value("incarnation", std::uint64_t{0})};
   if (document.contains("held")) {  // a journal that an earlier version has left has none of these
     journal.held = document.at("held");
     journal.known = document.at("known");
     document.at("seen").at("facts").get_to(journal.seen.facts);
     document.at("seen").at("fluents").get_to(journal.seen.fluents);
   }
-  if (!consistent(journal)) return refuse("a journal whose record does not fit its plan");
-  return std::optional<Journal>(std::move(journal));
+  return consistent(journal) ? nullptr : "its record does not fit its plan";
 }
 
 }  // namespace
 
 result::Result<void> write_journal(const std::filesystem::path& file, const Journal& journal) {
-  const json document = {{"version", kVersion},
-                         {"record", run::internal::record_json(journal.record)},
-                         {"start", start_json(journal.start)},
-                         {"plan", plan_json(journal.plan)},
-                         {"changed", journal.changed},
-                         {"next_change", journal.next_change},
-                         {"time_s", journal.clock.now_s},
-                         {"time_offset_s", journal.clock.offset_s},
-                         {"incarnation", journal.clock.incarnation},
-                         {"held", journal.held},
-                         {"known", journal.known},
-                         {"seen", {{"facts", journal.seen.facts}, {"fluents", journal.seen.fluents}}}};
-  return run::replace_journal_file(file, run::internal::text_of(document));
+  return run::internal::write_journal(
+      file, kForm, journal,
+      {{"start", start_json(journal.start)},
+       {"plan", plan_json(journal.plan)},
+       {"changed", journal.changed},
+       {"held", journal.held},
+       {"known", journal.known},
+       {"seen", {{"facts", journal.seen.facts}, {"fluents", journal.seen.fluents}}}});
 }
 
 result::Result<std::optional<Journal>> read_journal(const std::filesystem::path& file) {
-  auto text = run::read_journal_file(file);
-  if (!text) return result::forward(text);
-  if (!*text) return std::optional<Journal>();
-  return run::internal::read_text(**text, file.string(), "journal",
-                                  [&](const json& document) { return journal_from(document, file); });
+  return run::internal::read_journal<Journal>(file, kForm, own_from);
 }
 
 }  // namespace stepwright::executive

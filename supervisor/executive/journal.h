@@ -3,10 +3,8 @@
 // Journal of a run, from which a restarted supervisor goes on with the plan that the controller still
 // executes: the plan, where it started, the tare, what was changed from outside, and the record so far.
 //
-// Threads: any; both functions wait for the disk. Invariant: it is written to a new file that then takes the
-// place of the old one, so that a reader never sees half of it.
+// Threads: any; both functions wait for the disk.
 
-#include <cstddef>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -14,21 +12,17 @@
 
 #include "runtime/result/result.h"
 #include "supervisor/executive/planning_service.h"
-#include "supervisor/run/run_clock.h"
-#include "supervisor/run/run_record.h"
+#include "supervisor/run/journal.h"
 
 namespace stepwright::executive {
 
-struct Journal {
-  run::RunRecord record;
+struct Journal : run::Journal {
   StartState start;
   model::Plan plan;                       // actions and orderings only
   std::map<std::string, double> changed;  // fluents set from outside
-  std::size_t next_change = 0;
-  run::RunClock::State clock;  // when the journal was written
-  bool held = false;           // an operator wants it to be
-  bool known = false;          // the sensors have their tare
-  model::NamedState seen;      // of the plant, as the planner counts
+  bool held = false;                      // an operator wants it to be
+  bool known = false;                     // the sensors have their tare
+  model::NamedState seen;                 // of the plant, as the planner counts
 };
 
 // Returns once it is on the disk; fails with X0004.

@@ -19,6 +19,12 @@
 
 namespace stepwright::run {
 
+// Whether the program that has caused the event does not run any more.
+inline bool ends_program(host::EventKind kind) {
+  return kind == host::EventKind::Trap || kind == host::EventKind::Stopped ||
+         kind == host::EventKind::RolledBack;
+}
+
 class Controller {
  public:
   virtual ~Controller() = default;

@@ -158,18 +158,6 @@ bool Mission::give_up_aborted() {
   return give_up("aborted by the operator", IncidentKind::Operator);
 }
 
-void Mission::enter(Stage stage) {
-  const std::lock_guard lock(requests_mutex_);
-  if (stage_ == stage) return;
-  stage_ = stage;
-  if (stage != Stage::Running) start_ = false;
-}
-
-bool Mission::await_start(milliseconds timeout) {
-  std::unique_lock lock(requests_mutex_);
-  return start_signal_.wait_for(lock, timeout, [this] { return start_; });
-}
-
 // Gone, or back so quickly that it was never missed: then it has not our program any more.
 bool Mission::runtime_lost() {
   if (!controller_.alive()) return true;

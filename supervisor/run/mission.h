@@ -13,6 +13,7 @@
 //   };
 //   Trains trains(controller, {.cell = "yard"}, publish);
 //   RunRecord record = trains.run();
+//   while (trains.wait_start(1s)) record = trains.run();   // another one, where missions begin again
 //
 // Functions that return false mean: the run is over, and its phase says how (Done, Safe).
 //
@@ -32,6 +33,7 @@
 #include "runtime/result/result.h"
 #include "supervisor/run/cause.h"
 #include "supervisor/run/controller.h"
+#include "supervisor/run/request.h"
 #include "supervisor/run/run_clock.h"
 #include "supervisor/run/run_record.h"
 
@@ -57,6 +59,20 @@ class Mission {
   RunRecord run();
   // Stops the plant safely at the next decision and ends the run.
   void request_abort() { abort_ = true; }
+  // A request of people: "abort", or a word of the mission's own. X0003 or X0005 where it cannot be meant,
+  // X0008 where not now.
+  [[nodiscard]] result::Result<void> obey(const Request& request);
+
+  // Whether `run` has ended and nobody has started another one.
+  bool over() const;
+  // Waits until somebody wants another run; false after `timeout`. The next call of `run` is that one.
+  bool wait_start(std::chrono::milliseconds timeout);
+
+  // What a page makes a goal of (supervisor/doc/goals.md), JSON: the same for as long as this lives.
+  virtual std::string goal_form() const;
+  // Where a plan would begin and what a what-if has come to, JSON; nothing if that is as it was at the last
+  // call. One thread at a time.
+  virtual std::optional<std::string> new_outlook() { return std::nullopt; }
 
  protected:
   enum class Stage : std::uint8_t {
@@ -65,6 +81,7 @@ class Mission {
     Planless,  // there is none that could be started
     Over,
   };
+  enum class Wish : std::uint8_t { Start, OtherPlan, Abort };
 
   // What a mission is. From a journal or afresh, up to a program that runs:
   virtual bool begin() = 0;
@@ -81,9 +98,15 @@ class Mission {
   // Whether a program was brought to the runtime, which has to be stopped at the end.
   virtual bool drives() const = 0;
 
-  // And what most do alike. Wants of people that come before the next event.
+  // And what most do alike. Requests of people, by the mission's own words.
+  [[nodiscard]] virtual result::Result<void> take(const Request& request);
+  // Whether another run can begin after one that is over: from where the plant is then.
+  virtual bool begins_again() const { return false; }
+  // What was asked of a run that is over, and not yet taken, is not meant for the next one.
+  virtual void forget_requests() {}
+  // Wants of people that come before the next event.
   virtual std::optional<Cause> wish() { return std::nullopt; }
-  // Wants that are due by the scan clock.
+  // Wants that are due by the scan clock, people's among them.
   virtual std::optional<Cause> due(double) { return std::nullopt; }
   // The runtime has stopped, though it was to go on.
   virtual Decision stopped(const host::StepEvent& event);
@@ -121,9 +144,34 @@ class Mission {
   bool start();
   bool await_event(host::EventKind kind);
 
-  // From one run, or plan, to the next.
+  // Has `install` bring a program to run, and again where the runtime was lost meanwhile and is back.
+  bool bring_to_run(const std::function<bool()>& install);
+  // Waits for a runtime that is not heard of; the phase is Waiting then. False: aborted.
+  bool await_answer();
+  // The runtime runs exactly this container.
+  bool runs_program(std::span<const std::byte> container);
+  // The newest time that the runtime's picture of that program shows; at least `now_s`. A plant at rest
+  // causes no events that would tell it.
+  double shown_time(const std::optional<host::Snapshot>& snapshot, double now_s) const;
+
+  // From one run, or plan, to the next. A plan that waits for its operator:
   void enter(Stage stage);
-  bool await_start(std::chrono::milliseconds timeout);
+  // Begins what waits, or another run. X0008: nothing waits, there is no plan, or no runtime answers. `also`
+  // happens together with the start.
+  [[nodiscard]] result::Result<void> accept_start(const std::function<void()>& also = {});
+  // Shows the plan that waits, or that there is none (Planless), until somebody starts it or wants another
+  // one
+  // (`cause`); a start may have come with that.
+  Wish await_wish(Stage stage, std::string message, std::optional<Cause>& cause);
+  // The same where the plan is made, or made again, behind the start. True at once where no operator starts
+  // runs; false: aborted.
+  bool await_operator(const std::string& message);
+  // Somebody has asked for a start that has not begun; it begins, or it is refused.
+  bool start_wanted() const;
+  void begin_start();
+  void forget_start();
+  bool is(Stage stage) const;
+  [[nodiscard]] result::Result<void> run_is_over() const;
 
   Controller& controller_;
   RunRecord record_;
@@ -131,9 +179,9 @@ class Mission {
   std::string digest_;      // of the program that was brought to the runtime last
   bool confirmed_ = false;  // a status has said that the runtime has that program
   std::atomic<bool> abort_{false};
-  mutable std::mutex requests_mutex_;
-  Stage stage_ = Stage::Running;  // guarded by the mutex, as the next one
-  bool start_ = false;            // asked for and not yet begun
+  mutable std::mutex requests_mutex_;  // of the stage and what goes with it
+  Stage stage_ = Stage::Running;       // guarded by the mutex, as the next one
+  bool start_ = false;                 // asked for and not yet begun
   std::condition_variable start_signal_;
 
   void tell() const {
@@ -151,5 +199,8 @@ class Mission {
   int silent_rounds_ = 0;  // without news and without that status
   std::optional<std::chrono::steady_clock::time_point> working_since_;  // on a decision
 };
+
+// The form of a mission whose goals no page can put together.
+std::string no_goal_form_json(const std::string& reason);
 
 }  // namespace stepwright::run

@@ -1,6 +1,7 @@
 // Bringing a program to run: by an online change from the one that runs, so that the plant is never without
 // control, or by download and start.
 
+#include <algorithm>
 #include <utility>
 
 #include "supervisor/run/mission.h"
@@ -21,6 +22,31 @@ bool Mission::await_runtime() {
     if (record_.phase != Phase::Waiting) set_phase(Phase::Waiting, "waiting for the runtime");
   }
   return true;
+}
+
+bool Mission::await_answer() {
+  if (controller_.alive()) return true;
+  set_phase(Phase::Waiting, "the runtime does not answer; waiting for it");
+  return await_runtime();
+}
+
+bool Mission::bring_to_run(const std::function<bool()>& install) {
+  while (!install()) {
+    if (record_.phase == Phase::Safe || !await_runtime()) return false;
+  }
+  return true;
+}
+
+bool Mission::runs_program(std::span<const std::byte> container) {
+  const auto program = controller_.program();
+  const auto status = controller_.status();
+  return program && std::ranges::equal(*program, container) && status &&
+         status->state == host::RuntimeState::Running && status->program_digest == digest_;
+}
+
+double Mission::shown_time(const std::optional<host::Snapshot>& snapshot, double now_s) const {
+  if (!snapshot || snapshot->program_digest != digest_) return now_s;
+  return std::max(now_s, clock_.at(snapshot->incarnation, snapshot->time_ns));
 }
 
 bool Mission::runs() const {

@@ -119,10 +119,22 @@ ARROWS = {
     "hmi_web/monitor": ["hmi_web/server", "ladder/graphic", "ladder/semantics"],
     "hmi_web/server": ["hmi_web/api", "hmi_web/protocol", "runtime/dds", "runtime/bytecode/reader", "supervisor/model"],
 }
+# The planners of programs/missions/missions.def that are not named above, with all folders inside of theirs: none
+# includes another one.
+MISSIONS = "programs/missions/missions.def"
+OF_A_MISSION = ["supervisor/run", "supervisor/geometry", "supervisor/translate", "ladder/driver", "ladder/exchange", "runtime/bytecode/reader"]
 # Composition roots and tests may include everything; nothing else includes them.
 FREE = ("programs/", "tests/")
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"')
 SOURCES = {".h", ".cpp"}
+
+
+def add_missions(root: pathlib.Path) -> None:
+    """An arrow for each planner that has only its line in the list of planners."""
+    for name in re.findall(r"^STEPWRIGHT_MISSION\((\w+)\)", (root / MISSIONS).read_text(encoding="utf-8"), re.MULTILINE):
+        named = any(folder == f"supervisor/{name}" or folder.startswith(f"supervisor/{name}/") for folder in ARROWS)
+        if not named:
+            ARROWS[f"supervisor/{name}"] = OF_A_MISSION
 
 
 def folder_of(path: str) -> str:
@@ -183,6 +195,7 @@ def broken(root: pathlib.Path) -> list[str]:
 
 
 def main() -> int:
+    add_missions(pathlib.Path(sys.argv[1]))
     problems = cycles() + broken(pathlib.Path(sys.argv[1]))
     print("\n".join(problems) or "all includes follow the arrows")
     return 1 if problems else 0

@@ -10,7 +10,7 @@
 
 #include "plant_models/assemblies/sorting_line.h"
 #include "programs/config/cell_config.h"
-#include "programs/config/executive_options.h"
+#include "programs/missions/planning/executive_options.h"
 #include "supervisor/executive/executive.h"
 #include "tests/support/controller/simulated_controller.h"
 
@@ -27,7 +27,7 @@ inline const config::CellConfig& conveyor_cell() {
 
 inline const PlanningService& conveyor_planning() {
   static const PlanningService planning = [] {
-    auto opened = PlanningService::open(config::planning_options(conveyor_cell()));
+    auto opened = PlanningService::open(missions::planning_options(conveyor_cell()));
     if (!opened) throw std::runtime_error(result::to_string(opened.error()));
     return std::move(*opened);
   }();

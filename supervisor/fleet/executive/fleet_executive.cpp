@@ -25,7 +25,8 @@ FleetExecutive::FleetExecutive(FleetPlanning& planning, run::Controller& control
       standing_(planning.problem().vehicles.size()),
       returning_(planning.problem().vehicles.size()),
       begun_(planning.problem().vehicles.size()),
-      resets_(planning.problem().vehicles.size(), false) {}
+      resets_(planning.problem().vehicles.size(), false),
+      requests_(options_.requests) {}
 
 bool FleetExecutive::begin() {
   set_phase(Phase::Planning, "planning the missions of the fleet");
@@ -45,7 +46,7 @@ bool FleetExecutive::resume() {
   }
   if (known.record.phase == Phase::Ready || known.record.episodes.empty()) {  // nothing had begun
     blocked_ = std::move(known.blocked);
-    next_request_ = known.next_request;
+    requests_.go_on_at(known.next_request);
     return false;
   }
   known.request.cancel = &abort_;
@@ -55,7 +56,7 @@ bool FleetExecutive::resume() {
   }
   record_ = std::move(known.record);
   blocked_ = std::move(known.blocked);
-  next_request_ = known.next_request;
+  requests_.go_on_at(known.next_request);
   first_epoch_s_ = known.first_epoch_s;
   epoch_s_ = known.epoch_s;
   clock_ = run::RunClock(known.clock);
@@ -70,16 +71,13 @@ bool FleetExecutive::resume() {
 // The runtime has to have that very program, and to run it.
 bool FleetExecutive::resume_plan(FleetOutcome outcome, const FleetRequest& request) {
   auto reader = FleetReader::create(outcome.prepared.container, *outcome.prepared.program);
-  const auto program = controller_.program();
   const auto status = controller_.status();
-  const bool runs = reader && program && *program == outcome.prepared.container && status &&
-                    status->state == host::RuntimeState::Running;
-  if (!runs) {
+  if (status) digest_ = status->program_digest;  // the container tells whether it is that one
+  if (!reader || !runs_program(outcome.prepared.container)) {
     (void)controller_.stop("the supervisor was restarted and does not know this program");
     return give_up("the supervisor was restarted, and the runtime does not run the plan of its journal",
                    IncidentKind::LostRuntime);
   }
-  digest_ = status->program_digest;
   reader_ = *std::move(reader);
   follow_plan(std::move(outcome), request);
   open_incident(
@@ -92,14 +90,12 @@ bool FleetExecutive::resume_plan(FleetOutcome outcome, const FleetRequest& reque
 void FleetExecutive::write_journal() {
   if (options_.journal.empty() || !follow_) return;
   // A journal that cannot be written costs a restart its memory, not this run.
-  (void)write_fleet_journal(options_.journal, {.record = record_,
-                                               .ledger = reader_ ? planned_from_ : ledger_.state(),
-                                               .request = planned_as_,
-                                               .blocked = blocked_,
-                                               .next_request = next_request_,
-                                               .first_epoch_s = first_epoch_s_,
-                                               .epoch_s = epoch_s_,
-                                               .clock = clock_.state()});
+  (void)write_fleet_journal(options_.journal, {{record_, clock_.state(), requests_.next()},
+                                               reader_ ? planned_from_ : ledger_.state(),
+                                               planned_as_,
+                                               blocked_,
+                                               first_epoch_s_,
+                                               epoch_s_});
 }
 
 // The missions run without anybody who follows them. A runtime that has them still goes on; one that has lost
@@ -124,11 +120,7 @@ bool FleetExecutive::recover_runtime() {
 bool FleetExecutive::has_gone_on() {
   const Phase phase = record_.phase;
   const std::string message = record_.message;
-  if (!controller_.alive()) {
-    set_phase(Phase::Waiting, "the runtime does not answer; waiting for it");
-    if (!await_runtime()) return false;
-  }
-  if (!runs()) return false;
+  if (!await_answer() || !runs()) return false;
   open_incident({IncidentKind::LostRuntime, {"the runtime was not seen for a while; it has gone on"}, {}});
   decide(Response::GoOn);
   set_phase(phase, message);
@@ -201,29 +193,6 @@ void FleetExecutive::note_goals() {
                                         problem.locations[problem.goals[k].to].name),
                             entry.delivered >= entry.amount});
   }
-}
-
-result::Result<void> FleetExecutive::request(const FleetChange& change) {
-  if (const auto* back = std::get_if<ReturnChange>(&change)) {
-    bool known = false;
-    for (const MissionVehicle& vehicle : planning_.problem().vehicles)
-      known = known || vehicle.name == back->vehicle;
-    if (!known) {
-      return result::fail("X0003", {}, "there is no vehicle '" + back->vehicle + "'",
-                          "vehicles are those of the problem's file");
-    }
-  }
-  if (const auto* order = std::get_if<OrderChange>(&change)) {
-    FleetLedger trial(planning_.problem());  // what the file says is enough to see whether it can be meant
-    if (auto good = trial.order(order->name, order->from, order->to, std::max(1U, order->amount)); !good)
-      return good;
-  }
-  const std::lock_guard lock(requests_mutex_);
-  if (stage_ != Stage::Running &&
-      (std::holds_alternative<HoldChange>(change) || std::holds_alternative<ResumeChange>(change)))
-    return result::fail("X0008", {}, "nothing moves yet", "the run waits for its start");
-  requests_.push_back(change);
-  return {};
 }
 
 void FleetExecutive::publish(bool now) {

@@ -35,6 +35,7 @@
 #include "supervisor/fleet/executive/fleet_reading.h"
 #include "supervisor/fleet/executive/fleet_request.h"
 #include "supervisor/fleet/executive/track.h"
+#include "supervisor/run/due_requests.h"
 #include "supervisor/run/mission.h"
 
 namespace stepwright::fleet {
@@ -65,18 +66,21 @@ class FleetExecutive final : public run::Mission {
   // (X0008).
   [[nodiscard]] result::Result<void> request(const FleetChange& change);
 
+  std::string goal_form() const override;
+
  private:
-  enum class Wish : std::uint8_t { Start, OtherPlan, Abort };
   enum class Rest : std::uint8_t { Reached, EmergencyStop, Ended };
+  // fleet_executive_requests.cpp: what people ask for.
+  [[nodiscard]] result::Result<void> take(const run::Request& request) override;
+
   // fleet_executive_start.cpp: the first plan.
   bool start_afresh();
   bool give_up_planless(const FleetOutcome& outcome);
   void refuse_orders(LedgerState planned, const std::string& reason);
   Wish stay_ready(const FleetOutcome& outcome, const FleetRequest& request);
   Wish stay_planless(const std::string& reason);
-  Wish await_wish();
-  bool wanted() const;
-  bool planless() const;
+  Wish await_people(Stage stage, const std::string& message);
+  bool planless() const { return is(Stage::Planless); }
 
   // fleet_executive.cpp: from start to end.
   bool begin() override;
@@ -125,7 +129,6 @@ class FleetExecutive final : public run::Mission {
   bool take_held(const host::StepEvent& event);
   run::Cause resumed();
   bool bring_to_rest();
-  bool install_to_stay(const PreparedFleet& prepared);
   Rest await_rest(const PreparedFleet& halt, const std::vector<double>& begun_m);
   bool all_rest(const PreparedFleet& halt) const;
   void watch_errors(const std::vector<double>& begun_m);
@@ -174,8 +177,7 @@ class FleetExecutive final : public run::Mission {
   bool ordered_ = false;        // since the first plan was shown
   std::chrono::steady_clock::time_point published_{};
 
-  std::size_t next_request_ = 0;       // into options_.requests
-  std::vector<FleetChange> requests_;  // from other threads, not yet taken; guarded by requests_mutex_
+  run::DueRequests<TimedRequest> requests_;
 };
 
 }  // namespace stepwright::fleet

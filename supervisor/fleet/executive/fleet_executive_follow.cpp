@@ -114,21 +114,13 @@ run::Cause FleetExecutive::lose(const std::vector<std::uint32_t>& errors, const 
 }
 
 std::optional<run::Cause> FleetExecutive::due(double time_s) {
-  std::vector<FleetChange> due;
-  {
-    const std::lock_guard lock(requests_mutex_);
-    due.swap(requests_);
-  }
-  for (; next_request_ < options_.requests.size(); ++next_request_) {
-    if (options_.requests[next_request_].at_s > time_s) break;
-    due.push_back(options_.requests[next_request_].change);
-  }
+  const std::vector<TimedRequest> due = requests_.take(time_s);
   if (due.empty()) return std::nullopt;
   run::Cause all;
   bool replan = false;
-  for (const FleetChange& change : due) {
+  for (const TimedRequest& request : due) {
     run::Cause cause;
-    const bool needed = std::visit([&](const auto& asked) { return apply(asked, cause); }, change);
+    const bool needed = std::visit([&](const auto& asked) { return apply(asked, cause); }, request.change);
     all.kind = cause.kind;
     all.action = cause.action;
     all.evidence.insert(all.evidence.end(), cause.evidence.begin(), cause.evidence.end());

@@ -16,22 +16,15 @@ using run::Phase;
 using run::Response;
 using std::chrono::milliseconds;
 
-namespace {
-
-std::string joined(const std::vector<std::string>& sentences) {
-  return fmt::format("{}", fmt::join(sentences, "; "));
-}
-
-}  // namespace
-
 bool FleetExecutive::replan(const run::Cause& cause) {
-  record_.replans.push_back({clock_.now_s(), joined(cause.evidence), {}, to_hold_});
+  record_.replans.push_back({clock_.now_s(), run::sentence_of(cause.evidence), {}, to_hold_});
   open_incident(cause);
   if (!to_hold_ && static_cast<int>(counted(record_.replans)) > options_.max_replans) {
-    return give_up(fmt::format("{} plans were not enough: {}", options_.max_replans, joined(cause.evidence)),
-                   cause.kind);
+    return give_up(
+        fmt::format("{} plans were not enough: {}", options_.max_replans, run::sentence_of(cause.evidence)),
+        cause.kind);
   }
-  set_phase(to_hold_ ? Phase::Holding : Phase::Replanning, joined(cause.evidence));
+  set_phase(to_hold_ ? Phase::Holding : Phase::Replanning, run::sentence_of(cause.evidence));
   return bring_to_rest() && plan_rest();
 }
 
@@ -115,7 +108,7 @@ bool FleetExecutive::plan_rest() {
 
 // Nobody is there, and what is asked for at given times has been asked for.
 bool FleetExecutive::nobody_comes() const {
-  return !options_.attended && next_request_ == options_.requests.size();
+  return !options_.attended && requests_.none_to_come();
 }
 
 // All vehicles rest until somebody lets the fleet go on, and then for the next plan; who comes back is reset
@@ -158,15 +151,13 @@ bool FleetExecutive::relax(const FleetOutcome& outcome) {
   if (outcome.prepared.answer.verdict != fleet::Verdict::Infeasible) return false;
   const std::vector<std::string> limits = ledger_.drop_limits();
   if (limits.empty()) return false;
-  add_evidence("not to be kept any more: " + joined(limits));
+  add_evidence("not to be kept any more: " + run::sentence_of(limits));
   return true;
 }
 
 bool FleetExecutive::launch(FleetOutcome outcome, const FleetRequest& request) {
   const bool first = record_.episodes.empty();
-  while (!install(outcome.prepared)) {
-    if (record_.phase == Phase::Safe || !await_runtime()) return false;
-  }
+  if (!bring_to_run([&] { return install(outcome.prepared); })) return false;
   epoch_s_ = clock_.now_s();
   if (first) first_epoch_s_ = epoch_s_;
   launch_record(outcome);

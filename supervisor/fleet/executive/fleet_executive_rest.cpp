@@ -25,11 +25,6 @@ constexpr double kRestWithin_s = 60.0;  // of the scan clock
 constexpr double kSeenAnew_s = 0.3;
 constexpr std::uint32_t kEmergencyStop = 24;
 
-bool ends_the_run(host::EventKind kind) {
-  return kind == host::EventKind::Trap || kind == host::EventKind::Stopped ||
-         kind == host::EventKind::RolledBack;
-}
-
 // Why a run ends that was held for `cause`.
 std::string nobody_came(IncidentKind kind, const std::string& cause, Phase phase) {
   const std::string nobody = "nobody has let the fleet go on";
@@ -73,10 +68,8 @@ std::optional<run::Cause> FleetExecutive::hold(const run::Cause& cause, Phase ph
     }
     // Who rests causes no event that would tell what there is, and the time.
     const auto snapshot = controller_.snapshot();
-    if (!event && snapshot && snapshot->program_digest == digest_) {
-      reading_ = reader_->read(snapshot->image);
-      now_s = std::max(now_s, clock_.at(snapshot->incarnation, snapshot->time_ns));
-    }
+    if (!event && snapshot && snapshot->program_digest == digest_) reading_ = reader_->read(snapshot->image);
+    if (!event) now_s = shown_time(snapshot, now_s);
     now_s = std::max(now_s, clock_.now_s());
     (void)due(now_s);  // what they ask for is in the next plan
     publish(false);    // nobody who stands causes news
@@ -96,7 +89,7 @@ std::optional<run::Cause> FleetExecutive::hold(const run::Cause& cause, Phase ph
 bool FleetExecutive::take_held(const host::StepEvent& event) {
   if (event.kind == host::EventKind::RolledBack) return false;
   if (event.program_digest != digest_) return true;
-  if (ends_the_run(event.kind)) return false;
+  if (run::ends_program(event.kind)) return false;
   clock_.see(event.incarnation, event.time_ns);
   if (event.kind == host::EventKind::StepChange) reading_ = reader_->read(event.image);
   publish(false);
@@ -125,7 +118,7 @@ bool FleetExecutive::bring_to_rest() {
       return give_up("the fleet cannot be brought to rest: " + result::to_string(prepared.error()),
                      IncidentKind::ProgramFault);
     }
-    if (!install_to_stay(*prepared)) return false;
+    if (!bring_to_run([&] { return install(*prepared); })) return false;
     const Rest rest = await_rest(*prepared, begun_m);
     const bool asked = rest == Rest::Reached && to_hold_;
     if (rest != Rest::EmergencyStop && !asked) return rest == Rest::Reached;
@@ -137,13 +130,6 @@ bool FleetExecutive::bring_to_rest() {
     plan = std::move(halt.plan);
     program = *std::move(prepared->program);
   }
-}
-
-bool FleetExecutive::install_to_stay(const PreparedFleet& prepared) {
-  while (!install(prepared)) {
-    if (record_.phase == Phase::Safe || !await_runtime()) return false;
-  }
-  return true;
 }
 
 ErrorReset FleetExecutive::take_resets() {
@@ -169,7 +155,7 @@ FleetExecutive::Rest FleetExecutive::await_rest(const PreparedFleet& halt,
       if (record_.phase == Phase::Safe) return Rest::Ended;
       return end("the runtime was lost while the fleet was brought to rest", IncidentKind::LostRuntime);
     }
-    if (ends_the_run(event->kind))
+    if (run::ends_program(event->kind))
       return end("the fleet was stopped while it was brought to rest: " + event->detail,
                  IncidentKind::ProgramFault);
     if (event->program_digest == digest_ && event->kind == host::EventKind::StepChange) {

@@ -11,13 +11,6 @@ namespace stepwright::fleet {
 using run::IncidentKind;
 using run::Phase;
 using run::Response;
-using std::chrono::milliseconds;
-
-namespace {
-
-constexpr milliseconds kLookAtRequests{50};
-
-}  // namespace
 
 // What people have asked for and what cannot be planned is no end while an operator is waited for: orders are
 // refused, and a place that is blocked stays so.
@@ -34,7 +27,7 @@ bool FleetExecutive::start_afresh() {
       planned = ledger_.state();
       ordered_ = false;
       decide(Response::Replan);
-      wish = wanted() ? Wish::Start : stay_ready(*outcome, request);
+      wish = !options_.operator_starts || start_wanted() ? Wish::Start : stay_ready(*outcome, request);
     } else {
       const std::string reason = outcome ? outcome->reason : result::to_string(outcome.error());
       const bool asked = !blocked_.empty() || ledger_.ordered();
@@ -49,7 +42,7 @@ bool FleetExecutive::start_afresh() {
     }
     if (wish == Wish::Abort) return false;
     if (wish == Wish::OtherPlan) continue;
-    enter(Stage::Running);
+    begin_start();
     return await_runtime() && launch(*std::move(outcome), request);
   }
 }
@@ -60,8 +53,7 @@ void FleetExecutive::refuse_orders(LedgerState planned, const std::string& reaso
   ordered_ = false;
   add_evidence("what was ordered is refused, there is no plan with it: " + reason);
   decide(Response::GoOn);
-  const std::lock_guard lock(requests_mutex_);
-  start_ = false;
+  forget_start();
 }
 
 bool FleetExecutive::give_up_planless(const FleetOutcome& outcome) {
@@ -78,65 +70,28 @@ FleetExecutive::Wish FleetExecutive::stay_ready(const FleetOutcome& outcome, con
   follow_plan(outcome, request);
   record_.episodes.clear();
   launch_record(outcome);
-  enter(Stage::Ready);
-  set_phase(Phase::Ready,
-            fmt::format("a plan of {} stops is ready: nothing moves until an operator starts it",
-                        record_.episodes.back().actions.size()));
-  return await_wish();
+  return await_people(Stage::Ready,
+                      fmt::format("a plan of {} stops is ready: nothing moves until an operator starts it",
+                                  record_.episodes.back().actions.size()));
 }
 
 // There is nothing to start, until somebody orders something else or frees a place.
 FleetExecutive::Wish FleetExecutive::stay_planless(const std::string& reason) {
-  enter(Stage::Planless);
+  enter(Stage::Planless);  // the document has no plan from here on
   const std::string message = "there is no plan, and nothing can be started: " + reason;
   open_incident({IncidentKind::Position, {message}, {}});
   decide(Response::GoOn);
-  set_phase(Phase::Ready, message);
-  return await_wish();
+  return await_people(Stage::Planless, message);
 }
 
-FleetExecutive::Wish FleetExecutive::await_wish() {
-  while (true) {
-    if (abort_) {
-      give_up_aborted();
-      return Wish::Abort;
-    }
-    const bool started = await_start(kLookAtRequests);
-    const auto cause = due(clock_.now_s());
-    if (!started && !cause) {
-      publish(false);
-      continue;
-    }
-    record_.episodes.clear();
-    if (cause) open_incident(*cause);
-    set_phase(Phase::Planning, cause ? cause->evidence.front() : "started by the operator");
-    return cause ? Wish::OtherPlan : Wish::Start;
-  }
-}
-
-result::Result<void> FleetExecutive::request_start() {
-  const auto refuse = [](const char* why, const char* hint) { return result::fail("X0008", {}, why, hint); };
-  if (!controller_.alive())
-    return refuse("no runtime answers: the fleet would begin to move whenever one comes",
-                  "start the runtime first");
-  const std::lock_guard lock(requests_mutex_);
-  if (stage_ == Stage::Planless)
-    return refuse("there is no plan to start", "take an order back or free a place: the message says why");
-  if (stage_ != Stage::Ready || start_) return refuse("the run is under way", "hold or abort it");
-  if (abort_) return refuse("the run is being aborted", "start the supervisor again for another one");
-  start_ = true;
-  start_signal_.notify_all();
-  return {};
-}
-
-bool FleetExecutive::wanted() const {
-  const std::lock_guard lock(requests_mutex_);
-  return !options_.operator_starts || start_;
-}
-
-bool FleetExecutive::planless() const {
-  const std::lock_guard lock(requests_mutex_);
-  return stage_ == Stage::Planless;
+FleetExecutive::Wish FleetExecutive::await_people(Stage stage, const std::string& message) {
+  std::optional<run::Cause> cause;
+  const Wish wish = await_wish(stage, message, cause);
+  if (wish == Wish::Abort) return wish;
+  record_.episodes.clear();
+  if (cause) open_incident(*cause);
+  set_phase(Phase::Planning, cause ? cause->evidence.front() : "started by the operator");
+  return wish;
 }
 
 }  // namespace stepwright::fleet

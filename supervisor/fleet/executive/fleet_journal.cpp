@@ -1,17 +1,16 @@
 #include "supervisor/fleet/executive/fleet_journal.h"
 
-#include <nlohmann/json.hpp>
 #include <utility>
 
-#include "supervisor/run/journal_file.h"
+#include "supervisor/run/internal/journal_json.h"
 
 namespace stepwright::fleet {
 namespace {
 
-using nlohmann::json;
+using run::internal::json;
 using std::chrono::milliseconds;
 
-constexpr int kVersion = 1;
+constexpr run::internal::JournalForm kForm{"fleet's journal", 1};
 
 json pose_json(const geometry::Pose& pose) {
   return {pose.x_m, pose.y_m, pose.heading_rad};
@@ -164,65 +163,37 @@ FleetRequest request_from(const json& value) {
   return request;
 }
 
-// The record has its own form.
-json document_of(const FleetJournal& journal) {
-  run::RunRecord record = journal.record;
-  record.fleet.clear();
-  json blocked = json::array();
-  for (const Blocked& place : journal.blocked)
-    blocked.push_back({{"name", place.name}, {"area", area_json(place.area)}});
-  return {{"version", kVersion},
-          {"record", json::parse(run::to_json(record))},
-          {"ledger", ledger_json(journal.ledger)},
-          {"request", request_json(journal.request)},
-          {"blocked", std::move(blocked)},
-          {"next_request", journal.next_request},
-          {"first_epoch_s", journal.first_epoch_s},
-          {"epoch_s", journal.epoch_s},
-          {"time_s", journal.clock.now_s},
-          {"time_offset_s", journal.clock.offset_s},
-          {"incarnation", journal.clock.incarnation}};
+const char* own_from(const json& document, FleetJournal& journal) {
+  journal.ledger = ledger_from(document.at("ledger"));
+  journal.request = request_from(document.at("request"));
+  for (const json& place : document.at("blocked"))
+    journal.blocked.push_back({place.at("name").get<std::string>(), area_from(place.at("area"))});
+  journal.first_epoch_s = document.at("first_epoch_s");
+  journal.epoch_s = document.at("epoch_s");
+  const std::size_t vehicles = journal.ledger.vehicles.size();
+  bool fits = journal.request.rest.starts.size() == vehicles;
+  for (const Standing& each : journal.request.standing) fits = fits && each.vehicle < vehicles;
+  return fits ? nullptr : "its parts do not belong together";
 }
 
 }  // namespace
 
 result::Result<void> write_fleet_journal(const std::filesystem::path& file, const FleetJournal& journal) {
-  return run::replace_journal_file(file,
-                                   document_of(journal).dump(-1, ' ', false, json::error_handler_t::replace));
+  run::Journal kept = journal;
+  kept.record.fleet.clear();
+  json blocked = json::array();
+  for (const Blocked& place : journal.blocked)
+    blocked.push_back({{"name", place.name}, {"area", area_json(place.area)}});
+  return run::internal::write_journal(file, kForm, kept,
+                                      {{"ledger", ledger_json(journal.ledger)},
+                                       {"request", request_json(journal.request)},
+                                       {"blocked", std::move(blocked)},
+                                       {"first_epoch_s", journal.first_epoch_s},
+                                       {"epoch_s", journal.epoch_s}});
 }
 
 result::Result<std::optional<FleetJournal>> read_fleet_journal(const std::filesystem::path& file) {
-  auto text = run::read_journal_file(file);
-  if (!text) return result::forward(text);
-  if (!*text) return std::optional<FleetJournal>();
-  const auto refuse = [&](const std::string& why) {
-    return result::fail("X0001", {file.string(), 0, 0}, "not a fleet's journal: " + why,
-                        "delete the file to start afresh");
-  };
-  try {
-    const json document = json::parse(**text);
-    if (document.at("version") != kVersion) return refuse("another version");
-    FleetJournal journal;
-    auto record = run::record_from_json(document.at("record").dump(), file.string());
-    if (!record) return result::forward(record);
-    journal.record = *std::move(record);
-    journal.ledger = ledger_from(document.at("ledger"));
-    journal.request = request_from(document.at("request"));
-    for (const json& place : document.at("blocked"))
-      journal.blocked.push_back({place.at("name").get<std::string>(), area_from(place.at("area"))});
-    journal.next_request = document.at("next_request");
-    journal.first_epoch_s = document.at("first_epoch_s");
-    journal.epoch_s = document.at("epoch_s");
-    journal.clock = {document.at("time_s"), document.at("time_offset_s"),
-                     document.value("incarnation", std::uint64_t{0})};
-    const std::size_t vehicles = journal.ledger.vehicles.size();
-    bool fits = journal.request.rest.starts.size() == vehicles;
-    for (const Standing& each : journal.request.standing) fits = fits && each.vehicle < vehicles;
-    if (!fits) return refuse("its parts do not belong together");
-    return std::optional<FleetJournal>(std::move(journal));
-  } catch (const json::exception& problem) {
-    return refuse(problem.what());
-  }
+  return run::internal::read_journal<FleetJournal>(file, kForm, own_from);
 }
 
 }  // namespace stepwright::fleet

@@ -4,8 +4,7 @@
 // The same request gives the same plan, and so the program that the runtime still has; what vehicles have
 // done since shows in its image.
 //
-// Threads: any; both functions wait for the disk. Invariant: it is a file of its own, replaced as a whole; it
-// is not trusted when it is read.
+// Threads: any; both functions wait for the disk.
 
 #include <cstdint>
 #include <filesystem>
@@ -16,20 +15,17 @@
 #include "supervisor/fleet/executive/fleet_ledger.h"
 #include "supervisor/fleet/executive/fleet_planning.h"
 #include "supervisor/fleet/executive/fleet_request.h"
-#include "supervisor/run/run_clock.h"
-#include "supervisor/run/run_record.h"
+#include "supervisor/run/journal.h"
 
 namespace stepwright::fleet {
 
-struct FleetJournal {
-  run::RunRecord record;  // without the fleet's document
-  LedgerState ledger;     // when the plan was made
-  FleetRequest request;   // of the plan
+// The record is kept without the fleet's document.
+struct FleetJournal : run::Journal {
+  LedgerState ledger;    // when the plan was made
+  FleetRequest request;  // of the plan
   std::vector<Blocked> blocked = {};
-  std::size_t next_request = 0;
   double first_epoch_s = 0.0;
   double epoch_s = 0.0;
-  run::RunClock::State clock;
 };
 
 // X0004: the file cannot be written.

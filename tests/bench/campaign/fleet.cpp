@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "plant_models/assemblies/fleet_floor.h"
-#include "programs/fleet/fleet_executive_options.h"
+#include "programs/missions/fleet/fleet_executive_options.h"
 #include "programs/runtime/fleet_plant.h"
 #include "supervisor/fleet/executive/fleet_executive.h"
 #include "tests/bench/campaign/spread.h"
@@ -127,7 +127,7 @@ double mean(double sum, std::uint64_t count) {
 struct FleetCell::Parts {
   config::CellConfig config =
       or_throw(config::load_cell_config(STEPWRIGHT_SOURCE_DIR "/tests/cells/fleet/cell.toml"));
-  fleet::FleetPlanning planning = or_throw(config::open_fleet_planning(config));
+  fleet::FleetPlanning planning = or_throw(missions::open_fleet_planning(config));
 };
 
 FleetCell::FleetCell() : parts_(std::make_unique<Parts>()) {}
@@ -143,7 +143,7 @@ FleetRun run_fleet(FleetCell& cell, std::uint64_t seed) {
       or_throw(assemblies::FleetFloor::create(or_throw(cell_runtime::fleet_parameters(plant)))),
       bridge::default_fleet_wires(planning.problem().vehicles.size()),
       {config.image.input_bytes, config.image.output_bytes}, run.moment.faults);
-  fleet::FleetExecutiveOptions options = config::fleet_executive_options(config);
+  fleet::FleetExecutiveOptions options = missions::fleet_executive_options(config);
   options.requests = run.moment.requests;
   options.hold = kHold;
   options.attended = false;

@@ -8,6 +8,8 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "programs/missions/planning/table/planning_table.h"
+
 namespace stepwright::config {
 namespace {
 
@@ -22,6 +24,9 @@ class CellConfigTest : public testing::Test {
   std::filesystem::path write(const std::string& text) const {
     std::ofstream(folder_ / "cell.toml") << text;
     return folder_ / "cell.toml";
+  }
+  missions::PlanningTable planning_of(const std::string& text) const {
+    return *missions::table_as<missions::PlanningTable>(load_cell_config(write(text)).value().mission.table);
   }
 
   std::filesystem::path folder_;
@@ -80,10 +85,9 @@ TEST_F(CellConfigTest, WhenInputsAreReal_ThenTheFirstPlanStartsFromThemUnlessThe
   const std::string planning =
       "[planning]\ndomain = \"domain.pddl\"\nproblem = \"problem.pddl\"\nbinding = \"binding.toml\"\n";
   const std::string real = "[clock]\nmode = \"real\"\n[io]\nkind = \"shared_memory\"\n" + planning;
-  EXPECT_EQ(load_cell_config(write(planning))->planning.initial, InitialState::Problem);
-  EXPECT_EQ(load_cell_config(write(real))->planning.initial, InitialState::Observed);
-  EXPECT_EQ(load_cell_config(write(real + "initial = \"problem\"\n"))->planning.initial,
-            InitialState::Problem);
+  EXPECT_EQ(planning_of(planning).initial, missions::InitialState::Problem);
+  EXPECT_EQ(planning_of(real).initial, missions::InitialState::Observed);
+  EXPECT_EQ(planning_of(real + "initial = \"problem\"\n").initial, missions::InitialState::Problem);
   EXPECT_FALSE(load_cell_config(write(planning + "initial = \"guessed\"\n")).has_value());
 }
 
@@ -102,7 +106,7 @@ TEST_F(CellConfigTest, WhenProgramsAreOfAnotherSystem_ThenItsDialectIsNamed) {
   const std::string files = "domain = \"cell.toml\"\nproblem = \"cell.toml\"\nbinding = \"cell.toml\"\n";
   const auto config = load_cell_config(write("[planning]\n" + files + "dialect = \"codesys\"\n"));
   ASSERT_TRUE(config.has_value()) << result::to_string(config.error());
-  EXPECT_EQ(config->planning.dialect->name, "codesys");
+  EXPECT_EQ(config->mission.table->dialect().name, "codesys");
   const auto wrong = load_cell_config(write("[planning]\n" + files + "dialect = \"basic\"\n"));
   ASSERT_FALSE(wrong.has_value());
   EXPECT_EQ(wrong.error()[0].where.line, 5u);
@@ -119,7 +123,9 @@ TEST_F(CellConfigTest, WhenALineHasMoreDivertersOrBoxesThanThereAre_ThenEachIsRe
 TEST_F(CellConfigTest, WhenThereIsNoPlanning_ThenTheCellIsARuntimeOnly) {
   const auto config = load_cell_config(write("[cell]\nname = \"line\"\n"));
   ASSERT_TRUE(config.has_value()) << result::to_string(config.error());
-  EXPECT_TRUE(config->planning.domain.empty());
+  EXPECT_EQ(config->mission.table, nullptr);
+  EXPECT_EQ(config->mission.name, "");
+  EXPECT_NE(missions::mission_tables().find("[planning]"), std::string::npos);
 }
 
 TEST_F(CellConfigTest, WhenSeveralThingsAreWrong_ThenAllAreReported) {

@@ -56,7 +56,7 @@ TEST(ExecutiveConveyor, WhenTheSameSeedRunsTwice_ThenTheTracesAreEqual) {
 }
 
 TEST(ExecutiveConveyor, WhenSensorsCountPieces_ThenNoMonitorWantsThemToMoveAllTheWhile) {
-  PlanningOptions options = config::planning_options(conveyor_cell());
+  PlanningOptions options = missions::planning_options(conveyor_cell());
   options.monitors = true;
   const auto planning = PlanningService::open(options);
   ASSERT_TRUE(planning);
@@ -248,7 +248,7 @@ TEST(ExecutiveConveyor, WhenABoxIsReadThatIsOnNoList_ThenThereIsNoPlan) {
 
 // An order that lets boxes into either of two chutes: problem.pddl with a line more for each.
 std::filesystem::path lenient_orders(const support::TemporaryFolder& folder) {
-  std::ifstream file(conveyor_cell().planning.problem);
+  std::ifstream file(missions::planning_table(conveyor_cell()).problem);
   std::string text((std::istreambuf_iterator<char>(file)), {});
   const std::string ordered = "(wanted b3 c1)";
   text.replace(text.find(ordered), ordered.size(), "(wanted b3 c1) (wanted b3 c2) (wanted b1 c2)");
@@ -259,7 +259,7 @@ std::filesystem::path lenient_orders(const support::TemporaryFolder& folder) {
 
 TEST(ExecutiveConveyor, WhenADiverterHasFailed_ThenBoxesThatMayGoElsewhereDo) {
   const support::TemporaryFolder folder;
-  PlanningOptions options = config::planning_options(conveyor_cell());
+  PlanningOptions options = missions::planning_options(conveyor_cell());
   options.problem = lenient_orders(folder);
   const auto planning = PlanningService::open(options);
   ASSERT_TRUE(planning) << result::to_string(planning.error());

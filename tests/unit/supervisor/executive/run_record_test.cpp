@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 #include "supervisor/executive/journal.h"
 #include "supervisor/run/report.h"
@@ -127,6 +128,29 @@ TEST(Journal, WhenItsRecordIsOfAnotherPlan_ThenItIsRefused) {
   ASSERT_FALSE(read.has_value());
   EXPECT_EQ(read.error()[0].code, "X0001");
   EXPECT_EQ(read.error()[0].where.file, file.string());
+}
+
+TEST(Journal, WhenAnEarlierVersionHasWrittenIt_ThenItIsReadAsWell) {
+  const std::filesystem::path file = testing::TempDir() + "earlier_version.json";
+  Journal journal;
+  journal.next_request = 3;
+  ASSERT_TRUE(write_journal(file, journal).has_value());
+  std::stringstream text;
+  text << std::ifstream(file).rdbuf();
+  std::string earlier = text.str();
+  earlier.replace(earlier.find("next_request"), 12, "next_change");
+  std::ofstream(file) << earlier;
+  const auto read = read_journal(file);
+  ASSERT_TRUE(read.has_value() && read->has_value()) << result::to_string(read.error());
+  EXPECT_EQ((*read)->next_request, 3u);
+}
+
+TEST(Journal, WhenItIsOfAnotherVersion_ThenItIsRefused) {
+  const std::filesystem::path file = testing::TempDir() + "other_version.json";
+  std::ofstream(file) << R"({"version": 2})";
+  const auto read = read_journal(file);
+  ASSERT_FALSE(read.has_value());
+  EXPECT_EQ(read.error()[0].code, "X0001");
 }
 
 TEST(Journal, WhenThereIsNone_ThenNothingIsRead) {

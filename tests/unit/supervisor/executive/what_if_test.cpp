@@ -180,7 +180,7 @@ TEST(GoalForm, WhenTheOutlookIsTold_ThenItHasWhatGoalsCanSpeakOfAndTheWhatIf) {
   EXPECT_EQ(told["what_if"]["id"], "7f");
   EXPECT_TRUE(bench_planning().check_goal(told["goal"]));
   EXPECT_TRUE(told["goal"].get<std::string>().starts_with("(and\n  "));
-  EXPECT_EQ(json::parse(no_goal_form_json("a fleet"))["available"], false);
+  EXPECT_EQ(json::parse(run::no_goal_form_json("a fleet"))["available"], false);
 }
 
 }  // namespace

@@ -35,12 +35,12 @@ END_PROGRAM
 
 }  // namespace
 
-FillingMission::FillingMission(Controller& controller, int counts, Observer observer)
-    : Mission(controller, {.cell = "bench"}, std::move(observer)), counts_(counts) {}
+FillingMission::FillingMission(Controller& controller, MissionOptions options, int counts, Observer observer)
+    : Mission(controller, std::move(options), std::move(observer)), counts_(counts) {}
 
 bool FillingMission::begin() {
   set_phase(Phase::Planning, "filling the vehicle");
-  return launch();
+  return await_operator("nothing moves until an operator starts it") && launch();
 }
 
 // What is planned, and that it runs.
@@ -50,21 +50,23 @@ bool FillingMission::launch() {
   auto reader = ImageReader::create(*program, "filling", {"filling.level"});
   if (!reader) return give_up("the program cannot be read", reader.error());
   reader_ = std::move(*reader);
-  do {
-    if (!await_runtime()) return false;
-    if (download(*program) && start()) {
-      Episode episode;
-      episode.digest = digest_;
-      episode.started_s = clock_.now_s();
-      episode.actions.emplace_back();
-      episode.actions.back().text = "(fill v1)";
-      episode.actions.back().state = ActionState::Active;
-      record_.episodes.push_back(std::move(episode));
-      set_phase(Phase::Executing, "the pump runs");
-      return true;
-    }
-  } while (record_.phase != Phase::Safe);  // the runtime was lost meanwhile
-  return false;
+  if (!await_runtime() || !bring_to_run([&] { return install(*program); })) return false;
+  Episode episode;
+  episode.digest = digest_;
+  episode.started_s = clock_.now_s();
+  episode.actions.emplace_back();
+  episode.actions.back().text = "(fill v1)";
+  episode.actions.back().state = ActionState::Active;
+  record_.episodes.push_back(std::move(episode));
+  set_phase(Phase::Executing, "the pump runs");
+  return true;
+}
+
+// A program that runs is relieved without a stop. False: the runtime is lost, or the run is over (phase
+// Safe).
+bool FillingMission::install(const std::vector<std::byte>& program) {
+  if (runs() && change(program)) return await_event(host::EventKind::Changed);
+  return download(program) && start();
 }
 
 // What is observed.
@@ -72,6 +74,7 @@ Decision FillingMission::judge_image(std::span<const std::byte> image) {
   const bool done = reader_->active_steps(image).back();
   record_.observed["level"] = reader_->values(image).at("filling.level");
   publish(/*now=*/true);
+  if (auto cause = due(clock_.now_s())) return {Verdict::Replan, *std::move(cause)};
   return {done ? Verdict::Finished : Verdict::GoOn};
 }
 
@@ -86,6 +89,25 @@ bool FillingMission::replan(const Cause& cause) {
 
 bool FillingMission::recover_runtime() {
   return replan({IncidentKind::LostRuntime, {"the runtime was lost"}});
+}
+
+// What people may ask for: from any thread.
+result::Result<void> FillingMission::take(const Request& request) {
+  if (request.word() == "start") return accept_start();
+  if (request.word() != "level") return not_of_this_mission("start, level, abort");
+  const auto counts = request.count_or("counts", 0, 32'767);
+  if (!counts || *counts == 0) return no_request(R"_(for example {"request": "level", "counts": 2500})_");
+  if (over()) return run_is_over();
+  wanted_.add({0.0, static_cast<int>(*counts)});
+  return {};
+}
+
+// And what becomes of it, in the thread of the run.
+std::optional<Cause> FillingMission::due(double time_s) {
+  const std::vector<Level> wanted = wanted_.take(time_s);
+  if (wanted.empty()) return std::nullopt;
+  counts_ = wanted.back().counts;
+  return Cause{IncidentKind::NewGoal, {fmt::format("{} counts are wanted", counts_)}};
 }
 
 // How it comes to rest.

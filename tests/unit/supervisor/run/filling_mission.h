@@ -1,13 +1,16 @@
 #pragma once
 
 // The smallest mission that runs: fills the vehicle of the tank bench up to a level by one chart of two
-// steps. supervisor/doc/adding_a_planner.md goes through it.
+// steps. People may want another level: {"request": "level", "counts": 2500}. Begin a mission with a copy of
+// this (supervisor/doc/adding_a_planner.md).
 //
 // Threads: as run::Mission.
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
+#include "supervisor/run/due_requests.h"
 #include "supervisor/run/image_reader.h"
 #include "supervisor/run/mission.h"
 
@@ -16,7 +19,7 @@ namespace stepwright::run {
 class FillingMission final : public Mission {
  public:
   // Up to so many counts of the level's transmitter.
-  FillingMission(Controller& controller, int counts, Observer observer = {});
+  FillingMission(Controller& controller, MissionOptions options, int counts, Observer observer = {});
 
  private:
   bool begin() override;
@@ -26,10 +29,18 @@ class FillingMission final : public Mission {
   bool recover_runtime() override;
   void publish(bool now) override;
   bool drives() const override { return reader_.has_value(); }
+  result::Result<void> take(const Request& request) override;
+  std::optional<Cause> due(double time_s) override;
 
   bool launch();
+  bool install(const std::vector<std::byte>& program);
 
+  struct Level {
+    double at_s = 0.0;
+    int counts = 0;
+  };
   int counts_;
+  DueRequests<Level> wanted_{{}};
   std::optional<ImageReader> reader_;  // of the program that runs
 };
 

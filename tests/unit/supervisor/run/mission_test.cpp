@@ -28,7 +28,7 @@ class MissionTest : public testing::Test {
 
 TEST_F(MissionTest, WhenThePlanEnds_ThenTheGoalIsReachedAndTheRuntimeStopped) {
   std::vector<Phase> phases;
-  FillingMission mission(controller_, kCounts, [&](const RunRecord& record) {
+  FillingMission mission(controller_, {.cell = "bench"}, kCounts, [&](const RunRecord& record) {
     if (phases.empty() || phases.back() != record.phase) phases.push_back(record.phase);
   });
   const RunRecord record = run(mission);
@@ -43,7 +43,7 @@ TEST_F(MissionTest, WhenThePlanEnds_ThenTheGoalIsReachedAndTheRuntimeStopped) {
 
 TEST_F(MissionTest, WhenTheRuntimeIsLost_ThenItIsPlannedForAnewAndTheClockGoesOn) {
   controller_.kill_runtime_at(2.0);
-  FillingMission mission(controller_, kCounts);
+  FillingMission mission(controller_, {.cell = "bench"}, kCounts);
   const RunRecord record = run(mission);
   EXPECT_EQ(record.phase, Phase::Done);
   ASSERT_EQ(record.incidents.size(), 1u);
@@ -55,7 +55,7 @@ TEST_F(MissionTest, WhenTheRuntimeIsLost_ThenItIsPlannedForAnewAndTheClockGoesOn
 
 TEST_F(MissionTest, WhenItIsAborted_ThenTheOutputsAreSafeAndTheReasonIsTold) {
   FillingMission* running = nullptr;
-  FillingMission mission(controller_, kCounts, [&](const RunRecord& record) {
+  FillingMission mission(controller_, {.cell = "bench"}, kCounts, [&](const RunRecord& record) {
     if (record.phase == Phase::Executing) running->request_abort();
   });
   running = &mission;
@@ -69,8 +69,65 @@ TEST_F(MissionTest, WhenItIsAborted_ThenTheOutputsAreSafeAndTheReasonIsTold) {
   EXPECT_EQ(controller_.stops(), 1);
 }
 
+result::Result<void> ask(Mission& mission, const std::string& text) {
+  const auto request = Request::parse(text);
+  return request ? mission.obey(*request) : tl::unexpected(request.error());
+}
+
+TEST_F(MissionTest, WhenPeopleWantSomethingElse_ThenThatIsPlannedForWithoutAStop) {
+  FillingMission* running = nullptr;
+  FillingMission mission(controller_, {.cell = "bench"}, kCounts, [&](const RunRecord& record) {
+    if (record.phase != Phase::Executing || record.episodes.size() > 1) return;
+    EXPECT_TRUE(ask(*running, R"_({"request": "level", "counts": 3000})_"));
+  });
+  running = &mission;
+  const RunRecord record = run(mission);
+  EXPECT_EQ(record.phase, Phase::Done);
+  EXPECT_GE(record.observed.at("level"), 3'000);
+  ASSERT_EQ(record.replans.size(), 1u);
+  EXPECT_EQ(record.incidents[0].kind, IncidentKind::NewGoal);
+  EXPECT_EQ(controller_.changes(), 1);
+  EXPECT_EQ(controller_.stops(), 1) << "at the end";
+}
+
+TEST_F(MissionTest, WhenARequestCannotBeMeantOrNotNow_ThenTheCodeTells) {
+  FillingMission mission(controller_, {.cell = "bench"}, kCounts);
+  const auto code = [&](const char* text) { return ask(mission, text).error().front().code; };
+  EXPECT_EQ(code(R"_({"request": "order"})_"), "X0003");
+  EXPECT_EQ(code(R"_({"request": "level", "counts": "full"})_"), "X0005");
+  EXPECT_FALSE(mission.over());
+  (void)run(mission);
+  EXPECT_TRUE(mission.over());
+  EXPECT_EQ(code(R"_({"request": "level", "counts": 2500})_"), "X0008");
+  EXPECT_EQ(code(R"_({"request": "abort"})_"), "X0008");
+  EXPECT_FALSE(mission.wait_start(std::chrono::milliseconds(0)));
+}
+
+TEST_F(MissionTest, WhenAnOperatorStartsRuns_ThenNothingMovesBeforeThatAndWhatIsWantedMeanwhileCounts) {
+  FillingMission* waiting = nullptr;
+  FillingMission mission(controller_, {.cell = "bench", .operator_starts = true}, kCounts,
+                         [&](const RunRecord& record) {
+                           if (record.phase != Phase::Ready) return;
+                           EXPECT_FALSE(controller_.any_output());
+                           EXPECT_TRUE(ask(*waiting, R"_({"request": "level", "counts": 3000})_"));
+                           EXPECT_TRUE(ask(*waiting, R"_({"request": "start"})_"));
+                           EXPECT_EQ(ask(*waiting, R"_({"request": "start"})_").error()[0].code, "X0008");
+                         });
+  waiting = &mission;
+  EXPECT_EQ(ask(mission, R"_({"request": "start"})_").error()[0].code, "X0008") << "there is no plan yet";
+  const RunRecord record = run(mission);
+  EXPECT_EQ(record.phase, Phase::Done);
+  EXPECT_GE(record.observed.at("level"), 3'000);
+  EXPECT_EQ(record.episodes.size(), 1u);
+}
+
+TEST_F(MissionTest, WhenAMissionSaysNothingOfGoals_ThenThePageIsToldThatThereAreNone) {
+  const FillingMission mission(controller_, {.cell = "bench"}, kCounts);
+  EXPECT_NE(mission.goal_form().find("\"available\":false"), std::string::npos);
+}
+
 TEST_F(MissionTest, WhenSomebodyStopsTheRuntime_ThenTheRunEndsAndDoesNotGoOnByItself) {
-  FillingMission mission(controller_, kCounts, [&](const RunRecord& record) {
+  FillingMission mission(controller_, {.cell = "bench"}, kCounts, [&](const RunRecord& record) {
     if (record.phase == Phase::Executing) (void)controller_.stop("by hand");
   });
   const RunRecord record = run(mission);

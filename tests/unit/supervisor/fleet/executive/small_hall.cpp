@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "plant_models/assemblies/fleet_floor.h"
-#include "programs/fleet/fleet_executive_options.h"
+#include "programs/missions/fleet/fleet_executive_options.h"
 #include "programs/runtime/fleet_plant.h"
 
 namespace stepwright::fleet {
@@ -33,15 +33,17 @@ SmallHall::SmallHall(std::vector<support::PlantFault> faults, const std::string&
           or_throw(assemblies::FleetFloor::create(or_throw(cell_runtime::fleet_parameters(config_.plant)))),
           bridge::default_fleet_wires(3), {64, 64}, std::move(faults)) {
   if (constraints.empty()) return;
-  auto problem = nlohmann::json::parse(std::ifstream(config_.fleet.problem));
+  auto problem = nlohmann::json::parse(std::ifstream(missions::fleet_table(config_).problem));
   problem["map"] = std::string(kFolder) + "map.yaml";
   problem["constraints"] = nlohmann::json::parse(constraints);
-  config_.fleet.problem = folder_.path() / "problem.json";
-  std::ofstream(config_.fleet.problem) << problem;
+  auto table = std::make_shared<missions::FleetTable>(missions::fleet_table(config_));
+  table->problem = folder_.path() / "problem.json";
+  std::ofstream(table->problem) << problem;
+  config_.mission.table = std::move(table);
 }
 
 FleetExecutiveOptions SmallHall::options() const {
-  return config::fleet_executive_options(config_);
+  return missions::fleet_executive_options(config_);
 }
 
 run::RunRecord SmallHall::run(FleetExecutiveOptions options, FleetExecutive::Observer observer) {
@@ -53,7 +55,7 @@ FleetPlanning& SmallHall::planning() {
   static std::map<std::string, FleetPlanning> plannings;
   const auto found = plannings.find(constraints_);
   if (found != plannings.end()) return found->second;
-  return plannings.emplace(constraints_, or_throw(config::open_fleet_planning(config_))).first->second;
+  return plannings.emplace(constraints_, or_throw(missions::open_fleet_planning(config_))).first->second;
 }
 
 void SmallHall::tell_time() {

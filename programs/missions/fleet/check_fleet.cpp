@@ -1,4 +1,4 @@
-#include "programs/check/check_fleet.h"
+#include "programs/missions/fleet/check_fleet.h"
 
 #include <fmt/format.h>
 
@@ -6,10 +6,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "programs/fleet/fleet_executive_options.h"
+#include "programs/missions/fleet/fleet_executive_options.h"
 #include "supervisor/fleet/map/map_file.h"
 
-namespace stepwright::check {
+namespace stepwright::missions {
 namespace {
 
 // What the reserve of a plan has room for, with the noise of a navigation.
@@ -26,7 +26,7 @@ void compare_floors(const config::CellConfig& config, const fleet::FleetPlanning
   const auto map = fleet::read_map(config.plant.fleet.map);
   if (!map || *map == planning.problem().map) return;  // what cannot be read is said with the plant
   found.push_back(
-      problem("C0543", config.fleet.where,
+      problem("C0543", fleet_table(config).where,
               "the map of the problem is not that of the plant, " + config.plant.fleet.map.string(),
               "both have to name the same floor"));
 }
@@ -53,7 +53,7 @@ void compare_stands(const config::CellConfig& config, const fleet::FleetPlanning
 
 void check_requests(const config::CellConfig& config, const fleet::FleetPlanning& planning,
                     result::Diagnostics& found) {
-  for (const config::FleetRequestConfig& asked : config.fleet.requests) {
+  for (const FleetAsked& asked : fleet_table(config).requests) {
     if (asked.request != "return") continue;
     const auto& vehicles = planning.problem().vehicles;
     if (std::ranges::find(vehicles, asked.vehicle, &fleet::MissionVehicle::name) != vehicles.end()) continue;
@@ -64,46 +64,39 @@ void check_requests(const config::CellConfig& config, const fleet::FleetPlanning
 
 }  // namespace
 
-FleetCheck check_fleet(const config::CellConfig& config) {
-  FleetCheck check;
-  auto planning = config::open_fleet_planning(config);
-  if (!planning) {
-    check.problems = std::move(planning.error());
-    return check;
-  }
+result::Result<FirstPlan> first_fleet_plan(const config::CellConfig& config, fleet::FleetPlanning& planning) {
+  result::Diagnostics found;
   if (config.plant.kind == "fleet") {
-    compare_floors(config, *planning, check.problems);
-    compare_stands(config, *planning, check.problems);
+    compare_floors(config, planning, found);
+    compare_stands(config, planning, found);
   }
-  for (const config::FleetOrderConfig& order : config.fleet.orders) {
-    fleet::FleetLedger trial(planning->problem());
+  for (const FleetOrder& order : fleet_table(config).orders) {
+    fleet::FleetLedger trial(planning.problem());
     if (auto taken = trial.order(order.name, order.from, order.to, order.amount); !taken) {
       result::Diagnostic wrong = taken.error().front();
       wrong.where = order.where;
-      check.problems.push_back(std::move(wrong));
+      found.push_back(std::move(wrong));
     }
   }
-  check_requests(config, *planning, check.problems);
-  if (!check.problems.empty()) return check;
-  const fleet::FleetLedger ledger(planning->problem());
-  auto outcome = planning->plan(ledger, {.rest = {.starts = planning->first_starts()}});
-  if (!outcome) {
-    check.problems = std::move(outcome.error());
-    return check;
-  }
+  check_requests(config, planning, found);
+  if (!found.empty()) return tl::unexpected(std::move(found));
+  const fleet::FleetLedger ledger(planning.problem());
+  auto outcome = planning.plan(ledger, {.rest = {.starts = planning.first_starts()}});
+  if (!outcome) return result::forward(outcome);
   if (!outcome->prepared.program) {
-    check.no_plan = outcome->reason;
-    check.proved = outcome->prepared.answer.proof == fleet::Proof::AllPaths;
-    return check;
+    const bool proved = outcome->prepared.answer.proof == fleet::Proof::AllPaths;
+    return FirstPlan{.no_plan = outcome->reason,
+                     .exit = proved ? result::ExitCode::NoPlan : result::ExitCode::BudgetExhausted};
   }
+  FirstPlan first;
   const fleet::FleetPlan& plan = outcome->prepared.answer.plan;
   for (std::size_t v = 0; v < plan.missions.size(); ++v) {
-    check.stops += plan.missions[v].stops.size();
+    first.actions += plan.missions[v].stops.size();
     const auto end = plan.schedule.earliest[v].back().exit;
-    check.makespan_s = std::max(check.makespan_s, 1e-3 * static_cast<double>(end.count()));
+    first.cost = std::max(first.cost, 1e-3 * static_cast<double>(end.count()));
   }
-  check.program = std::move(outcome->prepared.container);
-  return check;
+  first.program = std::move(outcome->prepared.container);
+  return first;
 }
 
-}  // namespace stepwright::check
+}  // namespace stepwright::missions

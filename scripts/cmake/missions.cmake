@@ -1,0 +1,15 @@
+# STEPWRIGHT_MISSIONS: the planners of programs/missions/missions.def, which a new one joins by a line there.
+
+set(definitions ${PROJECT_SOURCE_DIR}/programs/missions/missions.def)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${definitions})
+file(STRINGS ${definitions} STEPWRIGHT_MISSIONS REGEX "^STEPWRIGHT_MISSION")
+list(TRANSFORM STEPWRIGHT_MISSIONS REPLACE "^STEPWRIGHT_MISSION\\(([a-z0-9_]+)\\)$" "\\1")
+
+# Of the planners, those whose folder under FOLDER is not added to the build by name.
+function(stepwright_add_missions folder)
+  foreach(mission IN LISTS STEPWRIGHT_MISSIONS)
+    if(NOT mission IN_LIST ARGN AND EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}${mission}/CMakeLists.txt)
+      add_subdirectory(${folder}${mission})
+    endif()
+  endforeach()
+endfunction()
