@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "programs/fleet/fleet_executive_options.h"
+#include "runtime/service/answer_codes.h"
 #include "supervisor/executive/goal_form.h"
 
 namespace stepwright::supervisor_program {
@@ -37,7 +38,8 @@ class FleetMission final : public CellMission {
         std::holds_alternative<CancelWhatIfRequest>(request))
       return not_of_this_cell("a fleet has no what-if on the page: `stepwright fleet` plans without driving");
     if (over_)
-      return result::fail("X0008", {}, "the run is over", "start the supervisor again for another one");
+      return result::fail(service::kNotNow, {}, "the run is over",
+                          "start the supervisor again for another one");
     if (std::holds_alternative<AbortRequest>(request)) {
       executive_->request_abort();
       return {};

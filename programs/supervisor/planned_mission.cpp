@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "programs/config/executive_options.h"
+#include "runtime/service/answer_codes.h"
 #include "supervisor/executive/goal_form.h"
 
 namespace stepwright::supervisor_program {
@@ -31,7 +32,7 @@ class PlannedMission final : public CellMission {
     if (const auto* cancel = std::get_if<CancelWhatIfRequest>(&request)) return what_if_.cancel(cancel->id);
     if (std::holds_alternative<fleet::FleetChange>(request))
       return not_of_this_cell("it has no fleet; change a fluent or the goal");
-    if (executive_->over()) return result::fail("X0008", {}, "the run is over", "start another one");
+    if (executive_->over()) return result::fail(service::kNotNow, {}, "the run is over", "start another one");
     return obey_in_run(request);
   }
 

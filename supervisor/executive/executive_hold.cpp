@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "runtime/service/answer_codes.h"
 #include "supervisor/executive/executive.h"
 
 namespace stepwright::executive {
@@ -23,15 +24,16 @@ result::Result<void> Executive::request_hold() {
   {
     const std::lock_guard lock(requests_mutex_);
     if (stage_ == Stage::Ready)
-      return result::fail("X0008", {}, "nothing runs yet that could be held", "it waits for its start");
+      return result::fail(service::kNotNow, {}, "nothing runs yet that could be held",
+                          "it waits for its start");
   }
   if (!hold_.exchange(true)) return {};
-  return result::fail("X0008", {}, "the run is held already", "resume or abort it");
+  return result::fail(service::kNotNow, {}, "the run is held already", "resume or abort it");
 }
 
 result::Result<void> Executive::request_resume() {
   if (hold_.exchange(false)) return {};
-  return result::fail("X0008", {}, "nothing is held that could be resumed");
+  return result::fail(service::kNotNow, {}, "nothing is held that could be resumed");
 }
 
 // False if the run is over. A runtime that is gone, or stopped, changes nothing here: whoever resumes has the

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "runtime/service/answer_codes.h"
 #include "supervisor/executive/executive.h"
 #include "supervisor/executive/journal.h"
 #include "supervisor/pddl/plan/describe_run.h"
@@ -40,16 +41,17 @@ result::Result<void> Executive::request_start(const std::string& goal) {
     if (auto checked = planning_.check_goal(goal); !checked) return checked;
   }
   if (!controller_.alive()) {
-    return result::fail("X0008", {}, "no runtime answers: the plant would begin to move whenever one comes",
+    return result::fail(service::kNotNow, {},
+                        "no runtime answers: the plant would begin to move whenever one comes",
                         "start the runtime first");
   }
   const std::lock_guard lock(requests_mutex_);
   if (stage_ == Stage::Running || start_) {
-    return result::fail("X0008", {}, "the run is under way",
+    return result::fail(service::kNotNow, {}, "the run is under way",
                         "abort it first, or hand over another goal without a start");
   }
   if (stage_ == Stage::Ready && abort_)
-    return result::fail("X0008", {}, "the run is being aborted", "start again in a moment");
+    return result::fail(service::kNotNow, {}, "the run is being aborted", "start again in a moment");
   if (stage_ == Stage::Over) {
     // They were for the run that has ended.
     abort_ = false;

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "runtime/service/answer_codes.h"
 #include "supervisor/fleet/executive/fleet_executive.h"
 
 namespace stepwright::fleet {
@@ -115,7 +116,9 @@ FleetExecutive::Wish FleetExecutive::await_wish() {
 }
 
 result::Result<void> FleetExecutive::request_start() {
-  const auto refuse = [](const char* why, const char* hint) { return result::fail("X0008", {}, why, hint); };
+  const auto refuse = [](const char* why, const char* hint) {
+    return result::fail(service::kNotNow, {}, why, hint);
+  };
   if (!controller_.alive())
     return refuse("no runtime answers: the fleet would begin to move whenever one comes",
                   "start the runtime first");
