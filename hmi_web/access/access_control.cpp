@@ -15,12 +15,18 @@ LoginLimits for_addresses(LoginLimits limits) {
 }
 
 Refusal refusal(result::Diagnostics problems) {
-  return {std::move(problems), std::chrono::seconds(0)};
+  return {.problems = std::move(problems)};
 }
 
-tl::unexpected<Refusal> refuse(std::string code, std::string message, std::string hint = {}) {
+tl::unexpected<Refusal> not_known(std::string message) {
+  return tl::unexpected(Refusal{.cause = Refusal::Cause::NotKnown,
+                                .problems = result::fail("H0026", {}, std::move(message)).value()});
+}
+
+tl::unexpected<Refusal> not_this_token(std::string message, std::string hint) {
   return tl::unexpected(
-      refusal(result::fail(std::move(code), {}, std::move(message), std::move(hint)).value()));
+      Refusal{.cause = Refusal::Cause::NotThisToken,
+              .problems = result::fail("H0028", {}, std::move(message), std::move(hint)).value()});
 }
 
 }  // namespace
@@ -57,10 +63,10 @@ tl::expected<OpenedSession, Refusal> AccessControl::claim(std::string_view token
   const bool right = !setup_token_.empty() && same_secret(token, setup_token_);
   if (!right) {
     if (auto wait = locked("", address)) return tl::unexpected(*std::move(wait));
-    if (setup_token_.empty()) return refuse("H0028", "there is an administrator already", "log in");
+    if (setup_token_.empty()) return not_this_token("there is an administrator already", "log in");
     addresses_.failed(address);
-    return refuse("H0028", "this is not the set-up token",
-                  "it stands in the journal, or on the terminal where the server was started");
+    return not_this_token("this is not the set-up token",
+                          "it stands in the journal, or on the terminal where the server was started");
   }
   const auto hash = hash_of(name, password);
   if (!hash) return tl::unexpected(refusal(hash.error()));
@@ -86,13 +92,13 @@ tl::expected<OpenedSession, Refusal> AccessControl::log_in(const std::string& na
   if (!right) {
     names_.failed(key);
     addresses_.failed(address);
-    return refuse("H0026", "name or password are wrong");
+    return not_known("name or password are wrong");
   }
   // The rights may have changed while the password was hashed; from here on they wait.
   const std::lock_guard rights(rights_);
   const auto present = users_->find(name);
   if (!present || present->password_hash != user->password_hash)
-    return refuse("H0026", "name or password are wrong");
+    return not_known("name or password are wrong");
   names_.succeeded(key);
   known_logins_.remember(name, address);
   return sessions_.open(name, present->role, address);
@@ -135,7 +141,7 @@ tl::expected<void, Refusal> AccessControl::change_password(const std::string& na
   const auto user = users_->find(name);
   if (!user || !matches(user->password_hash, present)) {
     names_.failed(name);
-    return refuse("H0026", "the present password is wrong");
+    return not_known("the present password is wrong");
   }
   const auto hash = hash_of(name, fresh);
   if (!hash) return tl::unexpected(refusal(hash.error()));
@@ -149,10 +155,11 @@ std::optional<Refusal> AccessControl::locked(const std::string& name, const std:
   const auto wait = std::max(name.empty() ? std::chrono::seconds(0) : names_.locked_for(name),
                              address.empty() ? std::chrono::seconds(0) : addresses_.locked_for(address));
   if (wait.count() == 0) return std::nullopt;
-  return Refusal{result::fail("H0027", {}, "too many failed attempts",
-                              "wait " + std::to_string(wait.count()) + " s and try again")
-                     .value(),
-                 wait};
+  return Refusal{.cause = Refusal::Cause::TooManyAttempts,
+                 .problems = result::fail("H0027", {}, "too many failed attempts",
+                                          "wait " + std::to_string(wait.count()) + " s and try again")
+                                 .value(),
+                 .retry_after = wait};
 }
 
 bool AccessControl::matches(const std::string& hash, const std::string& password) {

@@ -14,6 +14,7 @@
 // the token is wrong; H002x of users and files.
 
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <mutex>
@@ -35,8 +36,15 @@ struct AccessOptions {
   PasswordCost cost;
 };
 
-// A refusal that time mends.
+// A refusal, perhaps one that time mends.
 struct Refusal {
+  enum class Cause : std::uint8_t {
+    WrongWords,       // what was asked for cannot be: a name, a password, a file
+    NotKnown,         // name and password do not belong to anybody
+    NotThisToken,     // the administrator cannot be claimed with it
+    TooManyAttempts,  // wait first
+  };
+  Cause cause = Cause::WrongWords;
   result::Diagnostics problems;
   std::chrono::seconds retry_after{0};
 };

@@ -6,6 +6,7 @@
 
 #include "hmi_web/access/audit_chain.h"
 #include "hmi_web/access/audit_files.h"
+#include "hmi_web/access/codes.h"
 
 namespace stepwright::access {
 namespace {
@@ -28,7 +29,7 @@ std::filesystem::path free_name_beside(const std::filesystem::path& file) {
 }
 
 tl::unexpected<result::Diagnostics> failed(const std::filesystem::path& file, const std::error_code& error) {
-  return result::fail("H0021", {file.string(), 0, 0}, "the audit trail: " + error.message());
+  return result::fail(kFileFails, {file.string(), 0, 0}, "the audit trail: " + error.message());
 }
 
 }  // namespace

@@ -11,11 +11,13 @@
 #include <fstream>
 #include <iterator>
 
+#include "hmi_web/access/codes.h"
+
 namespace stepwright::access {
 namespace {
 
 auto failed(const std::filesystem::path& file, const char* what) {
-  return result::fail("H0021", {file.string(), 0, 0}, std::string(what) + ": " + std::strerror(errno),
+  return result::fail(kFileFails, {file.string(), 0, 0}, std::string(what) + ": " + std::strerror(errno),
                       "users and the audit trail are kept in [hmi] access_dir, recipes in recipes_dir, "
                       "programs in programs_dir");
 }

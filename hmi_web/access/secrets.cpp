@@ -5,6 +5,8 @@
 #include <array>
 #include <cstdlib>
 
+#include "hmi_web/access/codes.h"
+
 namespace stepwright::access {
 namespace {
 
@@ -44,7 +46,7 @@ result::Result<std::string> hash_password(std::string_view password, const Passw
   std::array<char, crypto_pwhash_STRBYTES> hash{};
   if (crypto_pwhash_str_alg(hash.data(), password.data(), password.size(), cost.passes, cost.memory_bytes,
                             crypto_pwhash_ALG_ARGON2ID13) != 0) {
-    return result::fail("H0020", {}, "there is not enough memory to hash a password",
+    return result::fail(kNoMemoryToHash, {}, "there is not enough memory to hash a password",
                         std::to_string(cost.memory_bytes >> 20) + " MiB are needed for a moment");
   }
   return std::string(hash.data());

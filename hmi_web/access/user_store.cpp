@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "hmi_web/access/codes.h"
 #include "hmi_web/access/durable_file.h"
 #include "hmi_web/access/secrets.h"
 
@@ -27,7 +28,7 @@ auto find_in(Users& users, std::string_view name) {
 }
 
 tl::unexpected<result::Diagnostics> unknown(std::string_view name) {
-  return result::fail("H0024", {}, "there is no user '" + std::string(name) + "'");
+  return result::fail(kNoSuchUser, {}, "there is no user '" + std::string(name) + "'");
 }
 
 tl::unexpected<result::Diagnostics> damaged(const std::filesystem::path& file, const std::string& what) {
@@ -112,10 +113,10 @@ result::Result<void> UserStore::add(const std::string& name, Role role, std::str
   if (auto fits = check_name(name); !fits) return fits;
   const std::lock_guard lock(mutex_);
   if (find_in(users_, name) != users_.end())
-    return result::fail("H0029", {}, "there is a user '" + name + "' already",
+    return result::fail(kNoRoomForUser, {}, "there is a user '" + name + "' already",
                         "choose another name, or change the role of the one there is");
   if (users_.size() >= kMaxUsers)
-    return result::fail("H0029", {}, "there are too many users", "remove one that nobody uses");
+    return result::fail(kNoRoomForUser, {}, "there are too many users", "remove one that nobody uses");
   auto users = users_;
   users.push_back({name, role, std::move(password_hash)});
   std::sort(users.begin(), users.end(), [](const User& a, const User& b) { return a.name < b.name; });
@@ -151,7 +152,7 @@ result::Result<void> UserStore::remove(std::string_view name) {
 
 result::Result<void> UserStore::commit(std::vector<User> users) {
   if (has_administrator_among(users_) && !has_administrator_among(users)) {
-    return result::fail("H0025", {}, "this is the only administrator",
+    return result::fail(kLastAdministrator, {}, "this is the only administrator",
                         "make another user an administrator first");
   }
   json list = json::array();

@@ -8,6 +8,8 @@
 #include <map>
 #include <utility>
 
+#include "hmi_web/alarms/codes.h"
+
 namespace stepwright::alarms {
 namespace {
 
@@ -250,7 +252,7 @@ void AlarmEngine::advance(std::int64_t time_ns) {
 
 result::Result<void> AlarmEngine::command(const Command& command) {
   const auto refuse = [&](std::string message, std::string hint) {
-    return result::fail("C0606", {}, std::move(message), std::move(hint));
+    return result::fail(kNotInThisState, {}, std::move(message), std::move(hint));
   };
   if (command.alarm.value >= definitions_.size())
     return refuse("there is no alarm with the number " + std::to_string(command.alarm.value), "");

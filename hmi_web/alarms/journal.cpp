@@ -7,6 +7,7 @@
 
 #include "hmi_web/alarms/internal/journal_file.h"
 #include "hmi_web/storage/batch_queue.h"
+#include "hmi_web/storage/codes.h"
 #include "runtime/result/last_barrier.h"
 
 namespace stepwright::alarms {
@@ -72,7 +73,8 @@ class AlarmJournal::Core {
   void step() {
     const auto thrown = result::thrown_by([this] { write(); });
     if (thrown)
-      fail(result::fail("S0006", {path.string()}, "the journal cannot be written: " + *thrown).value());
+      fail(result::fail(storage::kInputOutput, {path.string()}, "the journal cannot be written: " + *thrown)
+               .value());
   }
 
   void write() {

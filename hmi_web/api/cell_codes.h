@@ -1,30 +1,32 @@
 #pragma once
 
-// Codes of the cell's refusals by which the page's server decides what to do next. What else is refused is
-// passed on to whoever asked. Pure; any thread.
+// What refusals of the cell mean for the page's server, which decides by them what to do next. What else is
+// refused is passed on to whoever asked. Pure; any thread.
 
 #include <string>
 
 #include "runtime/result/diagnostic.h"
+#include "runtime/service/answer_codes.h"
 
 namespace stepwright::api {
 
-inline constexpr const char* kNobodyAnswers = "D0001";
-inline constexpr const char* kProgramJustChanged = "D0002";
-inline constexpr const char* kLinkOfAnotherVersion = "D0008";
-inline constexpr const char* kAnotherProgram = "R0009";  // than the request was meant for
+using service::kNobodyAnswers;
+using service::kProgramJustChanged;
 
-// It may have happened or not.
 inline bool nobody_answers(const result::Diagnostics& problems) {
   return !problems.empty() && problems.front().code == kNobodyAnswers;
+}
+
+inline bool link_is_of_another_version(const result::Diagnostics& problems) {
+  return !problems.empty() && problems.front().code == service::kOtherVersion;
 }
 
 // Nobody answers that is understood, or another program has just come: to be asked again.
 inline bool is_asked_again(const result::Diagnostics& problems) {
   if (problems.empty()) return false;
   const std::string& code = problems.front().code;
-  return code == kNobodyAnswers || code == kProgramJustChanged || code == kLinkOfAnotherVersion ||
-         code == kAnotherProgram;
+  return nobody_answers(problems) || link_is_of_another_version(problems) || code == kProgramJustChanged ||
+         code == service::kOtherProgram;
 }
 
 }  // namespace stepwright::api

@@ -121,7 +121,7 @@ result::Result<StandingForce> ForceService::force(const ForceOrder& order) {
   auto after = before;
   leave_out(after, order.name);
   if (after.size() >= kMostForces)
-    return result::fail("H0068", {}, "too much is forced already", "release something first");
+    return result::fail(kTooMuchForced, {}, "too much is forced already", "release something first");
   after.push_back(fresh);
   // Listed before it is done: who has forced what a crash leaves is known.
   if (auto kept = keep(after); !kept) return result::forward(kept);
@@ -163,7 +163,7 @@ void ForceService::ask_runtime() {
   }
   const auto forced = control_.forced();
   if (forced) return compare(*forced);
-  if (forced.error().front().code == kLinkOfAnotherVersion) pause_ = kRoundsOfPause;
+  if (link_is_of_another_version(forced.error())) pause_ = kRoundsOfPause;
 }
 
 // What the runtime has beside ours is of somebody else. What it has not, or with another value, has ended.

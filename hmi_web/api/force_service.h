@@ -35,6 +35,7 @@
 namespace stepwright::api {
 
 inline constexpr std::size_t kMostForces = 64;  // of a runtime
+inline constexpr const char* kTooMuchForced = "H0068";
 
 struct ForceOrder {
   std::string name;

@@ -37,7 +37,7 @@ result::Diagnostics not_running() {
 }
 
 result::Diagnostics engaged_problem(const std::string& why) {
-  return result::fail("H0093", {}, "the supervisor acts in this runtime: " + why,
+  return result::fail(kSupervisorActs, {}, "the supervisor acts in this runtime: " + why,
                       "hold or abort its run first; when it is resumed it brings its own program again")
       .value();
 }
@@ -145,16 +145,17 @@ result::Result<void> OnlineChangeService::check(const ChangeOrder& order, const 
   {
     const std::lock_guard lock(mutex_);
     if (newest_ && newest_->trial.state == Trial::State::Running)
-      return result::fail("H0098", {}, "a change is still on trial", "wait until it is kept or rolled back");
+      return result::fail(kOnTrial, {}, "a change is still on trial", "wait until it is kept or rolled back");
   }
   if (const std::string why = cell_.engaged(); !why.empty()) return tl::unexpected(engaged_problem(why));
   if (!now.running) return tl::unexpected(not_running());
   if (now.digest != order.base) {
-    return result::fail("H0092", {}, "another program runs than the one that this one was compared with",
+    return result::fail(kComparedWithAnother, {},
+                        "another program runs than the one that this one was compared with",
                         "look at the differences to " + now.digest.substr(0, 12) + ", then decide again");
   }
   if (now.digest == order.program)
-    return result::fail("H0097", {}, "this program runs already", "there is nothing to change");
+    return result::fail(kRunsAlready, {}, "this program runs already", "there is nothing to change");
   return {};
 }
 

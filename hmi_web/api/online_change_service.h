@@ -32,6 +32,12 @@
 
 namespace stepwright::api {
 
+// The cell is not in the state that a change was asked for.
+inline constexpr const char* kComparedWithAnother = "H0092";
+inline constexpr const char* kSupervisorActs = "H0093";
+inline constexpr const char* kRunsAlready = "H0097";
+inline constexpr const char* kOnTrial = "H0098";
+
 inline constexpr std::size_t kMostCandidates = 4;
 inline constexpr std::size_t kMostSources = 64;            // files of one program
 inline constexpr std::size_t kMostSourceBytes = 2u << 20;  // of one file

@@ -120,7 +120,8 @@ Result<Values> RecipeService::checked_by_program(Values values) const {
   for (auto& [name, value] : values) {
     const std::string& tag = name;
     if (is_forced(tag, value))
-      problems.push_back({"H0079", result::Severity::Error, {}, tag + ": it is forced", "release it first"});
+      problems.push_back(
+          {kTagForced, result::Severity::Error, {}, tag + ": it is forced", "release it first"});
     auto spelt = cell_.spell(tag, value);
     if (spelt) {
       value = std::move(*spelt);
@@ -151,7 +152,7 @@ Result<void> RecipeService::write_all(const RecipeChange& change) {
   const auto written = cell_.write_together(change.after);
   if (written) return {};
   const bool unknown = nobody_answers(written.error());
-  return result::fail("H0080", {}, written.error().front().message,
+  return result::fail(kWriteFailed, {}, written.error().front().message,
                       unknown
                           ? "either all values have been written or none: compare with the running program"
                           : "no value has been written");

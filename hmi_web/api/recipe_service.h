@@ -27,6 +27,9 @@
 
 namespace stepwright::api {
 
+inline constexpr const char* kTagForced = "H0079";
+inline constexpr const char* kWriteFailed = "H0080";
+
 // For the audit trail; a recipe that was not there before has no values.
 struct RecipeChange {
   recipes::Values before;

@@ -2,29 +2,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include "hmi_web/api/cell_codes.h"
+#include "hmi_web/api/internal/refusal_status.h"
 
 namespace stepwright::api {
 namespace {
 
 using nlohmann::json;
-
-unsigned status_of(const std::string& code) {
-  if (code == "H0024" || code == "C0607" || code == "H0072") return 404;  // no such user, alarm, recipe
-  if (code == "H0091") return 404;                                        // no such program
-  if (code.starts_with("R003") || code == "H0092" || code == "H0093" || code == "H0095" || code == "H0097" ||
-      code == "H0098")
-    return 409;  // programs that cannot take over now
-  if (code == "H0073" || code == "H0078" || code == "H0079" || code == "H0080") return 409;  // recipes
-  if (code == "H0025" || code == "H0029" || code == "H0068" || code == kProgramJustChanged ||
-      code == "D0003" || code == kAnotherProgram || code == "X0008" || code == "C0606")
-    return 409;                     // not in this state
-  if (code == "D0007") return 504;  // somebody has not answered
-  if (code == "H0021" || code == kNobodyAnswers || code == "H0020")
-    return 503;                              // somebody or something is missing
-  if (code.starts_with("S000")) return 503;  // the file of a history or a journal
-  return 400;
-}
 
 }  // namespace
 
@@ -85,7 +68,7 @@ Answer refused(unsigned status, const std::string& code, const std::string& mess
 }
 
 Answer refused(const result::Diagnostics& problems) {
-  return refused(problems.empty() ? 500 : status_of(problems.front().code), problems);
+  return refused(problems.empty() ? 500 : refusal_status(problems.front().code), problems);
 }
 
 }  // namespace stepwright::api

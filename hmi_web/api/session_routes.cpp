@@ -29,10 +29,22 @@ Answer session_answer(const access::AccessControl& control, const std::string& u
   return answer;
 }
 
+Answer answer_of(const access::Refusal& refusal) {
+  switch (refusal.cause) {
+    case access::Refusal::Cause::WrongWords:
+      break;
+    case access::Refusal::Cause::NotKnown:
+      return refused(401, refusal.problems);
+    case access::Refusal::Cause::NotThisToken:
+      return refused(403, refusal.problems);
+    case access::Refusal::Cause::TooManyAttempts:
+      return refused(429, refusal.problems);
+  }
+  return refused(refusal.problems);
+}
+
 Answer refusal(const access::Refusal& refused_because) {
-  const std::string& code = refused_because.problems.front().code;
-  const unsigned status = code == "H0027" ? 429 : code == "H0026" ? 401 : code == "H0028" ? 403 : 0;
-  Answer answer = status > 0 ? refused(status, refused_because.problems) : refused(refused_because.problems);
+  Answer answer = answer_of(refused_because);
   answer.retry_after = refused_because.retry_after;
   return answer;
 }

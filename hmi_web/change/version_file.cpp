@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "hmi_web/access/secrets.h"
+#include "hmi_web/change/codes.h"
 
 namespace stepwright::change {
 namespace {
@@ -88,7 +89,7 @@ bool is_digest(std::string_view text) {
 }
 
 tl::unexpected<result::Diagnostics> damaged_version(const std::string& name, const std::string& what) {
-  return result::fail("H0095", {name, 0, 0}, "the file of a program version is damaged: " + what,
+  return result::fail(kVersionDamaged, {name, 0, 0}, "the file of a program version is damaged: " + what,
                       "restore it from a copy, or remove it");
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "hmi_web/access/durable_file.h"
+#include "hmi_web/change/codes.h"
 #include "hmi_web/change/version_file.h"
 
 namespace stepwright::change {
@@ -17,7 +18,7 @@ constexpr std::string_view kEnding = ".version";
 constexpr std::size_t kMostFiles = 10 * kMostVersions;
 
 auto unknown(const std::string& digest) {
-  return result::fail("H0091", {}, "there is no program " + digest.substr(0, 12) + " here",
+  return result::fail(kNoSuchVersion, {}, "there is no program " + digest.substr(0, 12) + " here",
                       "it may have been forgotten meanwhile: the list says which ones are kept");
 }
 

@@ -7,6 +7,7 @@
 
 #include "hmi_web/historian/internal/core.h"
 #include "hmi_web/historian/visitors.h"
+#include "hmi_web/storage/codes.h"
 #include "runtime/result/last_barrier.h"
 
 namespace stepwright::historian {
@@ -183,7 +184,8 @@ void Historian::Core::step(const std::function<void()>& work) {
   const auto thrown = result::thrown_by(work);
   if (thrown)
     note_failure(
-        result::fail("S0006", {path_.string()}, "the history cannot be written: " + *thrown).value());
+        result::fail(storage::kInputOutput, {path_.string()}, "the history cannot be written: " + *thrown)
+            .value());
 }
 
 void Historian::Core::write(std::span<const TagSample> batch, bool last) {

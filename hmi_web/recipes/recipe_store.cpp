@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "hmi_web/access/durable_file.h"
+#include "hmi_web/recipes/codes.h"
 #include "hmi_web/recipes/recipe_check.h"
 #include "hmi_web/recipes/recipe_text.h"
 
@@ -16,12 +17,12 @@ namespace fs = std::filesystem;
 constexpr std::string_view kEnding = ".json";
 
 auto damaged(const fs::path& file, const std::string& what) {
-  return result::fail("H0078", {file.string(), 0, 0}, "the file of the recipe is damaged: " + what,
+  return result::fail(kRecipeDamaged, {file.string(), 0, 0}, "the file of the recipe is damaged: " + what,
                       "save the recipe anew, or restore its file from a copy");
 }
 
 auto unknown(const std::string& name) {
-  return result::fail("H0072", {}, "there is no recipe '" + name + "'",
+  return result::fail(kNoSuchRecipe, {}, "there is no recipe '" + name + "'",
                       "somebody may have removed it meanwhile");
 }
 
@@ -84,12 +85,13 @@ result::Result<void> RecipeStore::save(const Recipe& recipe) {
   // What could not be read again is not written.
   if (auto again = recipe_from_json(text, recipe.name); !again) return result::forward(again);
   if (text.size() > kLargestFile)
-    return result::fail("H0073", {}, "the recipe is too large", "shorter names of tags");
+    return result::fail(kNoRoomForRecipe, {}, "the recipe is too large", "shorter names of tags");
   const std::lock_guard lock(mutex_);
   const std::vector<std::string> known = names();
   const bool fresh = std::find(known.begin(), known.end(), recipe.name) == known.end();
   if (fresh && known.size() >= kMostRecipes) {
-    return result::fail("H0073", {}, "there are " + std::to_string(known.size()) + " recipes already",
+    return result::fail(kNoRoomForRecipe, {},
+                        "there are " + std::to_string(known.size()) + " recipes already",
                         "remove one that nobody needs");
   }
   return access::replace_private_file(file_of(recipe.name), text);

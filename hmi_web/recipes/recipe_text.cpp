@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "hmi_web/recipes/codes.h"
 #include "hmi_web/recipes/recipe_check.h"
 
 namespace stepwright::recipes {
@@ -63,7 +64,7 @@ class Parsing {
   }
 
   tl::unexpected<result::Diagnostics> damaged(const std::string& what, result::Location where) const {
-    return result::fail("H0078", std::move(where), "the file of the recipe is damaged: " + what,
+    return result::fail(kRecipeDamaged, std::move(where), "the file of the recipe is damaged: " + what,
                         "save the recipe anew, or restore its file from a copy");
   }
 

@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "hmi_web/alarms/codes.h"
 #include "hmi_web/recorder/json_writer.h"
 #include "hmi_web/server/image_value.h"
 
@@ -321,7 +322,7 @@ result::Result<AlarmChange> CellAlarms::command(std::string_view alarm, alarms::
     const std::lock_guard lock(mutex_);
     const auto id = engine_.find(alarm);
     if (!id)
-      return result::fail("C0607", {}, "there is no alarm '" + std::string(alarm) + "'",
+      return result::fail(alarms::kNoSuchAlarm, {}, "there is no alarm '" + std::string(alarm) + "'",
                           "the list of alarms has every name");
     by.alarm = *id;
     by.time_ns = now_ns_;

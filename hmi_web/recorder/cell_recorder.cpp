@@ -7,6 +7,7 @@
 #include <system_error>
 #include <utility>
 
+#include "hmi_web/storage/codes.h"
 #include "runtime/bytecode/value_type.h"
 
 namespace stepwright::recorder {
@@ -57,7 +58,8 @@ result::Result<void> CellRecorder::start() {
   std::error_code failed;
   std::filesystem::create_directories(options_.folder, failed);
   if (failed)
-    return result::fail("S0001", {options_.folder.string()}, "the folder cannot be made: " + failed.message(),
+    return result::fail(storage::kCannotOpen, {options_.folder.string()},
+                        "the folder cannot be made: " + failed.message(),
                         "see its rights, or name another one");
   const auto now = [now_ns = now_ns_] { return now_ns->load(); };
   historian::HistorianOptions history;

@@ -7,6 +7,8 @@
 #include <system_error>
 #include <utility>
 
+#include "hmi_web/storage/codes.h"
+
 namespace stepwright::storage {
 namespace {
 
@@ -16,28 +18,30 @@ tl::unexpected<result::Diagnostics> failure(sqlite3* handle, int code, const std
   const std::string said = handle != nullptr ? sqlite3_errmsg(handle) : sqlite3_errstr(code);
   switch (code & 0xFF) {
     case SQLITE_CORRUPT:
-      return fail("S0002", {file}, "the file is damaged: " + said,
+      return fail(kDamaged, {file}, "the file is damaged: " + said,
                   "keep it for `sqlite3 FILE .recover` and begin a new one");
     case SQLITE_NOTADB:
-      return fail("S0002", {file}, "the file is no database: " + said, "name another file, or move this one");
+      return fail(kDamaged, {file}, "the file is no database: " + said,
+                  "name another file, or move this one");
     case SQLITE_FULL:
-      return fail("S0003", {file}, "the disk is full, or the file has its largest size: " + said,
+      return fail(kDiskFull, {file}, "the disk is full, or the file has its largest size: " + said,
                   "free some space; writing is tried again");
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
-      return fail("S0004", {file}, "another process uses the file: " + said, "end the other process");
+      return fail(kInUse, {file}, "another process uses the file: " + said, "end the other process");
     case SQLITE_READONLY:
     case SQLITE_PERM:
-      return fail("S0005", {file}, "the file must not be written: " + said, "see its rights and its owner");
+      return fail(kReadOnly, {file}, "the file must not be written: " + said, "see its rights and its owner");
     case SQLITE_CANTOPEN:
-      return fail("S0001", {file}, "the file cannot be opened: " + said, "see that its folder exists");
+      return fail(kCannotOpen, {file}, "the file cannot be opened: " + said, "see that its folder exists");
     case SQLITE_IOERR:
-      return fail("S0006", {file}, "input or output failed: " + said, "see the disk and the system's log");
+      return fail(kInputOutput, {file}, "input or output failed: " + said,
+                  "see the disk and the system's log");
     case SQLITE_INTERRUPT:
-      return fail("S0009", {file}, "reading the file takes too long",
+      return fail(kTakesTooLong, {file}, "reading the file takes too long",
                   "ask for a shorter time, or name one alarm");
     default:
-      return fail("S0007", {file}, "SQLite says: " + said);
+      return fail(kOther, {file}, "SQLite says: " + said);
   }
 }
 
@@ -162,9 +166,9 @@ result::Result<void> Database::set_up(const DatabaseOptions& options, const std:
     return made;
   }
   if (*application != options.application)
-    return fail("S0008", {*file_}, "the file is a database of another kind", "name another file");
+    return fail(kOtherKind, {*file_}, "the file is a database of another kind", "name another file");
   if (*version > options.schema_version)
-    return fail("S0008", {*file_},
+    return fail(kOtherKind, {*file_},
                 "the file has version " + std::to_string(*version) + ", and only those up to " +
                     std::to_string(options.schema_version) + " are understood",
                 "a newer program has written it");
@@ -236,14 +240,14 @@ result::Result<void> Database::check() const {
   auto row = statement->step();
   if (!row) return result::forward(row);
   if (*row && statement->text(0) != "ok")
-    return fail("S0002", {*file_}, "the file is damaged: " + std::string(statement->text(0)),
+    return fail(kDamaged, {*file_}, "the file is damaged: " + std::string(statement->text(0)),
                 "keep it for `sqlite3 FILE .recover` and begin a new one");
   return {};
 }
 
 bool is_damage(const result::Diagnostics& problems) {
   for (const result::Diagnostic& problem : problems)
-    if (problem.code == "S0002") return true;
+    if (problem.code == kDamaged) return true;
   return false;
 }
 

@@ -7,17 +7,20 @@
 #include <cerrno>
 #include <cstring>
 
+#include "hmi_web/storage/codes.h"
+
 namespace stepwright::storage {
 
 result::Result<FileLock> FileLock::take(const std::filesystem::path& file) {
   const std::string name = file.string() + ".lock";
   const int descriptor = ::open(name.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600);
   if (descriptor < 0)
-    return result::fail("S0001", {name}, std::string("the file cannot be opened: ") + std::strerror(errno),
+    return result::fail(kCannotOpen, {name},
+                        std::string("the file cannot be opened: ") + std::strerror(errno),
                         "see that its folder exists and can be written");
   FileLock lock(descriptor);
   if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0)
-    return result::fail("S0004", {file.string()}, "another process writes the file", "end the other process");
+    return result::fail(kInUse, {file.string()}, "another process writes the file", "end the other process");
   return lock;
 }
 

@@ -90,7 +90,7 @@ result::Result<std::unique_ptr<OutputGuard>> make_guard(const config::CellConfig
 int run(const config::CellConfig& config, const Options& options) {
   const process::StopSignal stop;
   auto guard = make_guard(config);
-  while (!guard && options.standby && guard.error().front().code == "R0045") {
+  while (!guard && options.standby && guard.error().front().code == io_memory::kGuardedAlready) {
     if (stop.wait_for(kStandby)) return to_int(ExitCode::Done);
     guard = make_guard(config);
   }

@@ -8,6 +8,7 @@
 #include "hmi_web/api/openapi.h"
 #include "hmi_web/api/routes.h"
 #include "hmi_web/recipes/definition_file.h"
+#include "hmi_web/storage/codes.h"
 #include "programs/process/command_line.h"
 #include "programs/process/files.h"
 #include "runtime/result/exit_code.h"
@@ -68,7 +69,7 @@ result::Result<void> AccessPoint::lock_folders(const config::HmiConfig& config) 
   for (const std::filesystem::path& folder : folders) {
     if (auto made = access::make_private_folder(folder); !made) return result::forward(made);
     auto lock = storage::FileLock::take(folder / "server");
-    if (!lock && lock.error().front().code == "S0004")
+    if (!lock && storage::is_in_use(lock.error()))
       return result::fail("H0004", {folder.string(), 0, 0}, "another page server keeps this folder",
                           "end the other `stepwright hmi` of this cell; a cell has one");
     if (!lock) return result::forward(lock);

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "programs/config/dds_options.h"
-#include "programs/hmi/runtime_word.h"
+#include "programs/hmi/runtime_report.h"
 #include "programs/hmi/sensor_tare.h"
 #include "programs/log/refused_samples.h"
 #include "runtime/bytecode/reader/document_text.h"
@@ -13,15 +13,6 @@ namespace stepwright::hmi {
 namespace {
 
 constexpr std::chrono::seconds kFetchPause{1};
-
-server::RuntimeReport report_of(const dds::RuntimeStatus& status) {
-  return {
-      word_for(status.state),
-      status.detail,
-      status.waiting_for_supervisor,
-      status.trace_hash,
-      {status.overruns, status.scan_p50_us, status.scan_p99_us, status.scan_max_us, status.realtime_factor}};
-}
 
 server::ImageSnapshot snapshot_of(dds::Snapshot snapshot) {
   server::ImageSnapshot result{

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "hmi_web/alarms/definition_file.h"
+#include "hmi_web/storage/codes.h"
 
 namespace stepwright::hmi {
 namespace {
@@ -39,11 +40,6 @@ result::Result<recorder::RecorderOptions> options_of(const config::CellConfig& c
   return options;
 }
 
-// What the disk is to blame for, and may mend itself; not what the configuration says, nor another server.
-bool is_of_the_disk(const result::Diagnostics& problems) {
-  return !problems.empty() && problems.front().code.starts_with("S000") && problems.front().code != "S0004";
-}
-
 }  // namespace
 
 result::Result<std::unique_ptr<Recording>> Recording::open(const config::CellConfig& config,
@@ -54,7 +50,7 @@ result::Result<std::unique_ptr<Recording>> Recording::open(const config::CellCon
   if (!options) return result::forward(options);
   std::unique_ptr<Recording> recording(new Recording(std::move(*options), log));
   if (auto problem = recording->try_to_open()) {
-    if (!is_of_the_disk(*problem)) return tl::unexpected(*std::move(problem));
+    if (!storage::is_of_the_disk(*problem)) return tl::unexpected(*std::move(problem));
     log.error("history", "nothing is recorded: " + result::to_string(*problem) + "; tried again every " +
                              std::to_string(kBetweenTries.count()) + " s");
   }

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "programs/hmi/runtime_word.h"
 #include "runtime/host/duration_counts.h"
+#include "runtime/host/state_name.h"
 
 namespace stepwright::hmi {
 namespace {
@@ -147,7 +147,7 @@ json of_runtime(const FollowedRuntime& runtime) {
   for (const dds::TopicTraffic& topic : runtime.traffic) said["dds"].push_back(of_topic(topic));
   if (!runtime.status) return said;
   const host::RuntimeStatus& status = *runtime.status;
-  said["state"] = word_for(status.state);
+  said["state"] = host::name_of(status.state);
   said["detail"] = status.detail;
   said["program"] = status.program_digest;
   said["scan"] = of_scan(status);

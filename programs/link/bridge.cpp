@@ -57,7 +57,7 @@ void Bridge::connect() {
 void Bridge::pass_requests() {
   endpoint_->clear();
   while (auto request = endpoint_->take_request()) {
-    if (connection_) connection_->send(*request);
+    if (connection_) connection_->pass_on(*request);
   }
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "programs/metrics/exposition.h"
+#include "runtime/host/state_name.h"
 
 namespace stepwright::metrics {
 namespace {
@@ -39,14 +40,10 @@ constexpr double kUsPerS = 1e6;
 constexpr double kNsPerS = 1e9;
 
 std::vector<Sample> states(const RuntimeStatus& status) {
-  constexpr std::array<std::pair<RuntimeState, const char*>, 4> kStates = {
-      {{RuntimeState::Empty, "empty"},
-       {RuntimeState::Stopped, "stopped"},
-       {RuntimeState::Running, "running"},
-       {RuntimeState::Fault, "fault"}}};
   std::vector<Sample> samples;
-  for (const auto& [state, word] : kStates) {
-    samples.push_back({label("state", word), status.state == state ? 1.0 : 0.0});
+  for (const RuntimeState state :
+       {RuntimeState::Empty, RuntimeState::Stopped, RuntimeState::Running, RuntimeState::Fault}) {
+    samples.push_back({label("state", host::name_of(state)), status.state == state ? 1.0 : 0.0});
   }
   return samples;
 }

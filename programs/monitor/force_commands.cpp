@@ -1,5 +1,4 @@
 #include <cstdio>
-#include <cstring>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -9,11 +8,10 @@
 #include "programs/monitor/report.h"
 #include "programs/process/command_line.h"
 #include "programs/trace/value_json.h"
-#include "runtime/bytecode/reader/parse_value.h"
 #include "runtime/bytecode/reader/read_value.h"
-#include "runtime/bytecode/reader/resolve_name.h"
 #include "runtime/result/exit_code.h"
 #include "runtime/service/monitor_answers.h"
+#include "runtime/service/program_names.h"
 
 namespace stepwright::monitor {
 namespace {
@@ -23,31 +21,6 @@ using result::ExitCode;
 
 constexpr double kMsPerS = 1'000.0;
 constexpr double kNsPerS = 1e9;
-
-host::ImageBits bits_of(const reader::Variable& variable, std::uint64_t value) {
-  if (variable.bit != bytecode::kNoBit) {
-    return {variable.address, std::uint64_t{1} << variable.bit, value << variable.bit};
-  }
-  const std::uint32_t size = bytecode::size_of(bytecode::mem_type(variable.type));
-  const std::uint64_t mask = size == 8 ? ~std::uint64_t{0} : (std::uint64_t{1} << 8 * size) - 1;
-  return {variable.address, mask, value};
-}
-
-struct Forced {
-  std::string name;
-  reader::Variable variable;
-  std::vector<std::byte> image;  // with nothing but the forced value in it
-};
-
-Forced forced(const reader::ProgramInfo& info, const image::Force& force) {
-  Forced result{reader::name_of_place(info, force.address, force.bit, force.size),
-                reader::variable_of_place(info, force.address, force.bit, force.size),
-                {}};
-  result.image.resize(force.address + sizeof force.value);
-  const std::uint64_t value = force.bit == image::kWholeBytes ? force.value : (force.value & 1) << force.bit;
-  std::memcpy(result.image.data() + force.address, &value, force.size);
-  return result;
-}
 
 // How often a request is looked up again in a program that has just come.
 constexpr int kTries = 5;
@@ -75,29 +48,25 @@ result::Result<std::vector<image::Force>> read_forces(Attached& runtime) {
   return service::decode_forces(reply->data);
 }
 
+service::ProgramNames names_of(const Attached& runtime) {
+  return {runtime.digest(), runtime.program()};
+}
+
 result::Result<void> force_once(Attached& runtime, const ForceArguments& arguments) {
-  auto place = reader::resolve_name(runtime.program(), arguments.name);
-  if (!place) return result::forward(place);
-  auto value = reader::parse_value(place->variable, arguments.value, "R0058", {place->name, 0, 0});
-  if (!value) return result::forward(value);
-  const host::ImageBits bits = bits_of(place->variable, *value);
+  auto wanted = names_of(runtime).value(arguments.name, arguments.value);
+  if (!wanted) return result::forward(wanted);
   const auto duration_ms = static_cast<std::uint64_t>(arguments.seconds * kMsPerS);
-  auto reply = runtime.ask(service::Force{{{runtime.digest(), bits}, duration_ms}});
+  auto reply = runtime.ask(service::Force{{wanted->bits, duration_ms}});
   if (!reply) return result::forward(reply);
-  std::vector<std::byte> image(place->variable.address + sizeof(std::uint64_t));
-  std::memcpy(image.data() + place->variable.address, &bits.value, sizeof bits.value);
-  std::printf("%s is forced to %s\n", place->name.c_str(), reader::read_text(place->variable, image).c_str());
+  std::printf("%s is forced to %s\n", wanted->name.c_str(), wanted->text.c_str());
   return {};
 }
 
 result::Result<void> unforce_once(Attached& runtime, const ForceArguments& arguments) {
   if (!arguments.all) {
-    auto place = reader::resolve_name(runtime.program(), arguments.name);
+    auto place = names_of(runtime).forceable(arguments.name);
     if (!place) return result::forward(place);
-    if (bytecode::is_string(place->variable.type)) {
-      return result::fail("R0058", {place->name, 0, 0}, "a string is never forced");
-    }
-    auto reply = runtime.ask(service::Unforce{{runtime.digest(), bits_of(place->variable, 0)}});
+    auto reply = runtime.ask(service::Unforce{place->bits});
     if (!reply) return result::forward(reply);
     std::printf("%s is no longer forced\n", place->name.c_str());
     return {};
@@ -112,15 +81,14 @@ result::Result<void> unforce_once(Attached& runtime, const ForceArguments& argum
   return {};
 }
 
-void print_force(const Forced& one, const image::Force& force, nlohmann::json& list) {
-  const bool ends = force.end_ns != image::kNoEnd;
+void print_force(const service::ForcedValue& one, const image::Force& force, nlohmann::json& list) {
   const double left_s = static_cast<double>(force.end_ns) / kNsPerS;
-  std::printf("%s = %s", one.name.c_str(), reader::read_text(one.variable, one.image).c_str());
-  if (ends) std::printf(", for another %.1f s", left_s);
+  std::printf("%s = %s", one.name.c_str(), one.text().c_str());
+  if (one.ends) std::printf(", for another %.1f s", left_s);
   std::printf("\n");
   list.push_back({{"name", one.name},
                   {"value", trace::to_json(reader::read_value(one.variable, one.image))},
-                  {"left_s", ends ? nlohmann::json(left_s) : nlohmann::json()}});
+                  {"left_s", one.ends ? nlohmann::json(left_s) : nlohmann::json()}});
 }
 
 using Once = result::Result<void> (*)(Attached&, const ForceArguments&);
@@ -157,7 +125,8 @@ int list_forces(const config::CellConfig& config, const ForceArguments& argument
   });
   if (!read) return fail(read.error(), ExitCode::BadInput);
   nlohmann::json list = nlohmann::json::array();
-  for (const image::Force& force : forces) print_force(forced((*runtime)->program(), force), force, list);
+  const service::ProgramNames names = names_of(**runtime);
+  for (const image::Force& force : forces) print_force(names.forced(force), force, list);
   std::printf("%zu of %zu places are forced\n", forces.size(), image::ForceTable::kCapacity);
   return finish(arguments.json_file, {{"forces", std::move(list)}});
 }

@@ -7,6 +7,7 @@
 #include <system_error>
 #include <utility>
 
+#include "runtime/host/busy.h"
 #include "runtime/host/limits.h"
 #include "runtime/record/durable_file.h"
 #include "runtime/service/digest.h"
@@ -141,7 +142,7 @@ result::Result<void> BootProgram::load_and_start() {
   host::Command start;
   start.kind = host::CommandKind::Start;
   start.regardless = true;  // devices that are not there are a fault, as if they were lost later
-  if (!runtime_.submit(start)) return result::fail("R0006", {}, "the runtime is busy");
+  if (!runtime_.submit(start)) return host::busy();
   return complete(1);
 }
 
@@ -156,7 +157,7 @@ result::Result<void> BootProgram::complete(int commands) {
     }
     pollfd entry{runtime_.descriptor(), POLLIN, 0};
     if (poll(&entry, 1, kAnswerWithinMs) == 0)
-      return result::fail("R0006", {}, "the runtime does not answer");
+      return result::fail(host::kBusy, {}, "the runtime does not answer");
     runtime_.clear();
   }
   if (!problems.empty()) return tl::unexpected(std::move(problems));

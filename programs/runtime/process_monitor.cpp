@@ -8,6 +8,7 @@
 #include "programs/runtime/cell_io.h"
 #include "programs/runtime/host_options.h"
 #include "runtime/bytecode/container_parse.h"
+#include "runtime/host/state_name.h"
 
 namespace stepwright::cell_runtime {
 namespace {
@@ -18,17 +19,7 @@ using std::chrono::nanoseconds;
 constexpr std::chrono::milliseconds kPatience{500};
 
 const char* word(host::RuntimeState state) {
-  switch (state) {
-    case host::RuntimeState::Empty:
-      return "no program is loaded";
-    case host::RuntimeState::Stopped:
-      return "stopped";
-    case host::RuntimeState::Running:
-      return "running";
-    case host::RuntimeState::Fault:
-      return "fault";
-  }
-  return "";
+  return state == host::RuntimeState::Empty ? "no program is loaded" : host::name_of(state);
 }
 
 // Between two scans of a verified program, on the scan clock.

@@ -15,6 +15,7 @@
 #include "programs/process/stop_signal.h"
 #include "programs/vda5050/cell_watch.h"
 #include "programs/vda5050/fleet_publisher.h"
+#include "supervisor/fleet/vda5050/fleet_orders.h"
 
 namespace stepwright::vda5050_link {
 
@@ -90,7 +91,7 @@ void tell(const LinkNews& news, log::Logger& log) {
     const log::Fields fields = {{"code", each.code}};
     if (each.severity == result::Severity::Error) {
       log.error("message", result::to_string(each), fields);
-    } else if (each.code == "F0909") {
+    } else if (each.code == fleet::vda5050::kVehicleComplains) {
       log.debug("vehicle", result::to_string(each), fields);  // in each state again
     } else {
       log.warning("request", result::to_string(each), fields);

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <mutex>
+#include <span>
 #include <utility>
 
 #include "runtime/dds/internal/claim.h"
@@ -45,7 +46,9 @@ struct LinkEndpoint::State {
                  {.on_message = [this](const service::Presence& who) { hear(who); },
                   .on_alive = [this](bool) { notify(); }}),
         requests(*participant, kRequestTopic, Profile::Queue,
-                 {.on_message = [this](service::SentRequest sent) { push(std::move(sent)); }}) {}
+                 {.on_bytes = [this](const service::Request& request, std::span<const std::byte> bytes) {
+                   push(request, bytes);
+                 }}) {}
 
   ~State() {
     if (wake >= 0) close(wake);
@@ -62,22 +65,22 @@ struct LinkEndpoint::State {
     [[maybe_unused]] const ssize_t written = ::write(wake, &one, sizeof one);
   }
 
-  void push(service::SentRequest sent) {
+  void push(const service::Request& request, std::span<const std::byte> bytes) {
     {
       const std::scoped_lock lock(mutex);
-      if (auto admitted = admit(sent); !admitted) {
+      if (auto admitted = admit(request); !admitted) {
         if (refused.size() < kMaxQueuedRequests)
-          refused.push_back(refusal_of(sent.request, std::move(admitted.error())));
-      } else if (!queue.push(std::move(sent.request))) {
+          refused.push_back(refusal_of(request, std::move(admitted.error())));
+      } else if (!queue.push(request.body, bytes)) {
         return;
       }
     }
     notify();
   }
 
-  result::Result<void> admit(const service::SentRequest& sent) {
-    if (service::is_for_the_socket_only(sent.request.body)) return ask_on_the_socket();
-    if (!sent.supervisor || claim.admits(sent.request.client, Claim::Clock::now())) return {};
+  result::Result<void> admit(const service::Request& request) {
+    if (service::is_for_the_socket_only(request.body)) return ask_on_the_socket();
+    if (!request.supervisor || claim.admits(request.client, Claim::Clock::now())) return {};
     const std::string holder = claim.holder().empty() ? "another supervisor" : claim.holder();
     return result::fail(kHeldByAnother, {}, "the runtime is driven by " + holder + ": nothing was changed",
                         "one supervisor at a time: end that one first");
@@ -104,7 +107,7 @@ struct LinkEndpoint::State {
   Namesakes namesakes;
   // Last, so that they are silent before what their handlers use is gone.
   MessageReader<service::Presence> presence;
-  MessageReader<service::SentRequest> requests;
+  MessageReader<service::Request> requests;
 };
 
 LinkEndpoint::LinkEndpoint(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -127,9 +130,9 @@ void LinkEndpoint::clear() {
   [[maybe_unused]] const ssize_t taken = ::read(state_->wake, &count, sizeof count);
 }
 
-std::optional<service::Request> LinkEndpoint::take_request() {
+std::optional<std::vector<std::byte>> LinkEndpoint::take_request() {
   std::vector<service::Reply> refused;
-  std::optional<service::Request> request;
+  std::optional<std::vector<std::byte>> request;
   {
     const std::scoped_lock lock(state_->mutex);
     refused.swap(state_->refused);

@@ -5,11 +5,12 @@
 //   auto endpoint = LinkEndpoint::create({61, "link", "bench"});
 //   poll on (*endpoint)->descriptor(), then:
 //   (*endpoint)->clear();
-//   while (auto request = (*endpoint)->take_request()) forward(*request);
+//   while (auto request = (*endpoint)->take_request()) connection.pass_on(*request);
 //
 // Threads: any function from any thread; Fast DDS fills the queue from its own. The queue of requests is
 // bounded: what does not fit is dropped, and its sender asks again; a stop goes ahead and finds room.
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -32,7 +33,9 @@ class LinkEndpoint {
   int descriptor() const;
   // Makes it unreadable until something new happens; call it before looking.
   void clear();
-  std::optional<service::Request> take_request();
+  // The next request of one who may ask it: the bytes of its message (runtime/service/codec.h), as they came
+  // and found to be one within its bounds.
+  std::optional<std::vector<std::byte>> take_request();
   // True while the supervisor that holds the runtime is heard of. Another one is refused (D0009) for as long.
   bool supervisor_alive() const;
   // Where other runtimes of this name live in the domain. They never meet this one's processes.

@@ -1,6 +1,5 @@
 #include "runtime/dds/plan_channel.h"
 
-#include <algorithm>
 #include <condition_variable>
 #include <deque>
 #include <map>
@@ -8,7 +7,7 @@
 #include <utility>
 
 #include "plan_typesPubSubTypes.h"
-#include "runtime/dds/internal/participant.h"
+#include "runtime/dds/internal/message_endpoints.h"
 #include "runtime/dds/internal/random_client.h"
 #include "runtime/dds/internal/topics.h"
 
@@ -19,43 +18,10 @@ using namespace internal;
 
 // Requests of operators that nobody has taken; a person cannot fill it.
 constexpr std::size_t kMaxQueuedPlanRequests = 256;
-// Of an answer: who asked with a long goal does not need all of it back.
-constexpr std::size_t kMaxProblems = 16;
-constexpr std::size_t kMaxProblemBytes = 4'096;
-
 result::Result<void> check_size(const std::string& text, std::size_t bound, const std::string& what) {
   if (text.size() <= bound) return {};
   return result::fail("D0004", {}, what + " of " + std::to_string(text.size()) + " bytes is too long",
                       "up to " + std::to_string(bound) + " bytes are possible");
-}
-
-idl::AnswerProblem to_problem(const result::Diagnostic& diagnostic) {
-  const auto cut = [](const std::string& text) { return text.substr(0, kMaxProblemBytes); };
-  idl::AnswerProblem problem;
-  problem.code(cut(diagnostic.code));
-  problem.file(cut(diagnostic.where.file));
-  problem.line(diagnostic.where.line);
-  problem.column(diagnostic.where.column);
-  problem.message(cut(diagnostic.message));
-  problem.hint(cut(diagnostic.hint));
-  return problem;
-}
-
-// Nothing of an answer out of its bounds.
-std::optional<result::Diagnostics> from_answer(const idl::OperatorAnswer& sample) {
-  if (sample.problems().size() > kMaxProblems) return std::nullopt;
-  result::Diagnostics problems;
-  for (const idl::AnswerProblem& problem : sample.problems()) {
-    for (const std::string* text : {&problem.code(), &problem.file(), &problem.message(), &problem.hint()}) {
-      if (text->size() > kMaxProblemBytes) return std::nullopt;
-    }
-    problems.push_back({problem.code(),
-                        result::Severity::Error,
-                        {problem.file(), problem.line(), problem.column()},
-                        problem.message(),
-                        problem.hint()});
-  }
-  return problems;
 }
 
 }  // namespace
@@ -68,14 +34,13 @@ struct PlanPublisher::State {
         outlooks(*participant, kOutlookTopic, Profile::Document),
         answers(*participant, kAnswerTopic, Profile::Queue),
         requests(*participant, kOperatorTopic, Profile::Queue,
-                 [this](idl::OperatorRequest& sample) { on_request(sample); }) {}
+                 {.on_message = [this](OperatorRequest request) { on_request(std::move(request)); }}) {}
 
-  void on_request(idl::OperatorRequest& sample) {
-    if (sample.text().size() > kMaxOperatorRequestBytes) return;
+  void on_request(OperatorRequest request) {
     {
       const std::scoped_lock lock(mutex);
       if (queue.size() >= kMaxQueuedPlanRequests) return;
-      queue.push_back({std::move(sample.text()), sample.client(), sample.request()});
+      queue.push_back(std::move(request));
     }
     arrived.notify_one();
   }
@@ -96,15 +61,16 @@ struct PlanPublisher::State {
       sample.revision(++revision);
     }
     sample.text(json);
-    if (!writer.write(sample)) return result::fail("D0001", {}, "viewers do not take " + what);
+    if (!writer.write(sample))
+      return result::fail(service::kNobodyAnswers, {}, "viewers do not take " + what);
     return {};
   }
 
   Writer<idl::PlanDocumentPubSubType> documents;
   Writer<idl::PlanDocumentPubSubType> goal_forms;
   Writer<idl::PlanDocumentPubSubType> outlooks;
-  Writer<idl::OperatorAnswerPubSubType> answers;
-  Reader<idl::OperatorRequestPubSubType> requests;
+  MessageWriter<service::OperatorAnswer> answers;
+  MessageReader<OperatorRequest> requests;
 };
 
 PlanPublisher::PlanPublisher(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -144,18 +110,13 @@ std::optional<OperatorRequest> PlanPublisher::wait_request(std::chrono::millisec
 
 result::Result<void> PlanPublisher::answer(const OperatorRequest& request,
                                            const result::Result<void>& verdict) {
-  idl::OperatorAnswer sample;
-  sample.runtime_id(state_->participant->runtime_id());
-  sample.client(request.client);
-  sample.request(request.number);
-  if (!verdict) {
-    const std::size_t problems = std::min(verdict.error().size(), kMaxProblems);
-    for (std::size_t i = 0; i < problems; ++i) sample.problems().push_back(to_problem(verdict.error()[i]));
-    // Without any problem it would be accepted.
-    if (problems == 0)
-      sample.problems().push_back(to_problem({"", result::Severity::Error, {}, "refused", ""}));
-  }
-  if (!state_->answers.write(sample)) return result::fail("D0001", {}, "nobody takes the answer");
+  service::OperatorAnswer answer{request.client, request.number, {}};
+  if (!verdict) answer.problems = verdict.error();
+  // Without any problem it would be accepted.
+  if (!verdict && answer.problems.empty())
+    answer.problems.push_back({"", result::Severity::Error, {}, "refused", ""});
+  if (!state_->answers.write(std::move(answer)))
+    return result::fail(service::kNobodyAnswers, {}, "nobody takes the answer");
   return {};
 }
 
@@ -164,7 +125,7 @@ struct PlanSubscriber::State {
       : participant(std::move(p)),
         requests(*participant, kOperatorTopic, Profile::Queue),
         answers(*participant, kAnswerTopic, Profile::Queue,
-                [this](idl::OperatorAnswer& sample) { on_answer(sample); }),
+                {.on_message = [this](service::OperatorAnswer answer) { on_answer(std::move(answer)); }}),
         goal_forms(*participant, kGoalFormTopic, Profile::Document,
                    [this](idl::PlanDocument& sample) { keep(sample, goal_form); }),
         outlooks(*participant, kOutlookTopic, Profile::Document,
@@ -188,15 +149,13 @@ struct PlanSubscriber::State {
     arrived.notify_all();
   }
 
-  void on_answer(const idl::OperatorAnswer& sample) {
-    if (sample.client() != client) return;
-    auto problems = from_answer(sample);
-    if (!problems) return;
+  void on_answer(service::OperatorAnswer answer) {
+    if (answer.client != client) return;
     {
       const std::scoped_lock lock(mutex);
-      const auto asked = open.find(sample.request());
+      const auto asked = open.find(answer.number);
       if (asked == open.end()) return;
-      asked->second = std::move(problems);
+      asked->second = std::move(answer.problems);
     }
     arrived.notify_all();
   }
@@ -213,8 +172,8 @@ struct PlanSubscriber::State {
   std::uint64_t last_request = 0;
   // Requests that somebody waits for, and their answers.
   std::map<std::uint64_t, std::optional<result::Diagnostics>> open;
-  Writer<idl::OperatorRequestPubSubType> requests;
-  Reader<idl::OperatorAnswerPubSubType> answers;
+  MessageWriter<OperatorRequest> requests;
+  MessageReader<service::OperatorAnswer> answers;
   Reader<idl::PlanDocumentPubSubType> goal_forms;
   Reader<idl::PlanDocumentPubSubType> outlooks;
   Reader<idl::PlanDocumentPubSubType> documents;
@@ -266,25 +225,20 @@ result::Result<void> PlanSubscriber::request(const std::string& json, std::chron
   const auto deadline = std::chrono::steady_clock::now() + timeout;
   // An answer to somebody who is not yet known to the supervisor would be lost.
   if (!state_->requests.matched() || !state_->answers.matched()) {
-    return result::fail("D0001", {}, "no supervisor takes requests",
+    return result::fail(service::kNobodyAnswers, {}, "no supervisor takes requests",
                         "is the supervisor of the cell running?");
   }
-  idl::OperatorRequest sample;
-  sample.runtime_id(state_->participant->runtime_id());
-  sample.client(state_->client);
-  sample.text(json);
   std::unique_lock lock(state_->mutex);
   const std::uint64_t number = ++state_->last_request;
-  sample.request(number);
   state_->open.emplace(number, std::nullopt);
   lock.unlock();
-  const bool taken = state_->requests.write(sample);
+  const bool taken = state_->requests.write({json, state_->client, number});
   lock.lock();
   if (taken) state_->arrived.wait_until(lock, deadline, [&] { return state_->open.at(number).has_value(); });
   const std::optional<result::Diagnostics> answer = std::move(state_->open.extract(number).mapped());
-  if (!taken) return result::fail("D0001", {}, "the supervisor does not take the request");
+  if (!taken) return result::fail(service::kNobodyAnswers, {}, "the supervisor does not take the request");
   if (!answer) {
-    return result::fail("D0007", {}, "the supervisor has the request and has not answered",
+    return result::fail(service::kNotAnsweredYet, {}, "the supervisor has the request and has not answered",
                         "it may obey all the same: look at what it does");
   }
   if (!answer->empty()) return tl::unexpected(*answer);

@@ -20,23 +20,19 @@
 
 #include "runtime/dds/types.h"
 #include "runtime/result/result.h"
+#include "runtime/service/link_messages.h"
 
 namespace stepwright::dds {
 
-// Bounds of the DDS types; longer texts are refused with D0004.
+// Longer texts are refused with D0004.
 inline constexpr std::size_t kMaxPlanDocumentBytes = 4u << 20;
 inline constexpr std::size_t kMaxGoalDocumentBytes = 1u << 20;  // of the goal form, of the outlook
-inline constexpr std::size_t kMaxOperatorRequestBytes = 64u << 10;
+using service::kMaxOperatorRequestBytes;
 
 // A supervisor that lives answers in milliseconds.
 inline constexpr std::chrono::milliseconds kAnswerTimeout{5'000};
 
-struct OperatorRequest {
-  std::string text;
-  // Which one of whom: for the answer.
-  std::uint64_t client = 0;
-  std::uint64_t number = 0;
-};
+using service::OperatorRequest;
 
 class PlanPublisher {
  public:

@@ -27,6 +27,20 @@ std::string described(const std::string& process) {
   return "process " + std::to_string(getpid()) + " ('" + process + "') on " + host.data();
 }
 
+// Those with bounds of which the runtime says no more than that they are broken.
+result::Result<void> within_bounds(const service::RequestBody& body) {
+  const auto* write = std::get_if<service::WriteBlock>(&body);
+  if (write != nullptr && (write->block.parts.empty() || write->block.parts.size() > host::kMaxBlockWrites)) {
+    return result::fail("D0004", {},
+                        "a write of " + std::to_string(write->block.parts.size()) + " parts is refused",
+                        "1 to " + std::to_string(host::kMaxBlockWrites) + " are possible");
+  }
+  const auto* fault = std::get_if<service::InjectFault>(&body);
+  if (fault != nullptr && fault->name.size() > host::kMaxNameBytes)
+    return result::fail("D0004", {}, "the name of the fault is too long");
+  return {};
+}
+
 }  // namespace
 
 struct RuntimeClient::State {
@@ -69,73 +83,52 @@ result::Result<Download> RuntimeClient::download(std::span<const std::byte> cont
                         "1 to " + std::to_string(host::kMaxContainerBytes) + " bytes are possible");
   }
   const service::Sha256 digest = service::sha256(container);
-  auto begun = state_->session.ask(service::DownloadBegin{container.size(), digest});
+  auto begun = ask(service::DownloadBegin{container.size(), digest});
   if (!begun) return result::forward(begun);
   for (std::size_t offset = 0; offset < container.size(); offset += host::kMaxChunkBytes) {
     const auto part = container.subspan(offset, std::min(host::kMaxChunkBytes, container.size() - offset));
-    auto sent = state_->session.ask(service::DownloadChunk{offset, {part.begin(), part.end()}});
+    auto sent = ask(service::DownloadChunk{offset, {part.begin(), part.end()}});
     if (!sent) return result::forward(sent);
   }
-  auto reply = state_->session.ask(service::DownloadCommit{container.size(), digest, mode});
+  auto reply = ask(service::DownloadCommit{container.size(), digest, mode});
   if (!reply) return result::forward(reply);
   return Download{std::move(reply->digest), reply->change, std::move(reply->problems)};
 }
 
+result::Result<service::Reply> RuntimeClient::ask(service::RequestBody body) {
+  if (auto fits = within_bounds(body); !fits) return result::forward(fits);
+  return state_->session.ask(std::move(body));
+}
+
 result::Result<void> RuntimeClient::claim() {
-  return done(state_->session.ask(service::ReadForces{}));
+  return done(ask(service::ReadForces{}));
 }
 
 result::Result<void> RuntimeClient::start(const StartOptions& options) {
-  return done(state_->session.ask(service::Start{options.barrier, options.cold}));
+  return done(ask(service::Start{options.barrier, options.cold}));
 }
 
 result::Result<void> RuntimeClient::stop(const std::string& reason) {
-  return done(state_->session.ask(service::Stop{reason.substr(0, host::kMaxReasonBytes)}));
+  return done(ask(service::Stop{reason.substr(0, host::kMaxReasonBytes)}));
 }
 
 result::Result<void> RuntimeClient::acknowledge(std::uint64_t event_sequence) {
-  return done(state_->session.ask(service::Acknowledge{event_sequence}));
-}
-
-result::Result<void> RuntimeClient::force(const ForceRequest& request) {
-  return done(state_->session.ask(service::Force{request}));
-}
-
-result::Result<void> RuntimeClient::unforce(const ProgramBits& place) {
-  return done(state_->session.ask(service::Unforce{place}));
-}
-
-result::Result<void> RuntimeClient::write(const ProgramBits& place) {
-  return done(state_->session.ask(service::Write{place}));
-}
-
-result::Result<void> RuntimeClient::write(const BlockWrite& block) {
-  if (block.parts.empty() || block.parts.size() > host::kMaxBlockWrites) {
-    return result::fail("D0004", {}, "a write of " + std::to_string(block.parts.size()) + " parts is refused",
-                        "1 to " + std::to_string(host::kMaxBlockWrites) + " are possible");
-  }
-  return done(state_->session.ask(service::WriteBlock{block}));
+  return done(ask(service::Acknowledge{event_sequence}));
 }
 
 result::Result<Forces> RuntimeClient::forces() {
-  auto reply = state_->session.ask(service::ReadForces{});
+  auto reply = ask(service::ReadForces{});
   if (!reply) return result::forward(reply);
   auto places = service::decode_forces(reply->data);
   if (!places) return result::forward(places);
   return Forces{std::move(reply->digest), std::move(*places)};
 }
 
-result::Result<void> RuntimeClient::inject_fault(const std::string& name, double value) {
-  if (name.size() > host::kMaxNameBytes)
-    return result::fail("D0004", {}, "the name of the fault is too long");
-  return done(state_->session.ask(service::InjectFault{name, value}));
-}
-
 result::Result<std::vector<std::byte>> RuntimeClient::program() {
   std::vector<std::byte> container;
   std::string digest;
   do {
-    auto part = state_->session.ask(service::ReadProgram{container.size()});
+    auto part = ask(service::ReadProgram{container.size()});
     if (!part) return result::forward(part);
     // Another program came in the middle: read that one from its beginning.
     if (!container.empty() && part->digest != digest) {
@@ -148,7 +141,7 @@ result::Result<std::vector<std::byte>> RuntimeClient::program() {
     if (container.size() >= part->total_bytes) break;
   } while (true);
   if (service::to_hex(service::sha256(container)) != digest) {
-    return result::fail("D0003", {}, "the runtime's program arrived damaged");
+    return result::fail(service::kProgramDamaged, {}, "the runtime's program arrived damaged");
   }
   return container;
 }

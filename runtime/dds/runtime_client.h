@@ -30,6 +30,7 @@
 #include "runtime/dds/types.h"
 #include "runtime/image/force_table.h"
 #include "runtime/result/result.h"
+#include "runtime/service/requests.h"
 
 namespace stepwright::dds {
 
@@ -39,8 +40,7 @@ inline constexpr std::chrono::milliseconds kRequestTimeout{5'000};
 // line, at 9600 baud some 40 s for 32 KiB.
 inline constexpr std::chrono::milliseconds kDownloadTimeout{180'000};
 
-// The code by which a supervisor knows that another one has the runtime.
-inline constexpr const char* kHeldByAnother = "D0009";
+using service::kHeldByAnother;
 
 // What came of a download.
 struct Download {
@@ -67,6 +67,9 @@ class RuntimeClient {
   [[nodiscard]] result::Result<std::string> download(std::span<const std::byte> container);
   // The same with a mode: an online change takes over from the running program between two scans.
   [[nodiscard]] result::Result<Download> download(std::span<const std::byte> container, DownloadMode mode);
+  // Any request of runtime/service/requests.h; those below are shorter ways to say some of them. D0004 for a
+  // write of no part or of more than host::kMaxBlockWrites, and for a name that is too long.
+  [[nodiscard]] result::Result<service::Reply> ask(service::RequestBody body);
   // A supervisor has the runtime from now on, for as long as it lives; every other request of it asks for the
   // same. D0009 with who has it.
   [[nodiscard]] result::Result<void> claim();
@@ -76,17 +79,8 @@ class RuntimeClient {
   [[nodiscard]] result::Result<void> stop(const std::string& reason);
   // Lets the simulated clock go on past the barrier of this and every earlier event.
   [[nodiscard]] result::Result<void> acknowledge(std::uint64_t event_sequence);
-  // What names memory of a program goes to no other one: R0009 if another is loaded when it is carried out.
-  [[nodiscard]] result::Result<void> force(const ForceRequest& request);
-  [[nodiscard]] result::Result<void> unforce(const ProgramBits& place);
-  [[nodiscard]] result::Result<void> write(const ProgramBits& place);
-  // All parts between the same two scans, or none of them. D0004 with no part or more than
-  // host::kMaxBlockWrites.
-  [[nodiscard]] result::Result<void> write(const BlockWrite& block);
   // What is forced in the runtime now, whoever has forced it.
   [[nodiscard]] result::Result<Forces> forces();
-  // A fault of the simulated plant, by the name that its plant model gives it.
-  [[nodiscard]] result::Result<void> inject_fault(const std::string& name, double value);
   // The container that is loaded now: for a viewer or a restarted supervisor.
   [[nodiscard]] result::Result<std::vector<std::byte>> program();
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "runtime/bytecode/reader/loaded_program.h"
+#include "runtime/host/change_codes.h"
 #include "runtime/host/change_problems.h"
 #include "runtime/host/chart_memory.h"
 #include "runtime/naming/ascii_names.h"
@@ -167,9 +168,9 @@ result::Diagnostics ChangePlan::notes() const {
   };
   const auto list = [&](const char* what, const std::vector<std::string>& names) {
     if (names.empty()) return;
-    note("R0038", std::to_string(names.size()) + " " + what + ": " + first_names(names));
+    note(kNotCarried, std::to_string(names.size()) + " " + what + ": " + first_names(names));
   };
-  note("R0037", std::to_string(report.carried) + " variables keep their values");
+  note(kCarried, std::to_string(report.carried) + " variables keep their values");
   list("new, with their initial values", report.initialised);
   list("gone with the old program", report.dropped);
   list("of another type, with their initial values", report.retyped);

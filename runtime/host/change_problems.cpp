@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "runtime/host/change_codes.h"
 #include "runtime/host/chart_carry.h"
 #include "runtime/host/chart_situations.h"
 
@@ -19,7 +20,7 @@ bool is_output(const record::StateLayout& layout, const record::StateVariable& v
 }  // namespace
 
 result::Diagnostic lost_step_problem(const std::string& step) {
-  return {"R0033",
+  return {kStepLost,
           result::Severity::Error,
           {kPlace, 0, 0},
           "the step " + step + " is active, and the new program has no such step",
@@ -27,7 +28,7 @@ result::Diagnostic lost_step_problem(const std::string& step) {
 }
 
 result::Diagnostic impossible_chart_problem(const std::string& chart) {
-  return {"R0036",
+  return {kStepsUnfit,
           result::Severity::Error,
           {kPlace, 0, 0},
           "the steps of " + chart + " that are active now can never be active together in the new chart",
@@ -43,7 +44,7 @@ result::Diagnostics moved_outputs(const record::StateLayout& from, const record:
                        old.bit == now->bit && from.type_of(old).size == to.type_of(*now).size;
     if (stays) continue;
     problems.push_back(
-        {"R0034",
+        {kOutputMoves,
          result::Severity::Error,
          {kPlace, 0, 0},
          "the output " + old.path + " would move to another address or size while it is driven",

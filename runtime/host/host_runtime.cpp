@@ -6,6 +6,7 @@
 #include <system_error>
 #include <utility>
 
+#include "runtime/host/busy.h"
 #include "runtime/host/named_values.h"
 #include "runtime/host/task_status.h"
 
@@ -116,7 +117,7 @@ result::Result<void> HostRuntime::record(std::uint64_t ticket, const record::Rec
   command.recording = *session;
   if (send(command)) return {};
   recorder_.abandon();
-  return result::fail("R0006", {}, "the runtime is busy", "try again");
+  return busy();
 }
 
 Forces HostRuntime::forces() const {
@@ -141,7 +142,7 @@ result::Result<void> HostRuntime::write(std::uint64_t ticket, BlockWrite block) 
   command.ticket = ticket;
   command.block = held.get();
   command.program_digest = FixedText<kDigestLetters>(held->program_digest);
-  if (!send(command)) return result::fail("R0006", {}, "the runtime is busy", "try again");
+  if (!send(command)) return busy();
   blocks_.emplace(ticket, std::move(held));
   return {};
 }

@@ -3,6 +3,8 @@
 #include <new>
 #include <utility>
 
+#include "runtime/host/busy.h"
+#include "runtime/host/change_codes.h"
 #include "runtime/host/host_runtime.h"
 
 namespace stepwright::host {
@@ -13,7 +15,8 @@ result::Diagnostics problem(const char* code, const char* message, const char* h
 }
 
 result::Diagnostics not_running() {
-  return problem("R0031", "no program is running that could be changed", "replace the program and start it");
+  return problem(kNoProgramRuns, "no program is running that could be changed",
+                 "replace the program and start it");
 }
 
 }  // namespace
@@ -26,7 +29,8 @@ result::Result<void> HostRuntime::load(std::uint64_t ticket, std::vector<std::by
 result::Result<void> HostRuntime::change(std::uint64_t ticket, std::vector<std::byte> container,
                                          std::string digest, DownloadMode mode) {
   if (programs_.any_pending() || preparer_.under_way() > 0) {
-    return tl::unexpected(problem("R0032", "another download is under way", "try again when it is done"));
+    return tl::unexpected(
+        problem(kDownloadUnderWay, "another download is under way", "try again when it is done"));
   }
   const ScanFigures figures = loop_->figures();
   PreparedProgram* const running = programs_.find(figures.program);
@@ -90,7 +94,7 @@ result::Result<void> HostRuntime::hand_over(Preparation prepared) {
     return result::fail("R0072", {"download", 0, 0}, "the system gives no memory to record the program",
                         "end the recording first; nothing was changed");
   }
-  if (!send(command)) return result::fail("R0006", {}, "the runtime is busy", "try again");
+  if (!send(command)) return busy();
   programs_.add(std::move(prepared.program), std::move(prepared.plan), command.ticket);
   return {};
 }
@@ -113,8 +117,9 @@ void HostRuntime::explain(const ProgramRegistry::Held& held, Completion& complet
       completion.problems = {held.plan->impossible_chart_problem(completion.detail)};
       return;
     case Outcome::ChangeOutdated:
-      completion.problems = problem(
-          "R0035", "the program that ran when this change was prepared was replaced meanwhile", "try again");
+      completion.problems =
+          problem(kReplacedMeanwhile,
+                  "the program that ran when this change was prepared was replaced meanwhile", "try again");
       return;
     default:
       completion.problems = not_running();

@@ -4,6 +4,8 @@
 #include <system_error>
 #include <utility>
 
+#include "runtime/host/busy.h"
+
 namespace stepwright::host {
 
 ProgramPreparer::~ProgramPreparer() {
@@ -17,7 +19,7 @@ ProgramPreparer::~ProgramPreparer() {
 }
 
 result::Result<void> ProgramPreparer::submit(PreparationJob job) {
-  if (under_way_ >= kMaxJobs) return result::fail("R0006", {}, "the runtime is busy", "try again");
+  if (under_way_ >= kMaxJobs) return busy();
   if (!thread_.joinable()) {
     try {
       thread_ = std::thread([this] { run(); });

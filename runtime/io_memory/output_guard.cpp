@@ -39,7 +39,8 @@ result::Result<std::unique_ptr<OutputGuard>> OutputGuard::create(const std::stri
     locked = (*opened)->try_lock(AreaLock::Guard);
   }
   if (!locked) {
-    return result::fail("R0045", {(*opened)->path().string(), 0, 0}, "another guard watches this area");
+    return result::fail(kGuardedAlready, {(*opened)->path().string(), 0, 0},
+                        "another guard watches this area");
   }
   return std::unique_ptr<OutputGuard>(new OutputGuard(std::move(*opened), matrix, options));
 }

@@ -24,6 +24,9 @@
 
 namespace stepwright::io_memory {
 
+// Another guard watches the area: whoever stands by waits for its end.
+inline constexpr const char* kGuardedAlready = "R0045";
+
 struct GuardOptions {
   std::int64_t timeout_ns = 50'000'000;  // how old the runtime's heartbeat may be
   std::int64_t tick_ns = 5'000'000;      // how often the guard looks, and drives

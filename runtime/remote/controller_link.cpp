@@ -75,7 +75,7 @@ result::Result<void> ControllerLink::ask(const Request& request) {
     const bool busy =
         answer.fault == LineFault::Refused && (answer.exception == kBusy || answer.exception == kAcknowledge);
     if (answer.fault == LineFault::Refused && !busy) {
-      return fail("R0144", "the controller refuses a request: " + describe(answer),
+      return fail(kControllerRefuses, "the controller refuses a request: " + describe(answer),
                   "is it a controller with the registers of runtime/doc/modbus_controller.md?");
     }
     if (stop_.load(std::memory_order_acquire) || Clock::now() >= deadline) {

@@ -26,6 +26,9 @@
 
 namespace stepwright::remote {
 
+// It has answered, and the line is not to blame: the controller does not do what it is asked.
+inline constexpr const char* kControllerRefuses = "R0144";
+
 struct LinkOptions {
   std::chrono::milliseconds patience{500};             // without an answer for this long the line is lost
   std::chrono::milliseconds command_patience{10'000};  // a command that is under way longer hangs

@@ -162,8 +162,8 @@ Completion LineLoop::refused(std::uint64_t ticket, const CommandAnswer& answer) 
 // runtime/doc/modbus_controller.md says what the details of a refusal are.
 result::Diagnostics LineLoop::refusal(const CommandAnswer& answer) const {
   if (answer.refusal == control::Refusal::NotSupported && answer.detail < kLacking.size())
-    return one("R0144", {link_.name(), 0, 0}, words_for(answer.refusal), kLacking[answer.detail]);
-  return one("R0144", {link_.name(), 0, 0}, words_for(answer.refusal),
+    return one(kControllerRefuses, {link_.name(), 0, 0}, words_for(answer.refusal), kLacking[answer.detail]);
+  return one(kControllerRefuses, {link_.name(), 0, 0}, words_for(answer.refusal),
              "refusal " + std::to_string(static_cast<unsigned>(answer.refusal)) + ", detail " +
                  std::to_string(answer.detail));
 }

@@ -12,7 +12,7 @@ host::Completion LineLoop::load(const RemoteCommand& asked) {
   const std::uint64_t ticket = asked.command.ticket;
   if (auto fit = fits(*asked.program); !fit) return failed(ticket, std::move(fit.error()));
   if (auto moved = bring(*asked.program); !moved) {
-    const bool said_no = moved.error().front().code == "R0144";
+    const bool said_no = moved.error().front().code == kControllerRefuses;
     return said_no ? failed(ticket, std::move(moved.error())) : lost(ticket, std::move(moved.error()));
   }
   if (running()) {

@@ -4,6 +4,8 @@
 #include <system_error>
 #include <utility>
 
+#include "runtime/host/busy.h"
+
 namespace stepwright::remote {
 namespace {
 
@@ -67,7 +69,7 @@ result::Result<void> RemoteRuntime::load(std::uint64_t ticket, std::vector<std::
   asked.command.kind = host::CommandKind::Load;
   asked.command.ticket = ticket;
   asked.program = std::move(*program);
-  if (!queues_.submit(std::move(asked))) return result::fail("R0006", {}, "the runtime is busy", "try again");
+  if (!queues_.submit(std::move(asked))) return host::busy();
   return {};
 }
 

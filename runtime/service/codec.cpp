@@ -9,6 +9,11 @@ namespace {
 
 constexpr std::size_t kFrameHeader = 4;
 
+void put_size(std::size_t size, std::byte* header) {
+  const auto bytes = static_cast<std::uint32_t>(size);
+  std::memcpy(header, &bytes, sizeof bytes);
+}
+
 }  // namespace
 
 bool encode(const Message& message, std::vector<std::byte>& out) {
@@ -27,9 +32,15 @@ bool encode_frame(const Message& message, std::vector<std::byte>& out) {
     out.resize(begin);
     return false;
   }
-  const auto size = static_cast<std::uint32_t>(out.size() - begin - kFrameHeader);
-  std::memcpy(out.data() + begin, &size, sizeof size);
+  put_size(out.size() - begin - kFrameHeader, out.data() + begin);
   return true;
+}
+
+void append_frame(std::span<const std::byte> message, std::vector<std::byte>& out) {
+  const std::size_t begin = out.size();
+  out.resize(begin + kFrameHeader);
+  put_size(message.size(), out.data() + begin);
+  out.insert(out.end(), message.begin(), message.end());
 }
 
 result::Result<Message> decode(std::span<const std::byte> body) {

@@ -24,6 +24,8 @@ namespace stepwright::service {
 [[nodiscard]] bool encode(const Message& message, std::vector<std::byte>& out);
 // The same with its frame.
 [[nodiscard]] bool encode_frame(const Message& message, std::vector<std::byte>& out);
+// Appends the frame of a message that is bytes already.
+void append_frame(std::span<const std::byte> message, std::vector<std::byte>& out);
 
 // The message that these bytes are. Fails with R0005.
 [[nodiscard]] result::Result<Message> decode(std::span<const std::byte> body);

@@ -124,8 +124,14 @@ bool Connection::closed() const {
 }
 
 bool Connection::send(const Message& message) {
+  std::vector<std::byte> bytes;
+  return encode(message, bytes) && pass_on(bytes);
+}
+
+bool Connection::pass_on(std::span<const std::byte> message) {
+  if (state_->closed) return false;
   std::vector<std::byte> frame;
-  if (state_->closed || !encode_frame(message, frame)) return false;
+  append_frame(message, frame);
   std::size_t sent = 0;
   while (sent < frame.size()) {
     const ssize_t count =

@@ -41,8 +41,11 @@ class Connection {
   int descriptor() const;
   bool closed() const;
 
-  // Sends a request under the sender's own numbers (the link passes those of others on). False: closed.
+  // Sends a message under the sender's own numbers. False: closed.
   bool send(const Message& message);
+  // The same for one that somebody else has made: its bytes (codec.h), found to be a message. What is none
+  // ends the connection at the other end.
+  bool pass_on(std::span<const std::byte> message);
   // The next message; none after `timeout` or when the connection ended.
   std::optional<Message> receive(std::chrono::milliseconds timeout);
   // The newest image, read from shared memory.

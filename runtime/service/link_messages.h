@@ -1,8 +1,9 @@
 #pragma once
 
-// Messages between the link of a runtime and its clients on Fast DDS, beside those that the link passes on as
-// they are (Reply, StepEvent). Plain values; any thread.
+// Messages between the processes of a cell on Fast DDS, beside those that the link of a runtime passes on as
+// they are (Request, Reply, StepEvent). Plain values; any thread.
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <variant>
@@ -18,12 +19,6 @@ inline bool is_for_the_socket_only(const RequestBody& body) {
          std::holds_alternative<BeginRecording>(body) || std::holds_alternative<EndRecording>(body) ||
          std::holds_alternative<ReadRecording>(body) || std::holds_alternative<Reload>(body);
 }
-
-// A request on its way to the link.
-struct SentRequest {
-  Request request;
-  bool supervisor = false;  // of one that drives the runtime: one at a time may
-};
 
 // The heartbeat of the link.
 struct LinkStatus {
@@ -41,6 +36,24 @@ struct Presence {
 struct Beacon {
   std::string runtime_id;
   std::string place;
+};
+
+inline constexpr std::size_t kMaxOperatorRequestBytes = 64u << 10;
+inline constexpr std::size_t kMaxOperatorProblems = 16;  // of one answer
+
+// What a viewer asks of the cell's supervisor: a JSON text (supervisor/doc/plan_document.md).
+struct OperatorRequest {
+  std::string text;
+  // Which one of whom: for the answer.
+  std::uint64_t client = 0;
+  std::uint64_t number = 0;
+};
+
+// What the supervisor says to the request of that number of that client; without problems it is accepted.
+struct OperatorAnswer {
+  std::uint64_t client = 0;
+  std::uint64_t number = 0;
+  result::Diagnostics problems;
 };
 
 }  // namespace stepwright::service

@@ -1,7 +1,7 @@
 #pragma once
 
 // Every message that is exchanged with a runtime: on the service socket, in either direction, one per frame,
-// and between its link and the clients on Fast DDS, one per sample (link_messages.h). Plain values; any
+// and between the processes of its cell on Fast DDS, one per sample (link_messages.h). Plain values; any
 // thread.
 //
 // On the socket a client begins with Hello and is answered with Welcome (which brings the descriptor of the
@@ -25,7 +25,7 @@ namespace stepwright::service {
 
 // Of the messages, wherever they travel: it changes with every change of a list of fields (codec.h) and of
 // what a field means. Nobody reads a message of another version.
-inline constexpr std::uint32_t kProtocolVersion = 8;
+inline constexpr std::uint32_t kProtocolVersion = 9;
 // Of one message without its frame: the largest event, or a reply full of diagnostics.
 inline constexpr std::size_t kMaxMessageBytes = host::kMaxImageBytes + (64u << 10);
 inline constexpr std::chrono::milliseconds kStatusPeriod{100};
@@ -54,8 +54,8 @@ struct SupervisorLife {
 };
 
 // In the order of their kinds on the wire. Those of the socket first; the others have no place there.
-using Message =
-    std::variant<Hello, Welcome, SupervisorLife, Request, Reply, host::StepEvent, host::RuntimeStatus,
-                 SentRequest, LinkStatus, host::Snapshot, RuntimeHealth, Presence, Beacon>;
+using Message = std::variant<Hello, Welcome, SupervisorLife, Request, Reply, host::StepEvent,
+                             host::RuntimeStatus, LinkStatus, host::Snapshot, RuntimeHealth, Presence, Beacon,
+                             OperatorRequest, OperatorAnswer>;
 
 }  // namespace stepwright::service

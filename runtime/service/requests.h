@@ -21,13 +21,11 @@
 
 #include "runtime/host/messages.h"
 #include "runtime/result/diagnostic.h"
+#include "runtime/service/answer_codes.h"
 
 namespace stepwright::service {
 
 using Sha256 = std::array<std::byte, 32>;
-
-// By which a client knows that it has to look its names up again.
-inline constexpr const char* kOtherProgram = "R0009";
 
 struct Start {
   bool barrier = false;
@@ -110,6 +108,7 @@ struct Request {
   std::uint64_t client = 0;
   std::uint64_t id = 0;
   RequestBody body;
+  bool supervisor = false;  // of one that drives the runtime over Fast DDS: the link lets one at a time
 };
 
 // Accepted if no problem is an error.

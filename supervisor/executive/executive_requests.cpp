@@ -1,5 +1,6 @@
 // What people ask of a run of a task plan: at once what can be told of it, the rest at the next decision.
 
+#include "runtime/service/answer_codes.h"
 #include "supervisor/executive/executive.h"
 #include "supervisor/pddl/plan/describe_run.h"
 
@@ -50,15 +51,16 @@ result::Result<void> Executive::request_hold() {
   {
     const std::lock_guard lock(requests_mutex_);
     if (stage_ == Stage::Ready && !start_)
-      return result::fail("X0008", {}, "nothing runs yet that could be held", "it waits for its start");
+      return result::fail(service::kNotNow, {}, "nothing runs yet that could be held",
+                          "it waits for its start");
   }
   if (!hold_.exchange(true)) return {};
-  return result::fail("X0008", {}, "the run is held already", "resume or abort it");
+  return result::fail(service::kNotNow, {}, "the run is held already", "resume or abort it");
 }
 
 result::Result<void> Executive::request_resume() {
   if (hold_.exchange(false)) return {};
-  return result::fail("X0008", {}, "nothing is held that could be resumed");
+  return result::fail(service::kNotNow, {}, "nothing is held that could be resumed");
 }
 
 result::Result<void> Executive::request_change(const std::string& fluent, double value) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "runtime/service/answer_codes.h"
 #include "supervisor/executive/executive.h"
 #include "supervisor/executive/journal.h"
 #include "supervisor/pddl/plan/describe_run.h"

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "runtime/result/last_barrier.h"
+#include "runtime/service/answer_codes.h"
 #include "supervisor/run/internal/record_json.h"
 
 namespace stepwright::executive {
@@ -85,7 +86,8 @@ result::Result<void> WhatIf::ask(WhatIfQuestion question) {
                         "up to " + std::to_string(kMaxWhatIfId) + " bytes are possible");
   const std::lock_guard turn(turn_);
   if (planning_) {
-    return result::fail("X0008", {}, "another what-if is being planned", "wait for it, or cancel it");
+    return result::fail(service::kNotNow, {}, "another what-if is being planned",
+                        "wait for it, or cancel it");
   }
   if (question.goal.empty()) question.goal = service_.goal_text(question.outlook.goal);
   if (auto checked = service_.check_goal(question.goal); !checked) return checked;
@@ -114,7 +116,7 @@ result::Result<void> WhatIf::cancel(const std::string& id) {
   const std::lock_guard turn(turn_);
   const std::lock_guard lock(mutex_);
   if (!planning_ || (!id.empty() && id != id_))
-    return result::fail("X0008", {}, "no such what-if is being planned", "it may have just ended");
+    return result::fail(service::kNotNow, {}, "no such what-if is being planned", "it may have just ended");
   cancel_ = true;
   return {};
 }

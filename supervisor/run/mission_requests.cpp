@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "runtime/service/answer_codes.h"
 #include "supervisor/run/internal/record_json.h"
 #include "supervisor/run/mission.h"
 
@@ -24,7 +25,7 @@ result::Result<void> Mission::take(const Request& request) {
 }
 
 result::Result<void> Mission::run_is_over() const {
-  return result::fail("X0008", {}, "the run is over",
+  return result::fail(service::kNotNow, {}, "the run is over",
                       begins_again() ? "start another one" : "start the supervisor again for another one");
 }
 
@@ -74,7 +75,9 @@ bool Mission::wait_start(std::chrono::milliseconds timeout) {
 }
 
 result::Result<void> Mission::accept_start(const std::function<void()>& also) {
-  const auto refuse = [](const char* why, const char* hint) { return result::fail("X0008", {}, why, hint); };
+  const auto refuse = [](const char* why, const char* hint) {
+    return result::fail(service::kNotNow, {}, why, hint);
+  };
   if (!controller_.alive())
     return refuse("no runtime answers: the plant would begin to move whenever one comes",
                   "start the runtime first");

@@ -113,7 +113,7 @@ ARROWS = {
     "hmi_web/recipes": ["hmi_web/access", "runtime/bytecode/reader", "runtime/settings"],
     "hmi_web/drawing": ["runtime/result"],
     "hmi_web/change": ["hmi_web/access", "runtime/host"],
-    "hmi_web/api": ["hmi_web/access", "hmi_web/change", "hmi_web/recipes"],
+    "hmi_web/api": ["hmi_web/access", "hmi_web/alarms", "hmi_web/change", "hmi_web/recipes", "runtime/service"],
     "hmi_web/protocol": ["runtime/result"],
     "hmi_web/client": ["hmi_web/protocol"],
     "hmi_web/monitor": ["hmi_web/server", "ladder/graphic", "ladder/semantics"],

@@ -24,10 +24,9 @@ ClientSession::ClientSession(std::unique_ptr<Participant> participant, ClientRol
                              std::string place, const std::string& process)
     : participant_(std::move(participant)),
       place_(std::move(place)),
-      supervises_(role == ClientRole::Supervisor),
-      requests_(client),
+      requests_(client, role == ClientRole::Supervisor),
       namesakes_(*participant_),
-      sent_requests_(*participant_, kRequestTopic, Profile::Queue),
+      request_writer_(*participant_, kRequestTopic, Profile::Queue),
       reply_reader_(*participant_, kReplyTopic, Profile::Queue,
                     {.on_message = [this](service::Reply reply) { requests_.answer(std::move(reply)); }}),
       event_reader_(*participant_, kEventTopic, Profile::Queue,
@@ -59,7 +58,7 @@ void ClientSession::beat(const std::stop_token& stop, const std::string& process
 }
 
 bool ClientSession::ok() const {
-  return namesakes_.ok() && sent_requests_.ok() && reply_reader_.ok() && event_reader_.ok() &&
+  return namesakes_.ok() && request_writer_.ok() && reply_reader_.ok() && event_reader_.ok() &&
          snapshot_reader_.ok() && health_reader_.ok() && status_reader_.ok() &&
          (presence_ == nullptr || presence_->ok());
 }
@@ -75,7 +74,7 @@ bool ClientSession::wait_for_runtime(std::chrono::milliseconds timeout) {
 }
 
 bool ClientSession::reachable() const {
-  return runtime_connected_ && events_.started() && status_reader_.alive() && sent_requests_.matched();
+  return runtime_connected_ && events_.started() && status_reader_.alive() && request_writer_.matched();
 }
 
 // A supervisor that is gone is noticed a moment later: whoever comes in its place asks again.
@@ -91,7 +90,7 @@ result::Result<service::Reply> ClientSession::ask(service::RequestBody body) {
 }
 
 tl::unexpected<result::Diagnostics> ClientSession::other_version() const {
-  return result::fail(kOtherVersion, {},
+  return result::fail(service::kOtherVersion, {},
                       "the link of '" + participant_->runtime_id() + "' speaks version " +
                           std::to_string(other_version_.value_or(0)) +
                           " of the protocol, and this program version " +
@@ -105,8 +104,8 @@ tl::unexpected<result::Diagnostics> ClientSession::nobody_answers() const {
     hint = "one of that name lives at " + elsewhere.front() + ", and this one is looked for at " + place_ +
            ": [dds] place names another place, \"any\" all of them";
   }
-  return result::fail("D0001", {}, "no runtime '" + participant_->runtime_id() + "' answers on Fast DDS",
-                      hint);
+  return result::fail(service::kNobodyAnswers, {},
+                      "no runtime '" + participant_->runtime_id() + "' answers on Fast DDS", hint);
 }
 
 result::Result<service::Reply> ClientSession::ask_once(const service::RequestBody& body) {
@@ -124,19 +123,16 @@ result::Result<service::Reply> ClientSession::ask_once(const service::RequestBod
   std::optional<service::Reply> reply;
   for (auto now = Clock::now(); !reply && (now < deadline || (now < longest && runtime_alive()));
        now = Clock::now()) {
-    send(request);
+    request_writer_.write(request);
     reply = requests_.wait(request.id, kResendPeriod);
   }
   requests_.forget(request.id);
   if (!reply) {
-    return result::fail("D0001", {}, "the runtime '" + participant_->runtime_id() + "' does not answer");
+    return result::fail(service::kNobodyAnswers, {},
+                        "the runtime '" + participant_->runtime_id() + "' does not answer");
   }
   if (!reply->accepted()) return tl::unexpected(std::move(reply->problems));
   return std::move(*reply);
-}
-
-bool ClientSession::send(const service::Request& request) {
-  return sent_requests_.write({request, supervises_});
 }
 
 std::optional<StepEvent> ClientSession::wait_event(std::chrono::milliseconds timeout) {
@@ -168,7 +164,7 @@ void ClientSession::fetch_missing(std::unique_lock<std::mutex>& lock) {
     requests_.forget(open);
   }
   const service::Request request = requests_.open(service::ResendEvents{first});
-  send(request);
+  request_writer_.write(request);
   lock.lock();
   fetch_id_ = request.id;
   fetch_at_ = Clock::now() + kResendPeriod;

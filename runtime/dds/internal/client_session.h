@@ -51,7 +51,6 @@ class ClientSession {
   void on_event(StepEvent event);
   void on_snapshot(Snapshot snapshot);
   void on_health(RuntimeHealth health);
-  bool send(const service::Request& request);
   // These two with the lock held.
   bool reachable() const;
   bool link_is_of_another_version() const { return other_version_ && status_reader_.alive(); }
@@ -65,7 +64,6 @@ class ClientSession {
 
   std::unique_ptr<Participant> participant_;
   const std::string place_;
-  const bool supervises_;
   RequestTable requests_;
   Namesakes namesakes_;
 
@@ -82,7 +80,7 @@ class ClientSession {
   std::uint64_t fetch_id_ = 0;  // the open ResendEvents request, 0 = none
   Clock::time_point fetch_at_{};
 
-  MessageWriter<service::SentRequest> sent_requests_;
+  MessageWriter<service::Request> request_writer_;
   std::unique_ptr<MessageWriter<service::Presence>> presence_;  // a supervisor only
   std::jthread heart_;                                          // writes it
   // Last, so that they are silent before what their handlers use is gone.

@@ -30,7 +30,7 @@ std::optional<idl::Frame> to_frame(const std::string& runtime_id, std::uint64_t 
 result::Result<service::Message> from_frame(const idl::Frame& frame, const char* topic,
                                             std::size_t most_bytes) {
   if (frame.version() != service::kProtocolVersion) {
-    return result::fail(kOtherVersion, {topic, 0, 0},
+    return result::fail(service::kOtherVersion, {topic, 0, 0},
                         name_of(frame) + " is of version " + std::to_string(frame.version()) +
                             " of the protocol, and this program speaks version " +
                             std::to_string(service::kProtocolVersion) + ": it is not read",

@@ -19,8 +19,6 @@
 
 namespace stepwright::dds::internal {
 
-inline constexpr const char* kOtherVersion = "D0008";
-
 // The largest request is a write of many parts, or a piece of a program; what is larger would only fill the
 // queue of requests.
 inline constexpr std::size_t kMaxRequestBytes = 64u << 10;
@@ -28,7 +26,7 @@ inline constexpr std::size_t kMaxRequestBytes = 64u << 10;
 template <typename Body>
 inline constexpr std::size_t kMaxBytesOf = service::kMaxMessageBytes;
 template <>
-inline constexpr std::size_t kMaxBytesOf<service::SentRequest> = kMaxRequestBytes;
+inline constexpr std::size_t kMaxBytesOf<service::Request> = kMaxRequestBytes;
 
 // The sample of a message; none if it breaks a bound.
 std::optional<idl::Frame> to_frame(const std::string& runtime_id, std::uint64_t number,

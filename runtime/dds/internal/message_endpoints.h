@@ -9,7 +9,9 @@
 // to the participant and, if its version is another one, to `on_other_version`; nothing else comes of it.
 
 #include <atomic>
+#include <cstddef>
 #include <functional>
+#include <span>
 #include <utility>
 
 #include "frame_typesPubSubTypes.h"
@@ -44,7 +46,9 @@ template <typename Body>
 class MessageReader {
  public:
   struct Handlers {
-    std::function<void(Body)> on_message;
+    std::function<void(Body)> on_message = {};
+    // Instead of it, for whoever passes messages on: what was found to be one, and the bytes that it came as.
+    std::function<void(const Body&, std::span<const std::byte>)> on_bytes = {};
     std::function<void(bool)> on_alive = {};  // of heartbeats: a change of life
     std::function<void(std::uint32_t)> on_other_version = {};
   };
@@ -61,17 +65,19 @@ class MessageReader {
 
   bool ok() const { return reader_.ok(); }
   bool alive() const { return reader_.alive(); }
+  bool matched() const { return reader_.matched(); }
   TopicTraffic traffic() const { return reader_.traffic(); }
 
  private:
   void take(const idl::Frame& frame) {
     auto body = body_of<Body>(frame, topic_);
+    if (body && handlers_.on_bytes) return handlers_.on_bytes(*body, std::as_bytes(std::span(frame.bytes())));
     if (body) return handlers_.on_message(std::move(*body));
     reader_.refuse();
     const result::Diagnostic& refused = body.error().front();
     // What all of the domain says is mostly about other cells.
     if (tells_) trouble_.add(refused, frame.version(), Trouble::Clock::now());
-    if (refused.code == kOtherVersion && handlers_.on_other_version)
+    if (frame.version() != service::kProtocolVersion && handlers_.on_other_version)
       handlers_.on_other_version(frame.version());
   }
 

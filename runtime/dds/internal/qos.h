@@ -20,7 +20,7 @@ inline constexpr std::chrono::milliseconds kHeartbeatPeriod{80};
 inline constexpr std::chrono::milliseconds kHeartbeatLease{300};
 
 enum class Profile {
-  Queue,      // requests, replies, events, OperatorRequest, OperatorAnswer: reliable, a bounded queue
+  Queue,      // requests and answers, of runtime and supervisor, and events: reliable, a bounded queue
   Heartbeat,  // status, presence: best effort, newest only; each sample says that its writer lives
   Picture,    // snapshot, health, beacon: best effort, newest only, large
   Document,   // PlanDocument, on three topics: reliable, the newest one also for those who join late

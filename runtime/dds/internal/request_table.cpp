@@ -8,7 +8,7 @@ service::Request RequestTable::open(service::RequestBody body) {
   const std::scoped_lock lock(mutex_);
   const std::uint64_t id = ++last_id_;
   open_.emplace(id, std::nullopt);
-  return {client_, id, std::move(body)};
+  return {client_, id, std::move(body), supervisor_};
 }
 
 void RequestTable::answer(service::Reply reply) {

@@ -18,7 +18,7 @@ namespace stepwright::dds::internal {
 class RequestTable {
  public:
   // `client` names this client towards every runtime; no two may share it.
-  explicit RequestTable(std::uint64_t client) : client_(client) {}
+  RequestTable(std::uint64_t client, bool supervisor) : client_(client), supervisor_(supervisor) {}
 
   // A request under a new id, expected to be answered until `forget`.
   service::Request open(service::RequestBody body);
@@ -30,6 +30,7 @@ class RequestTable {
 
  private:
   const std::uint64_t client_;
+  const bool supervisor_;
   std::mutex mutex_;
   std::condition_variable answered_;
   std::uint64_t last_id_ = 0;

@@ -1,8 +1,8 @@
 #pragma once
 
-// The names of the topics. Those of runtime and link carry frames (frame_types.idl), which say the version of
-// the message that they hold; the number is that of the frame itself, and of the type of the others. With
-// another number old and new never meet.
+// The names of the topics. All but the documents of the supervisor carry frames (frame_types.idl), which say
+// the version of the message that they hold; the number is that of the frame itself, or of the document's
+// type. With another number old and new never meet.
 
 namespace stepwright::dds::internal {
 
@@ -17,7 +17,7 @@ inline constexpr char kBeaconTopic[] = "stepwright/beacon/3";
 inline constexpr char kDocumentTopic[] = "stepwright/plan_document/1";
 inline constexpr char kGoalFormTopic[] = "stepwright/goal_form/1";
 inline constexpr char kOutlookTopic[] = "stepwright/outlook/1";
-inline constexpr char kOperatorTopic[] = "stepwright/operator_request/1";
-inline constexpr char kAnswerTopic[] = "stepwright/operator_answer/1";
+inline constexpr char kOperatorTopic[] = "stepwright/operator_request/3";
+inline constexpr char kAnswerTopic[] = "stepwright/operator_answer/3";
 
 }  // namespace stepwright::dds::internal

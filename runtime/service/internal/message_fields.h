@@ -168,7 +168,7 @@ void fields(A& a, T& m) {
 }
 template <typename A, Like<Request> T>
 void fields(A& a, T& m) {
-  a(m.client, m.id, m.body);
+  a(m.client, m.id, m.supervisor, m.body);
 }
 template <typename A, Like<result::Location> T>
 void fields(A& a, T& m) {
@@ -236,10 +236,6 @@ void fields(A& a, T& m) {
     First{host::kMaxPlantValues, m.plant}, First{bytecode::kMaxTasks, m.tasks},
     First{bytecode::kMaxTasks, m.task_details}, m.process);
 }
-template <typename A, Like<SentRequest> T>
-void fields(A& a, T& m) {
-  a(m.request, m.supervisor);
-}
 template <typename A, Like<LinkStatus> T>
 void fields(A& a, T& m) {
   a(m.status, m.runtime_connected);
@@ -263,6 +259,14 @@ void fields(A& a, T& m) {
 template <typename A, Like<Beacon> T>
 void fields(A& a, T& m) {
   a(First{host::kMaxNameBytes, m.runtime_id}, First{host::kMaxPathBytes, m.place});
+}
+template <typename A, Like<OperatorRequest> T>
+void fields(A& a, T& m) {
+  a(m.client, m.number, AtMost{kMaxOperatorRequestBytes, m.text});
+}
+template <typename A, Like<OperatorAnswer> T>
+void fields(A& a, T& m) {
+  a(m.client, m.number, First{kMaxOperatorProblems, m.problems});
 }
 
 }  // namespace stepwright::service::internal

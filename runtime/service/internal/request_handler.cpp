@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "runtime/host/busy.h"
 #include "runtime/host/limits.h"
 #include "runtime/service/digest.h"
 #include "runtime/service/monitor_answers.h"
@@ -85,8 +86,8 @@ result::Diagnostics explain(const host::Completion& completion, std::string_view
   return {};
 }
 
-tl::unexpected<result::Diagnostics> busy() {
-  return result::fail("R0006", {}, "too many commands of this client are under way",
+tl::unexpected<result::Diagnostics> too_many() {
+  return result::fail(host::kBusy, {}, "too many commands of this client are under way",
                       "wait for their answers");
 }
 
@@ -169,7 +170,7 @@ std::optional<Reply> RequestHandler::handle(std::uint64_t session, const Request
   const std::uint64_t ticket = ++last_ticket_;
   const std::string* meant = meant_by(request.body);
   auto performed =
-      has_share(session, request.body) ? perform(request, ticket, reply) : result::Result<bool>(busy());
+      has_share(session, request.body) ? perform(request, ticket, reply) : result::Result<bool>(too_many());
   if (performed && !*performed) {
     Pending pending{session, std::move(reply), meant == nullptr ? std::string() : *meant, {}};
     if (const auto* commit = std::get_if<DownloadCommit>(&request.body)) pending.commit = *commit;
@@ -274,7 +275,7 @@ result::Result<bool> RequestHandler::submit(const RequestBody& body, std::uint64
     return result::fail("R0004", {}, "a force that ends lasts a year at most");
   auto command = to_command(body);
   command->ticket = ticket;
-  if (!port_.submit(*command)) return result::fail("R0006", {}, "the runtime is busy", "try again");
+  if (!port_.submit(*command)) return host::busy();
   return false;
 }
 

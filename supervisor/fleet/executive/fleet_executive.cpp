@@ -6,6 +6,7 @@
 
 #include <utility>
 
+#include "runtime/service/answer_codes.h"
 #include "supervisor/fleet/executive/fleet_journal.h"
 
 namespace stepwright::fleet {

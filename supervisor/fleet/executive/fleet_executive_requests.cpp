@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "runtime/service/answer_codes.h"
 #include "supervisor/fleet/executive/fleet_executive.h"
 
 namespace stepwright::fleet {
@@ -101,7 +102,7 @@ result::Result<void> FleetExecutive::request(const FleetChange& change) {
   const std::lock_guard lock(requests_mutex_);
   if (stage_ != Stage::Running &&
       (std::holds_alternative<HoldChange>(change) || std::holds_alternative<ResumeChange>(change)))
-    return result::fail("X0008", {}, "nothing moves yet", "the run waits for its start");
+    return result::fail(service::kNotNow, {}, "nothing moves yet", "the run waits for its start");
   requests_.add({0.0, change});
   return {};
 }

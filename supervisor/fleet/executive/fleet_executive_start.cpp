@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "runtime/service/answer_codes.h"
 #include "supervisor/fleet/executive/fleet_executive.h"
 
 namespace stepwright::fleet {

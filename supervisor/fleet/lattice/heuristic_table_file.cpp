@@ -128,6 +128,7 @@ HeuristicTable::Loaded HeuristicTable::load_or_build(const PrimitiveSet& primiti
     Loaded loaded{build(primitives, options), true, to_string(table.error())};
     if (options.cancel != nullptr && options.cancel->load()) return loaded;
     if (auto written = loaded.table.write(primitives, options, file); !written) {
+      loaded.unwritten = true;
       loaded.note += "\n" + to_string(written.error());
     }
     return loaded;

@@ -72,7 +72,7 @@ void FleetFloor::add(const VehicleModel& model) {
   auto loaded = HeuristicTable::load_or_build(primitives, table,
                                               options_.table_folder / (hex(primitives.digest()) + ".table"));
   // That there was none is no news.
-  if (loaded.note.find("F0404") != std::string::npos) notes_.push_back(loaded.note);
+  if (loaded.unwritten) notes_.push_back(loaded.note);
   models_.push_back(std::make_unique<Model>(*map_, model, std::move(loaded.table), std::move(primitives)));
 }
 

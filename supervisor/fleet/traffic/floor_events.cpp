@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "supervisor/fleet/traffic/no_order.h"
+
 namespace stepwright::fleet {
 
 namespace {
@@ -260,7 +262,7 @@ result::Result<std::vector<Detour>> FloorEvents::came_back(std::uint32_t vehicle
   }
   if (!change) {
     // Whose ways lead through its room already drive them to their ends; there will be no more of them.
-    dead.room.closed = dead.room.closed || change.error().front().code == "F1003";
+    dead.room.closed = dead.room.closed || change.error().front().code == kNoOrder;
     dead.number = planner_.block(dead.outline, dead.room);
     return result::forward(change);
   }

@@ -7,6 +7,8 @@
 #include <limits>
 #include <tuple>
 
+#include "supervisor/fleet/traffic/no_order.h"
+
 namespace stepwright::fleet {
 
 namespace {
@@ -318,7 +320,7 @@ result::Result<Traffic::Planned> Traffic::plan(const std::vector<const Lane*>& l
   }
   planned.change.conflicts = planned.made.figures.conflicts;
   if (planned.made.verdict == Verdict::Scheduled) return planned;
-  return result::fail("F1003", {},
+  return result::fail(kNoOrder, {},
                       planned.made.verdict == Verdict::Infeasible
                           ? "there is no order in which all vehicles come to the end of their ways"
                           : fmt::format("no order was found within {} conflicts", settings_.conflicts));

@@ -37,6 +37,9 @@
 
 namespace stepwright::fleet::vda5050 {
 
+// What a vehicle itself complains of, in each of its states again.
+inline constexpr const char* kVehicleComplains = "F0909";
+
 enum class Releases : std::uint8_t {
   ByStates,      // a node that a vehicle reports
   ByController,  // polygons that the controller counts as left

@@ -304,7 +304,7 @@ TEST(Link, WhenAFaultIsUnknown_ThenThePlantsHintComesBack) {
   const TestProcess runtime = cell.start_runtime();
   const TestProcess link = cell.start("link");
   const auto client = cell.connect();
-  const auto refused = client->inject_fault("leek_a1", 0.5);
+  const auto refused = client->ask(service::InjectFault{"leek_a1", 0.5});
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().front().code, "C0311");
   EXPECT_NE(refused.error().front().hint.find("leak_a1"), std::string::npos);
@@ -331,19 +331,20 @@ TEST(Link, WhenManyValuesAreWritten_ThenAllOrNoneOfThemAre) {
   const auto holds = [&](std::byte value) {
     return eventually([&] { return free_bytes() == std::vector<std::byte>(8, value); });
   };
-  ASSERT_TRUE(ok(client->write(dds::BlockWrite{*digest, {{Layout::kFree, ~0ull, 0x1111111111111111}}})));
+  ASSERT_TRUE(ok(client->ask(service::WriteBlock{{*digest, {{Layout::kFree, ~0ull, 0x1111111111111111}}}})));
   ASSERT_TRUE(holds(std::byte{0x11}));
   dds::BlockWrite block{*digest, {}};
   for (std::uint32_t i = 0; i < host::kMaxBlockWrites; ++i)
     block.parts.push_back({Layout::kFree + i % 8, 0xFF, 0x22});
   dds::BlockWrite wrong = block;
   wrong.parts[1'000].byte_offset = host::kMaxImageBytes - 1;
-  EXPECT_EQ(client->write(wrong).error().front().code, "R0004") << "one in the middle is refused";
+  EXPECT_EQ(client->ask(service::WriteBlock{wrong}).error().front().code, "R0004")
+      << "one in the middle is refused";
   dds::BlockWrite other = block;
   other.program_digest = std::string(64, 'a');
-  EXPECT_EQ(client->write(other).error().front().code, "R0009") << "of another program";
+  EXPECT_EQ(client->ask(service::WriteBlock{other}).error().front().code, "R0009") << "of another program";
   EXPECT_EQ(free_bytes(), std::vector<std::byte>(8, std::byte{0x11}));
-  ASSERT_TRUE(ok(client->write(block)));
+  ASSERT_TRUE(ok(client->ask(service::WriteBlock{block})));
   EXPECT_TRUE(holds(std::byte{0x22}));
 }
 
@@ -362,13 +363,14 @@ TEST(Link, WhenForcedBesideDownloads_ThenNothingOfTheNextProgramIsForced) {
     ASSERT_TRUE(ok(digest));
     std::jthread beside([&] { EXPECT_TRUE(ok(loader->download(second, kPatience))); });
     for (int i = 0; i < 4; ++i) {
-      const auto forced = client->force({{*digest, {Layout::kFree, 0xFF, 0x33}}, 60'000});
+      const auto forced = client->ask(service::Force{{{*digest, {Layout::kFree, 0xFF, 0x33}}, 60'000}});
       if (forced) continue;
       EXPECT_EQ(forced.error().front().code, "R0009");
       ++refused;
     }
     beside.join();
-    EXPECT_EQ(client->force({{*digest, {Layout::kFree, 0xFF, 0x33}}}).error().front().code, "R0009");
+    EXPECT_EQ(client->ask(service::Force{{{*digest, {Layout::kFree, 0xFF, 0x33}}, 0}}).error().front().code,
+              "R0009");
     const auto forces = client->forces();
     ASSERT_TRUE(ok(forces));
     EXPECT_TRUE(forces->places.empty());

@@ -69,6 +69,27 @@ export interface Topic {
   age_s: number | null;
 }
 
+export interface ScanTotals {
+  scans: number;
+  time_s: number;
+  realtime_factor: number;
+  overruns: number;
+  p50_us: number;
+  p99_us: number;
+  max_us: number;
+}
+
+export interface ProcessFigures {
+  version: string;
+  uptime_s: number;
+  resident_bytes: number;
+  clients: number;
+  traps: number;
+  lost_events: number;
+  warnings: number;
+  changes: number;
+}
+
 export interface Runtime {
   runtime: string;
   own: boolean;
@@ -76,8 +97,8 @@ export interface Runtime {
   state: string;
   detail: string;
   program: string;
-  scan: { scans: number; time_s: number; realtime_factor: number; overruns: number; p50_us: number; p99_us: number; max_us: number } | null;
-  process: { version: string; uptime_s: number; resident_bytes: number; clients: number; traps: number; lost_events: number; warnings: number; changes: number } | null;
+  scan: ScanTotals | null;
+  process: ProcessFigures | null;
   tasks: Task[];
   io: Io | null;
   followers: number | null;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "runtime/bytecode/reader/program_info.h"
+#include "runtime/host/busy.h"
 #include "runtime/modbus/map/build_map.h"
 
 namespace stepwright::modbus::server::internal {
@@ -36,8 +37,9 @@ std::uint64_t random_number() {
 // What a client is told of a refusal.
 Exception exception_of(const service::Reply& reply) {
   if (reply.accepted()) return Exception::None;
-  const bool busy = std::any_of(reply.problems.begin(), reply.problems.end(),
-                                [](const result::Diagnostic& problem) { return problem.code == "R0006"; });
+  const bool busy =
+      std::any_of(reply.problems.begin(), reply.problems.end(),
+                  [](const result::Diagnostic& problem) { return problem.code == host::kBusy; });
   return busy ? Exception::DeviceBusy : Exception::DeviceFailure;
 }
 

@@ -87,7 +87,7 @@ std::vector<Order> FleetOrders::Dispatch::begin(Timestamp now, const Places& pla
 void FleetOrders::Dispatch::warn(const State& state, const std::string& source,
                                  result::Diagnostics& wrong) const {
   const auto add = [&](const std::string& message) {
-    wrong.push_back({.code = "F0909",
+    wrong.push_back({.code = kVehicleComplains,
                      .severity = result::Severity::Warning,
                      .where = {source, 0, 0},
                      .message = message,

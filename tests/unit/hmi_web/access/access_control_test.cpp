@@ -91,6 +91,7 @@ TEST_F(AccessControlTest, WhenTokensAreGuessed_ThenTheAddressIsLockedForAllButTh
   for (int i = 0; i < 9; ++i) (void)control_->claim("x", "root", "root's secret", "far");
   const auto refused = control_->claim("y", "root", "root's secret", "far");
   EXPECT_EQ(refused.error().problems[0].code, "H0027");
+  EXPECT_EQ(refused.error().cause, Refusal::Cause::TooManyAttempts);
   EXPECT_EQ(refused.error().retry_after, 2s);
   EXPECT_TRUE(control_->claim(*control_->setup_token(), "root", "root's secret", "far"));
   EXPECT_EQ(control_->claim("y", "root", "root's secret", "far").error().problems[0].code, "H0027");

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "hmi_web/storage/codes.h"
 #include "hmi_web/storage/file_lock.h"
 #include "tests/support/temporary_folder.h"
 
@@ -145,9 +146,13 @@ TEST(FileLock, WhenItIsTaken_ThenNobodyElseGetsItUntilItEnds) {
     const auto second = FileLock::take(folder / "a.db");
     ASSERT_FALSE(second.has_value());
     EXPECT_EQ(second.error()[0].code, "S0004");
+    EXPECT_TRUE(is_in_use(second.error()));
+    EXPECT_FALSE(is_of_the_disk(second.error())) << "it does not mend itself";
   }
   EXPECT_TRUE(FileLock::take(folder / "a.db").has_value());
-  EXPECT_EQ(FileLock::take(folder / "none" / "a.db").error()[0].code, "S0001");
+  const auto nowhere = FileLock::take(folder / "none" / "a.db");
+  EXPECT_EQ(nowhere.error()[0].code, "S0001");
+  EXPECT_TRUE(is_of_the_disk(nowhere.error()));
 }
 
 }  // namespace

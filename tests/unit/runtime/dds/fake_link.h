@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "runtime/dds/link_endpoint.h"
+#include "runtime/service/codec.h"
 #include "tests/unit/runtime/dds/test_runtime_id.h"
 
 namespace stepwright::dds {
@@ -45,11 +46,12 @@ class FakeLink {
   void run() {
     while (!stop_) {
       endpoint_->clear();
-      while (auto request = endpoint_->take_request()) {
-        auto reply = handler_(*request);
+      while (auto bytes = endpoint_->take_request()) {
+        const auto request = std::get<service::Request>(service::decode(*bytes).value());
+        auto reply = handler_(request);
         if (!reply) continue;
-        reply->client = request->client;
-        reply->id = request->id;
+        reply->client = request.client;
+        reply->id = request.id;
         endpoint_->publish_reply(*reply);
       }
       {

@@ -10,12 +10,12 @@
 namespace stepwright::dds::internal {
 namespace {
 
-using service::SentRequest;
+using service::Request;
 
 constexpr char kTopic[] = "stepwright/test/3";
 
-SentRequest a_write() {
-  return {{1, 2, service::Write{{std::string(64, 'a'), {8, 0xFF, 7}}}}, true};
+Request a_write() {
+  return {1, 2, service::Write{{std::string(64, 'a'), {8, 0xFF, 7}}}, true};
 }
 
 idl::Frame frame_of(const service::Message& message) {
@@ -25,7 +25,7 @@ idl::Frame frame_of(const service::Message& message) {
 }
 
 std::string code_of(const idl::Frame& frame) {
-  const auto body = body_of<SentRequest>(frame, kTopic);
+  const auto body = body_of<Request>(frame, kTopic);
   return body ? "" : body.error().front().code;
 }
 
@@ -33,12 +33,12 @@ TEST(Frame, WhenAMessageTravels_ThenItIsTheSame) {
   const idl::Frame frame = frame_of(a_write());
   EXPECT_EQ(frame.runtime_id(), "bench");
   EXPECT_EQ(frame.version(), service::kProtocolVersion);
-  const auto body = body_of<SentRequest>(frame, kTopic);
+  const auto body = body_of<Request>(frame, kTopic);
   ASSERT_TRUE(body);
   EXPECT_TRUE(body->supervisor);
-  EXPECT_EQ(body->request.client, 1u);
-  EXPECT_EQ(body->request.id, 2u);
-  EXPECT_EQ(std::get<service::Write>(body->request.body).place,
+  EXPECT_EQ(body->client, 1u);
+  EXPECT_EQ(body->id, 2u);
+  EXPECT_EQ(std::get<service::Write>(body->body).place,
             (host::ProgramBits{std::string(64, 'a'), {8, 0xFF, 7}}));
 }
 
@@ -46,7 +46,7 @@ TEST(Frame, WhenTheVersionIsAnotherOne_ThenItIsRefusedAndBothAreNamed) {
   for (const std::uint32_t version : {0u, service::kProtocolVersion - 1, service::kProtocolVersion + 1}) {
     idl::Frame frame = frame_of(a_write());
     frame.version(version);
-    const auto body = body_of<SentRequest>(frame, kTopic);
+    const auto body = body_of<Request>(frame, kTopic);
     ASSERT_FALSE(body);
     EXPECT_EQ(result::to_string(body.error()),
               std::string(kTopic) + ": D0008: sample 41 is of version " + std::to_string(version) +
@@ -85,7 +85,7 @@ TEST(Frame, WhenTheBytesAreNoMessage_ThenItIsMalformed) {
 TEST(Frame, WhenThereAreTooManyBytes_ThenTheyAreNotLookedAt) {
   idl::Frame frame = frame_of(a_write());
   frame.bytes().resize(kMaxRequestBytes + 1);
-  const auto body = body_of<SentRequest>(frame, kTopic);
+  const auto body = body_of<Request>(frame, kTopic);
   ASSERT_FALSE(body);
   EXPECT_EQ(result::to_string(body.error()),
             std::string(kTopic) + ": R0005: sample 41 has 65537 bytes, and 65536 are possible");
@@ -95,14 +95,14 @@ TEST(Frame, WhenThereAreTooManyBytes_ThenTheyAreNotLookedAt) {
 
 TEST(Frame, WhenRequestsAreAsLargeAsTheyCanBe_ThenTheyFit) {
   service::WriteBlock write{{std::string(64, 'a'), std::vector<host::ImageBits>(host::kMaxBlockWrites)}};
-  EXPECT_EQ(code_of(frame_of(SentRequest{{1, 2, write}, false})), "");
+  EXPECT_EQ(code_of(frame_of(Request{1, 2, write})), "");
   service::DownloadChunk chunk{0, std::vector<std::byte>(host::kMaxChunkBytes)};
-  EXPECT_EQ(code_of(frame_of(SentRequest{{1, 2, chunk}, false})), "");
+  EXPECT_EQ(code_of(frame_of(Request{1, 2, chunk})), "");
 }
 
 TEST(Frame, WhenTheMessageIsOfAnotherTopic_ThenItHasNoPlaceThere) {
   EXPECT_EQ(code_of(frame_of(service::Presence{"me", 1})), "R0005");
-  EXPECT_EQ(code_of(frame_of(service::Request{1, 2, service::Start{}})), "R0005") << "one of the socket";
+  EXPECT_EQ(code_of(frame_of(service::Hello{})), "R0005") << "one of the socket";
   EXPECT_FALSE(body_of<service::LinkStatus>(frame_of(host::RuntimeStatus{}), kTopic));
 }
 

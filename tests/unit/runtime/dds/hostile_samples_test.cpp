@@ -80,7 +80,7 @@ TEST(HostileSamples, WhenRequestsAreNone_ThenTheyAreToldAndNothingReachesTheRunt
   const auto participant = join(51);
   FrameWriter writer(*participant, internal::kRequestTopic, Profile::Queue);
   ASSERT_TRUE(eventually([&] { return writer.matched(); }));
-  const idl::Frame good = frame_of(service::SentRequest{{7, 1, service::Start{}}, false});
+  const idl::Frame good = frame_of(service::Request{7, 1, service::Start{}});
 
   idl::Frame frame = good;
   frame.version(kOther);
@@ -105,6 +105,24 @@ TEST(HostileSamples, WhenRequestsAreNone_ThenTheyAreToldAndNothingReachesTheRunt
   EXPECT_TRUE(eventually([&] { return reached == 1; })) << "the topic is read on";
 }
 
+// Nothing is made anew on the way: what the runtime reads is what the client has written.
+TEST(HostileSamples, WhenARequestIsAdmitted_ThenItsBytesArePassedOnAsTheyCame) {
+  const auto link = LinkEndpoint::create({55, "link", test_runtime_id()});
+  ASSERT_TRUE(link);
+  const auto participant = join(55);
+  FrameWriter writer(*participant, internal::kRequestTopic, Profile::Queue);
+  ASSERT_TRUE(eventually([&] { return writer.matched(); }));
+  idl::Frame frame = frame_of(service::Request{7, 1, service::Stop{"enough"}});
+  ASSERT_TRUE(writer.write(frame));
+  std::optional<std::vector<std::byte>> passed;
+  ASSERT_TRUE(eventually([&] {
+    if (!passed) passed = (*link)->take_request();
+    return passed.has_value();
+  }));
+  const auto came = std::as_bytes(std::span(frame.bytes()));
+  EXPECT_EQ(*passed, std::vector<std::byte>(came.begin(), came.end()));
+}
+
 TEST(HostileSamples, WhenARequestIsForTheSocketOnly_ThenItIsRefusedToWhoeverSentIt) {
   std::atomic<int> reached{0};
   FakeLink link(52, [&](const service::Request&) {
@@ -112,7 +130,7 @@ TEST(HostileSamples, WhenARequestIsForTheSocketOnly_ThenItIsRefusedToWhoeverSent
     return service::Reply{};
   });
   const auto participant = join(52);
-  internal::MessageWriter<service::SentRequest> writer(*participant, internal::kRequestTopic, Profile::Queue);
+  internal::MessageWriter<service::Request> writer(*participant, internal::kRequestTopic, Profile::Queue);
   std::mutex mutex;
   std::vector<service::Reply> replies;
   internal::MessageReader<service::Reply> reader(*participant, internal::kReplyTopic, Profile::Queue,
@@ -125,7 +143,7 @@ TEST(HostileSamples, WhenARequestIsForTheSocketOnly_ThenItIsRefusedToWhoeverSent
       service::BeginRecording{"/tmp/x"}, service::EndRecording{}, service::Step{1}, service::Continue{},
       service::ReadRecording{},          service::Reload{}};
   std::uint64_t id = 0;
-  for (const service::RequestBody& body : bodies) EXPECT_TRUE(writer.write({{7, ++id, body}, false}));
+  for (const service::RequestBody& body : bodies) EXPECT_TRUE(writer.write({7, ++id, body}));
   const auto answered = [&] {
     const std::scoped_lock lock(mutex);
     return replies.size();

@@ -124,6 +124,27 @@ TEST(PlanChannel, WhenARequestIsRefused_ThenTheReasonArrivesWithItsPlace) {
   EXPECT_TRUE(subscriber->request("then this", kPatience));
 }
 
+// Who asked with a long goal does not need all of it back.
+TEST(PlanChannel, WhenAnAnswerIsLong_ThenItsBeginningArrives) {
+  const auto publisher = *PlanPublisher::create({60, "supervisor", test_runtime_id()});
+  const std::jthread supervisor([&](const std::stop_token& stop) {
+    while (!stop.stop_requested()) {
+      const auto request = publisher->wait_request(10ms);
+      if (!request) continue;
+      result::Result<void> verdict;
+      if (request->text != "first") {
+        const result::Diagnostic problem{"X0003", result::Severity::Error, {}, std::string(10'000, 'x'), ""};
+        verdict = tl::unexpected(result::Diagnostics(100, problem));
+      }
+      (void)publisher->answer(*request, verdict);
+    }
+  });
+  const auto refused = matched_subscriber(60)->request("no", kPatience);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().size(), 16u);
+  EXPECT_EQ(refused.error().front().message, std::string(4'096, 'x'));
+}
+
 TEST(PlanChannel, WhenSeveralAskAtOnce_ThenEachGetsItsOwnAnswer) {
   Answering supervisor(57);
   auto one = matched_subscriber(57);

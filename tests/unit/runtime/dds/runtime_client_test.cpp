@@ -63,10 +63,10 @@ TEST(RuntimeClient, WhenLinkIsThere_ThenRequestsReachItWithTheirValues) {
   ASSERT_TRUE(client->start({.barrier = true, .cold = true}));
   ASSERT_TRUE(client->stop("enough"));
   ASSERT_TRUE(client->acknowledge(42));
-  ASSERT_TRUE(client->force({{"ab", {8, 0xF0, 0x50}}, 60'000}));
-  ASSERT_TRUE(client->unforce({"cd", {9, 0x0F, 0}}));
-  ASSERT_TRUE(client->write(ProgramBits{"ef", {10, 0xFFFF, 1234}}));
-  ASSERT_TRUE(client->inject_fault("leak_a1", 0.25));
+  ASSERT_TRUE(client->ask(service::Force{{{"ab", {8, 0xF0, 0x50}}, 60'000}}));
+  ASSERT_TRUE(client->ask(service::Unforce{{"cd", {9, 0x0F, 0}}}));
+  ASSERT_TRUE(client->ask(service::Write{{"ef", {10, 0xFFFF, 1234}}}));
+  ASSERT_TRUE(client->ask(service::InjectFault{"leak_a1", 0.25}));
   const std::scoped_lock lock(mutex);
   ASSERT_EQ(seen.size(), 7u);
   EXPECT_TRUE(std::get<service::Start>(seen[0].body).barrier);
@@ -343,7 +343,7 @@ TEST(RuntimeClient, WhenManyValuesAreWritten_ThenTheyTravelAsOneRequestWithTheir
   BlockWrite block;
   block.program_digest = std::string(64, 'a');
   for (std::uint32_t i = 0; i < host::kMaxBlockWrites; ++i) block.parts.push_back({8 * i, 0xFFFF, i});
-  const auto written = client->write(block);
+  const auto written = client->ask(service::WriteBlock{block});
   ASSERT_TRUE(written) << result::to_string(written.error());
   {
     const std::scoped_lock lock(mutex);
@@ -351,8 +351,8 @@ TEST(RuntimeClient, WhenManyValuesAreWritten_ThenTheyTravelAsOneRequestWithTheir
     EXPECT_EQ(std::get<service::WriteBlock>(seen[0].body).block, block);
   }
   block.parts.push_back({0, 1, 1});
-  EXPECT_EQ(client->write(block).error().front().code, "D0004");
-  EXPECT_EQ(client->write(BlockWrite{}).error().front().code, "D0004");
+  EXPECT_EQ(client->ask(service::WriteBlock{block}).error().front().code, "D0004");
+  EXPECT_EQ(client->ask(service::WriteBlock{}).error().front().code, "D0004");
   const std::scoped_lock lock(mutex);
   EXPECT_EQ(seen.size(), 1u) << "what is refused here is not sent";
 }

@@ -73,7 +73,7 @@ std::vector<Message> every_kind() {
   status.task_details = {{"fast", 5'000, 2, 1, 4, {3, {1, 0, 2}}, {0, {5}}, {}}};
   status.process = {"1.0", 2.5, 3, 4, 5, 6, 7};
   messages.emplace_back(status);
-  messages.emplace_back(SentRequest{{11, 12, Start{true, false}}, true});
+  messages.emplace_back(Request{11, 12, Start{true, false}, true});
   messages.emplace_back(LinkStatus{status, true});
   messages.emplace_back(host::Snapshot{3, -4, "cd", bytes, {{"level", 1.5}}, 9});
   RuntimeHealth health;
@@ -86,6 +86,8 @@ std::vector<Message> every_kind() {
   messages.emplace_back(health);
   messages.emplace_back(Presence{"process 7", 8});
   messages.emplace_back(Beacon{"bench", "host:/here"});
+  messages.emplace_back(OperatorRequest{"{}", 9, 10});
+  messages.emplace_back(OperatorAnswer{9, 10, {diagnostic()}});
   return messages;
 }
 
@@ -103,8 +105,8 @@ TEST(Codec, WhenAMessageIsEncodedAndDecoded_ThenNothingIsLost) {
 TEST(Codec, WhenTheBytesOfAMessageChange_ThenTheVersionHasToChangeWithThem) {
   std::vector<std::byte> all;
   for (const Message& message : every_kind()) ASSERT_TRUE(encode_frame(message, all));
-  EXPECT_EQ(kProtocolVersion, 8u);
-  EXPECT_EQ(to_hex(sha256(all)), "f09255fd7dc49f20fa801b90aeee740a1eb1d388c18c86fafa0ec0600bf0489d")
+  EXPECT_EQ(kProtocolVersion, 9u);
+  EXPECT_EQ(to_hex(sha256(all)), "9165705fbdc97095da4c67f72b22af518a079d321dbdd08b8ebccbf102aac5ed")
       << "raise kProtocolVersion, then put both in here";
 }
 

@@ -48,6 +48,19 @@ TEST(Server, WhenAProgramIsDownloadedAndStarted_ThenEventsStatusAndSnapshotFollo
   EXPECT_EQ(waiting->state, RuntimeState::Running);
 }
 
+// As the link does with what has come from others.
+TEST(Server, WhenTheBytesOfARequestArePassedOn_ThenItIsAnsweredToWhoeverMadeIt) {
+  ServiceHarness harness;
+  const auto client = harness.connect();
+  std::vector<std::byte> bytes;
+  ASSERT_TRUE(encode(Request{77, 5, Stop{"enough"}, true}, bytes));
+  ASSERT_TRUE(client->pass_on(bytes));
+  const auto reply = next<Reply>(*client);
+  ASSERT_TRUE(reply);
+  EXPECT_EQ(reply->client, 77u);
+  EXPECT_EQ(reply->id, 5u);
+}
+
 TEST(Server, WhenTheProgramIsReadBack_ThenItIsTheOneThatWasSent) {
   ServiceHarness harness;
   const auto client = harness.connect();

@@ -70,12 +70,14 @@ TEST_F(Table, Build_WhenOnSeveralThreads_ThenItIsTheSame) {
 TEST_F(Table, LoadOrBuild_WhenTheFileIsThere_ThenItIsNotBuiltAgain) {
   const auto first = HeuristicTable::load_or_build(primitives_, kSmall, file_);
   EXPECT_TRUE(first.built);
+  EXPECT_FALSE(first.unwritten);
   EXPECT_THAT(first.note, HasSubstr("F0401"));
   const auto second = HeuristicTable::load_or_build(primitives_, kSmall, file_);
   EXPECT_FALSE(second.built);
   EXPECT_EQ(second.table, first.table);
   const auto homeless = HeuristicTable::load_or_build(primitives_, kSmall, folder_ / "no/such.table");
   EXPECT_TRUE(homeless.built);
+  EXPECT_TRUE(homeless.unwritten);
   EXPECT_THAT(homeless.note, HasSubstr("F0404"));
 }
 
