@@ -19,7 +19,7 @@ inline bool nobody_answers(const result::Diagnostics& problems) {
   return !problems.empty() && problems.front().code == kNobodyAnswers;
 }
 
-// Nobody answers that is understood, or another program has just come: to be asked again.
+// True for problems that may pass: the request can be repeated.
 inline bool is_asked_again(const result::Diagnostics& problems) {
   if (problems.empty()) return false;
   const std::string& code = problems.front().code;

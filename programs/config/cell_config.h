@@ -95,7 +95,7 @@ struct PlanningConfig {
   bool sequential = false;                       // strictly sequential chart, as in the paper
   InitialState initial = InitialState::Problem;  // Observed where the I/O is real
   bool monitors = true;  // rungs that watch the plan in the scan; false for small controllers
-  // What hand-written programs, and sources that the page brings, may write beside the standard.
+  // Extensions of the standard for hand-written programs and for sources from the page.
   const source::Dialect* dialect = &source::standard_dialect();
 };
 
@@ -157,7 +157,7 @@ struct CellConfig {
 
   std::filesystem::path socket_path() const;   // the runtime's Unix socket
   std::filesystem::path journal_path() const;  // the executive's journal
-  // What the simulated plant leaves when its process is killed; of this state folder, kept in memory.
+  // File of the simulated plant's state, which survives its process; of this state folder, kept in memory.
   std::filesystem::path plant_memory_path() const;
   std::filesystem::path modbus_client_path() const;  // where `stepwright modbus-client` answers
   std::filesystem::path report_path() const;         // what the supervisor leaves at the end of a run

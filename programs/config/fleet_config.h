@@ -59,7 +59,7 @@ struct FleetPlantConfig {
   std::vector<BlockageConfig> blockages;
 };
 
-// What is wrong is reported to the document of `plant`. Relative paths are taken from `folder`.
+// Errors are reported to the document of `plant`. Relative paths are taken from `folder`.
 FleetPlantConfig read_fleet_plant(const settings::TomlTable& plant, const std::filesystem::path& folder);
 
 // A load that somebody orders while the fleet runs.
@@ -72,8 +72,8 @@ struct FleetOrderConfig {
   result::Location where;
 };
 
-// What an operator asks for at that time: "return" of a vehicle that was lost, "hold" of all, "resume" after
-// that or after an emergency stop.
+// Request of an operator at a time: "return" of a vehicle that was lost, "hold" of all, "resume" after that
+// or after an emergency stop.
 struct FleetRequestConfig {
   double at_s = 0.0;
   std::string request;

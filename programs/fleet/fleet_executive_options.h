@@ -42,8 +42,8 @@ inline geometry::ConvexPolygon area_of(const BlockageConfig& blockage) {
        .half_width_m = 0.5 * blockage.width_m});
 }
 
-// What people at the cell report and order while it runs: a place that the fault block_K of the plant blocks
-// is reported by whoever sees it, at once.
+// Orders and reports of people while the cell runs, from its configuration. A place that the plant's fault
+// block_K blocks is reported at once.
 inline std::vector<fleet::TimedRequest> fleet_requests(const CellConfig& config) {
   std::vector<fleet::TimedRequest> requests;
   for (const FleetOrderConfig& order : config.fleet.orders)

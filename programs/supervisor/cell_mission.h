@@ -41,7 +41,7 @@ class CellMission {
   // X0003 and others where the request cannot be meant, X0008 where not now.
   [[nodiscard]] virtual result::Result<void> obey(const OperatorRequest& request) = 0;
 
-  // What a page makes a goal of (supervisor/doc/goals.md), JSON: the same for as long as this lives.
+  // Form for goals on the page (supervisor/doc/goals.md), JSON; constant.
   virtual std::string goal_form() const = 0;
   // Where a plan would begin and what a what-if has come to, JSON; nothing if that is as it was at the last
   // call. One thread at a time.

@@ -13,7 +13,7 @@ namespace stepwright::semantics::internal {
 
 enum class Access : std::uint8_t { Read, Write };
 
-// What the name of a conversion means; `from` is null where the argument decides.
+// Meaning of a conversion's name; `from` is null where the argument decides.
 struct NamedConversion {
   enum class Kind : std::uint8_t { Convert, Truncate, FromBcd, ToBcd };
   Kind kind = Kind::Convert;
@@ -46,7 +46,7 @@ class ExpressionAnalyzer {
   // Implicit conversion; reports at `where` if there is none.
   ValuePtr convert(ValuePtr value, const Type* type, Position where);
 
-  // What calls of standard functions are made of.
+  // Parts of calls of standard functions.
 
   // Conversion as the standard's X_TO_Y; requires one that the language has. Folds constants.
   ValuePtr convert_exactly(ValuePtr value, const Type* type) const;
@@ -77,12 +77,12 @@ class ExpressionAnalyzer {
   ValuePtr counted(ValuePtr value) const;
   // An integer as a bit string of its size, or of `bytes` if that is more, where the dialect has them so.
   ValuePtr as_bits(ValuePtr value, std::uint32_t bytes = 0) const;
-  // What is converted as it stands where the dialect has bit strings as numbers.
+  // Whether values are converted bit by bit, where the dialect has bit strings as numbers.
   bool exchanges_bits(const Type& from, const Type& to) const;
   // The hint where a bit string is no number: a dialect may have it so.
   std::string bits_hint(const Type& type, std::string hint = {}) const;
 
-  // What calls are found by.
+  // Lookup for calls.
 
   std::optional<Place> variable_place(const syntax::Name& name);
   const Variable* find_variable(NameId name) const;
@@ -125,7 +125,7 @@ class ExpressionAnalyzer {
   Protection protection(const Variable& variable) const;
   void protect(Position where, std::string why, std::string hint);
   void tolerate(Place& written);
-  // What other systems write with a dot: Color.Red, List.x; null and nothing where it is neither.
+  // Forms of other systems with a dot: Color.Red, List.x; null and nothing where it is neither.
   ValuePtr dotted_enumerator(const syntax::Expression& expression, bool& known);
   const Variable* qualified_global(const syntax::Expression& expression);
   bool is_list_of(const Variable& global, const syntax::Name& list) const;
