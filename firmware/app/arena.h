@@ -23,7 +23,7 @@ class Arena {
 
   std::size_t size() const { return memory_.size(); }
 
-  // What has not been handed out.
+  // The memory that has not been handed out.
   template <typename T = std::byte>
   std::span<T> rest() const {
     return {reinterpret_cast<T*>(memory_.data() + used_), (memory_.size() - used_) / sizeof(T)};

@@ -11,7 +11,7 @@
 
 namespace stepwright::decimal {
 
-// What is wanted of a binary format.
+// Parameters of a binary format.
 struct Format {
   int mantissa_bits;  // with the hidden one
   int min_exponent;   // of the smallest normal number, as a power of 2

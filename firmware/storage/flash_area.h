@@ -49,7 +49,7 @@ class FlashArea {
   bool finish(std::uint32_t sequence, const Digest& digest);
   bool clear() { return flash_.erase(offset_); }
 
-  // What has been appended so far.
+  // The bytes appended so far.
   std::span<const std::byte> written() const { return flash_.content().subspan(offset_ + kDataAt, written_); }
 
  private:

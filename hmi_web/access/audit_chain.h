@@ -47,7 +47,7 @@ struct ChainCheck {
 
 ChainCheck check_chain(std::string_view text, const ChainStart& start = {});
 
-// What the first line of `text` says that it follows: for text that does not begin with the chain. Nothing:
+// The predecessor that the first line of `text` names, for text that does not begin with the chain. Nothing:
 // it is no line of a trail.
 std::optional<ChainStart> start_of(std::string_view text);
 // The number of a line; 0: it has none.

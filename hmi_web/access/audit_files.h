@@ -41,8 +41,7 @@ struct MostLines {
 [[nodiscard]] result::Result<std::string> lines_before(const std::filesystem::path& file,
                                                        std::uint64_t before, const MostLines& most);
 
-// What is behind the last right line of a file, from the last `bytes` of it; the chain before them is taken
-// as it is.
+// Checks the end of a file, its last `bytes`; the chain before them is not checked.
 [[nodiscard]] result::Result<ChainCheck> check_end(const std::filesystem::path& file, std::size_t bytes,
                                                    const ChainStart* start = nullptr);
 

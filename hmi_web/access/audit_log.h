@@ -73,7 +73,7 @@ class AuditLog {
   std::string head() const;
   // The growing one; closed ones stand beside it.
   const std::filesystem::path& file() const { return file_; }
-  // What is to be told to whoever looks after the server; empty: nothing.
+  // Message for the operator of the server; empty: none.
   const std::string& found_at_start() const { return found_; }
 
  private:

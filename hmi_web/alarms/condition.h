@@ -20,8 +20,8 @@ struct ConditionChange {
   std::int64_t time_ns = 0;
   bool active = false;
   double value = 0.0;  // that made it so
-  // Nobody saw it happen: it was between then, when the condition was seen last, and its time. 0: it was
-  // seen.
+  // The change was not observed: it was between this time, when the condition was seen last, and `time_ns`.
+  // 0: it was observed.
   std::int64_t unseen_since_ns = 0;
 };
 
@@ -39,7 +39,7 @@ class Condition {
   std::optional<std::int64_t> deadline() const;
 
   bool active() const { return active_; }
-  // What was known when the process before this one ended.
+  // The state at the end of the process before this one.
   void restore(bool active) { active_ = seen_ = active; }
   // Nothing has been seen since then, until the next value that is usable.
   void blind_since(std::int64_t time_ns) { blind_since_ns_ = time_ns; }

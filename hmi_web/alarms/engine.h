@@ -81,7 +81,7 @@ class AlarmEngine {
   std::optional<AlarmId> find(std::string_view name) const;
   const AlarmView& view(AlarmId alarm) const { return alarms_[alarm.value].view; }
 
-  // What was known of an alarm when an engine before this one ended. Before anything is offered.
+  // The state of an alarm at the end of the engine before this one. Before anything is offered.
   void restore(AlarmId alarm, const AlarmView& view);
 
   // Nobody has looked since then. Before anything is offered, and after restore.
@@ -104,7 +104,7 @@ class AlarmEngine {
     Condition condition;
     AlarmView view;
     std::uint32_t group = 0;  // 0: none
-    // What stands in `deadlines_` for it.
+    // Its entries in `deadlines_`.
     std::int64_t delay_waits_for = kNever, shelf_waits_for = kNever;
   };
   struct Group {
@@ -112,7 +112,7 @@ class AlarmEngine {
     std::int64_t first_ns = 0;
     std::vector<AlarmId> members;
   };
-  // What a source decides.
+  // Use of a source by an alarm.
   struct Use {
     AlarmId alarm;
     bool suppresses = false;  // otherwise it is the condition's

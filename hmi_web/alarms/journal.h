@@ -47,7 +47,7 @@ struct JournalEntry {
   Transition transition;  // its `alarm` has no meaning
 };
 
-// What is left out does not matter.
+// Query by any of these; an empty member matches all.
 struct JournalQuery {
   std::optional<std::int64_t> from_ns{}, to_ns{};  // both belong to it
   std::optional<std::string> alarm{};
@@ -85,7 +85,7 @@ class AlarmJournal {
   // The newest first, at most `most`.
   [[nodiscard]] result::Result<std::vector<JournalEntry>> find(const JournalQuery& query,
                                                                std::size_t most) const;
-  // What AlarmEngine::restore() wants of every alarm that the journal knows, by name.
+  // Input of AlarmEngine::restore() for every alarm in the journal, by name.
   struct Last {
     std::string alarm;
     AlarmView view;

@@ -50,7 +50,7 @@ class AlarmStatistics {
  public:
   explicit AlarmStatistics(const std::vector<AlarmDefinition>& definitions);
 
-  // What was known of an alarm when an engine before this one ended; behind the notes of that one's end.
+  // The state of an alarm at the end of the engine before this one; after the notes of that end.
   void restore(AlarmId alarm, const AlarmView& view);
   // In the order of the engine; an older time counts as the newest one.
   void note(const Transition& transition);

@@ -28,7 +28,7 @@ struct LoadedNow {
   std::vector<std::byte> image = {};  // of this program; empty: none has arrived
 };
 
-// What an online change carried, as the runtime says it.
+// Summary of an online change, by the runtime.
 struct Takeover {
   std::uint32_t carried = 0;
   std::uint32_t initialised = 0;

@@ -58,7 +58,7 @@ class CellControl {
 
   // Everything that is forced in the runtime, whoever has forced it. D0008: its link cannot tell.
   [[nodiscard]] virtual result::Result<std::vector<ForcedPlace>> forced() = 0;
-  // What `forced` would list if that variable were forced to that value for a time.
+  // The entry of `forced` if that variable were forced to that value for a time.
   [[nodiscard]] virtual result::Result<ForcedPlace> as_forced(const std::string& name,
                                                               const std::string& value) = 0;
 };

@@ -78,7 +78,7 @@ struct ChangeRecord {
 
 class OnlineChangeService {
  public:
-  // What it refers to outlives it.
+  // References must outlive it.
   OnlineChangeService(CellChange& cell, change::VersionStore& versions, access::AuditLog& audit,
                       access::WallClock clock);
 

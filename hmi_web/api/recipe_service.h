@@ -52,14 +52,14 @@ struct PresentTag {
 
 class RecipeService {
  public:
-  // What it refers to outlives it.
+  // References must outlive it.
   RecipeService(std::vector<recipes::RecipeTag> tags, recipes::RecipeStore& store, CellControl& cell,
                 const ForceService& forces, access::WallClock clock);
 
   const std::vector<recipes::RecipeTag>& tags() const { return tags_; }
   std::vector<recipes::RecipeEntry> list() const { return store_.list(); }
   result::Result<recipes::Recipe> read(const std::string& name) const { return store_.read(name); }
-  // What keeps it from being loaded, as far as the definitions tell; empty: nothing.
+  // Problems that keep it from being loaded, by the definitions; empty: none.
   result::Diagnostics problems_of(const recipes::Recipe& recipe) const;
   std::vector<PresentTag> present() const;
 

@@ -1,9 +1,9 @@
 #pragma once
 
-// Decides about every request, by the route table only: is there such a route, may this caller use it, is the
-// request one of our own page, is its body what the route takes; then has the handler do it and the audit
-// trail tell of it. What brings the plant to rest is done whatever the disk of the trail does. Refusals are
-// told up to a limit for each user.
+// Admits or refuses every request by the route table: the route exists, the caller may use it, the request is
+// of our own page, the body fits. Then it calls the handler and writes the audit trail. A request that brings
+// the plant to rest is carried out even if the disk of the trail fails. Refusals are written up to a limit
+// for each user.
 //
 //   RequestGuard guard(table, control, audit, {.anonymous = Role::Viewer});
 //   const Admission admission = guard.admit(request);
@@ -45,7 +45,7 @@ struct RequestGuardOptions {
 // The name of the cookie of a server at that port.
 std::string cookie_at(std::uint16_t port);
 
-// What the server has found out about a request; all but `peer` comes from anybody.
+// A request as the server has read it; all but `peer` is untrusted.
 struct Request {
   std::string_view method;
   std::string_view target;

@@ -34,7 +34,7 @@ enum class Lane : std::uint8_t {
   Stop,      // the same for what brings the plant to rest: it waits behind nothing else
 };
 
-// What the audit trail has of a call; reading leaves nothing there.
+// Entries of a call in the audit trail; reading has none.
 enum class Audit : std::uint8_t {
   None,
   After,   // one entry with the result
@@ -42,7 +42,7 @@ enum class Audit : std::uint8_t {
   Later,   // the same two, but written while and after it happens: stopping never waits for a disk
 };
 
-// Whoever asks.
+// The caller of a route.
 struct Caller {
   std::string user;  // empty: nobody has logged in
   Role role = Role::None;

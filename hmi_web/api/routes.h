@@ -39,22 +39,22 @@ struct Services {
   CellMonitor* monitor = nullptr;          // null also where no program is watched: 404
 };
 
-// What the server itself answers: files of the page, the WebSocket, metrics.
+// Routes that the server itself answers: files of the page, the WebSocket, metrics.
 std::vector<Route> server_routes();
 // Logging in and out, the own password, claiming the administrator.
 std::vector<Route> session_routes(const Services& services);
 // For administrators.
 std::vector<Route> user_routes(const Services& services);
 std::vector<Route> audit_routes(const Services& services);
-// What operators ask of the supervisor.
+// Operators' requests to the supervisor.
 std::vector<Route> plan_routes(const Services& services);
-// What a goal can be made of, plans that are only looked at, and the start of a run.
+// Vocabulary of goals, plans for inspection only (what-if), and the start of a run.
 std::vector<Route> goal_routes(const Services& services);
 // Writing and forcing, for engineers.
 std::vector<Route> tag_routes(const Services& services);
 // History, alarms and their journal, for viewers.
 std::vector<Route> record_routes(const Services& services);
-// What operators and engineers do to alarms.
+// Actions of operators and engineers on alarms.
 std::vector<Route> alarm_routes(const Services& services);
 // Recipes: looking for viewers, loading for operators, saving and removing for engineers.
 std::vector<Route> recipe_routes(const Services& services);

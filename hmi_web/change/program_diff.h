@@ -42,7 +42,8 @@ struct ProgramDiff {
   std::vector<Difference> tasks;
   std::vector<StepDifference> steps_added;
   std::vector<StepDifference> steps_removed;
-  // What the runtime would refuse at this moment, by what becomes of the charts.
+  // Problems for which the runtime would refuse the change now, with charts that go on and with charts that
+  // restart.
   result::Diagnostics keep;
   result::Diagnostics restart_charts;
 };

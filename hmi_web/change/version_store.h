@@ -41,7 +41,7 @@ class VersionStore {
 
   // In place of the one with its digest. Requires that the digest is that of the container.
   [[nodiscard]] result::Result<void> put(const Version& version, std::span<const std::byte> container);
-  // What became of a version on trial.
+  // Stores the outcome of a version on trial.
   [[nodiscard]] result::Result<void> settle(const std::string& digest, Outcome outcome,
                                             const std::string& note);
   [[nodiscard]] result::Result<void> remove(const std::string& digest);

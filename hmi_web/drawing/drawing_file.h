@@ -7,9 +7,9 @@
 //   if (!drawing) tell(drawing.error());            // every mistake at once, with its line
 //   send(drawing->svg);
 //
-// What comes out holds nothing but shapes, text, gradients and bindings from lists of known names: no script,
-// no style sheet, no address of anything outside, ids of their own. What drawing programs keep for themselves
-// (other namespaces, metadata, classes) is left out; what would be missed, or could do harm, is told.
+// Invariant: the result holds only shapes, text, gradients and bindings from lists of known names, with ids
+// of their own: no script, no style sheet, no outside address. Data of drawing programs (other namespaces,
+// metadata, classes) are left out; an element that would be missed or could do harm is reported.
 //
 // Codes: C0640 the file cannot be read as a drawing, C0641 an element that is not drawn, C0642 an attribute
 // that is refused, C0643 a binding that is wrong, C0644 too much of something.

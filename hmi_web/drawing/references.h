@@ -27,8 +27,8 @@ std::string_view reference_of(pugi::xml_node element);
 // The name without a prefix of the SVG namespace.
 std::string_view plain_name(std::string_view name);
 
-// What is wrong with the references below `root`, if anything: one that leads back to itself, a <use> of a
-// <use>, more than kMostElements elements drawn by all of them together.
+// Checks the references below `root`: an error for one that leads back to itself, a <use> of a <use>, more
+// than kMostElements elements drawn by all of them together.
 std::optional<ReferenceExcess> excess_of_references(pugi::xml_node root);
 
 }  // namespace stepwright::drawing

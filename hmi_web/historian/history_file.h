@@ -54,7 +54,7 @@ struct TagRow {
   std::string name;
 };
 
-// What one transaction writes.
+// Rows of one transaction.
 struct WriteSet {
   std::vector<TagRow> tags;
   std::vector<OpenRow> tail;  // what has come since the last write, without what is in full blocks
@@ -62,7 +62,7 @@ struct WriteSet {
   bool is_checkpoint = false;
 };
 
-// What is left of a tag in a file that was opened.
+// State of a tag in a file that was opened.
 struct StoredTag {
   TagRow row;
   std::uint32_t first_number = 0;  // of the oldest block behind which all are there

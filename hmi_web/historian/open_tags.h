@@ -1,7 +1,7 @@
 #pragma once
 
-// The tags of a historian in memory: suppression, the block of each tag that is not full, the summaries that
-// grow above it, and what the next write takes to the file.
+// The tags of a historian in memory: suppression, the block of each tag that is not full, the unfinished
+// summaries above it, and the rows for the next write.
 //
 //   tags.append({id, sample});
 //   WriteSet set = tags.collect(false);
@@ -9,8 +9,8 @@
 //
 // Thread rule: under one lock; blocks() and parents() change in append, release_held and committed only, so
 // that the thread that calls these may read them without the lock. Invariants: the samples of an open block
-// ascend in time; a full block leaves `blocks()` when it is written, or when too much waits for a disk that
-// takes nothing: then it is counted.
+// ascend in time; a full block leaves `blocks()` when it is written, or when too many wait for a failing
+// disk: then its samples are counted as lost.
 
 #include <cstddef>
 #include <cstdint>
@@ -25,7 +25,7 @@
 
 namespace stepwright::historian {
 
-// What a reader needs of a tag beside the file.
+// Data of a tag that are not in the file yet, for readers.
 struct OpenPart {
   std::uint32_t stored_end = 0;                // blocks below are in the file
   std::vector<std::vector<std::byte>> blocks;  // full ones that may not be
@@ -45,13 +45,13 @@ class OpenTags {
 
   // Ids are those of add() and restore(); others are counted as unknown.
   void append(const TagSample& sample);
-  // Keeps what the suppression still holds: the end is near.
+  // Before the end: keeps the samples that the suppression still holds.
   void release_held();
 
   WriteSet collect(bool checkpoint);
-  // What collect() gave last is in the file, and with it blocks() and parents().
+  // The last result of collect() is in the file, and with it blocks() and parents().
   void committed(const WriteSet& set);
-  // The file is lost with all that was in it; what is here goes to the next one.
+  // The file is lost with its content; the samples in memory go to the next one.
   void begin_new_file();
   void deleted(const std::vector<BlockNumber>& numbers);
 

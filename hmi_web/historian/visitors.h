@@ -69,7 +69,7 @@ class CsvVisitor : public WindowVisitor {
   Look judge(const Summary& summary) override;
   void take(const Summary&) override {}
   void take(const Sample& sample) override;
-  // What is left. False: the sink wants no more.
+  // Visits the rest. False: the sink wants no more.
   bool finish();
 
  private:

@@ -1,7 +1,7 @@
 #pragma once
 
-// The newest state of a cell as texts, each with the number of the message in which it changed last: what a
-// viewer lacks since any message is found without keeping those messages.
+// Holds the newest state of a cell as texts, each with the number of the message in which it changed last. So
+// the difference since any message is found without keeping messages.
 //
 //   LiveState live;
 //   live.take(state, 1, true);
@@ -25,7 +25,7 @@
 
 namespace stepwright::protocol {
 
-// What a message is to hold.
+// Request for the content of a message.
 struct StateRequest {
   std::uint64_t since = 0;  // the viewer has what came up to this number; 0: nothing, it gets a `state`
   TagChoice tags;           // digest apart: indices of the tags of the newest state

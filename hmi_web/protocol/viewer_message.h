@@ -1,7 +1,7 @@
 #pragma once
 
-// Message of a viewer: what it has already (`begin`, its first message) and what it wants to be told from now
-// on (`begin`, `show`). Specified in hmi_web/doc/protocol.md.
+// Parses a viewer's message: its known state (`begin`, the first message) and its choice of data (`begin`,
+// `show`). Specified in hmi_web/doc/protocol.md.
 //
 //   auto message = read_viewer_message(text);
 //   if (!message) return close(message.error());
@@ -48,7 +48,7 @@ struct Show {
   bool trend = false;
 };
 
-// What a viewer has from an earlier connection to the same run of the server.
+// Numbers of the newest data that a viewer has from an earlier connection to the same run of the server.
 struct ViewerState {
   std::uint64_t sequence = 0;  // of the newest state or delta; 0 = none
   bool tags = false;           // the values of all tags that it wants are those of `sequence`

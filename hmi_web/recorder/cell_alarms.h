@@ -42,11 +42,11 @@ struct BuiltInAlarms {
   std::uint32_t monitors = 0;  // of a plan's program: MON_SCAN[1] ... (supervisor/doc/plan_to_sfc.md)
 };
 
-// What every cell is watched for: its processes, the limits of the picture's tanks, the plan's monitors.
+// Alarms of every cell: its processes, the limits of the picture's tanks, the plan's monitors.
 std::vector<alarms::AlarmDefinition> built_in_alarms(const protocol::Synoptic& synoptic,
                                                      const BuiltInAlarms& wanted);
 
-// What CellAlarms::json says where nothing can be kept.
+// The text of CellAlarms::json where there is no journal.
 std::string no_alarms_json(const std::string& problem);
 
 // One image, or that there is none.
@@ -56,7 +56,7 @@ struct RecordedScan {
   const server::CellView* view = nullptr;
 };
 
-// What a command has made of its alarm: states as `json` names them.
+// Change of an alarm by a command: states as `json` names them.
 struct AlarmChange {
   std::string before;
   std::string after;

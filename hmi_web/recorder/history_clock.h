@@ -1,9 +1,10 @@
 #pragma once
 
-// The clock of everything that is recorded: the scan's own, placed in real time, so that the samples of all
-// runs stand one behind the other. Scan time 0 of a run has an epoch; distances within a run are those of the
-// scan, exactly, but that after a time without scans the first ones may be held back to what was told then. A
-// run that is faster than real time pushes what follows it into the future; time never runs backwards.
+// Clock of all recorded data: the scan clock, placed in real time, so that the samples of all runs follow
+// each other. Scan time 0 of a run has an epoch. Distances within a run are exactly those of the scan clock;
+// only the first samples after a time without scans may be earlier than the last time given, and get that
+// one. After a run that is faster than real time the next one begins in the future. Invariant: time never
+// runs backwards.
 //
 //   HistoryClock clock(config.clock.mode == ClockMode::Real, known);
 //   const std::int64_t t = clock.at(snapshot.time_ns, wall_ns);
@@ -15,7 +16,7 @@
 
 namespace stepwright::recorder {
 
-// What a process before this one has left.
+// Clock of an earlier process, as it was stored.
 struct KnownEpoch {
   std::int64_t epoch_ns = 0;   // of the run that it saw last
   std::int64_t newest_ns = 0;  // the newest time that it gave

@@ -49,7 +49,7 @@ class JsonWriter {
     std::array<char, 24> digits{};
     return raw({digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr});
   }
-  // What JSON has no word for is null.
+  // Numbers that JSON cannot express are null.
   JsonWriter& number(double value) {
     if (!std::isfinite(value)) return null();
     std::array<char, 32> digits{};

@@ -1,6 +1,6 @@
 #pragma once
 
-// A thread for each lane of the API, so that what takes long (a password, a runtime that does not answer)
+// A thread for each lane of the API, so that a slow request (a password, a runtime that does not answer)
 // holds up neither the pages nor the other lanes.
 //
 //   ApiLanes lanes;

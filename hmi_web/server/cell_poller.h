@@ -1,7 +1,8 @@
 #pragma once
 
-// A thread that looks at the cell whenever it has a new image and keeps the feed up to date. What else is new
-// is seen `kLongestPause` later at most; a fast cell cannot flood it, as there is a pause behind every look.
+// Polls the cell on a thread of its own, whenever it has a new image, and keeps the feed up to date. Other
+// news is seen `kLongestPause` later at most. A pause follows every poll, so that a fast cell cannot flood
+// it.
 //
 //   CellPoller poller(source, CellViewer(points), feed, [&] { server.notify(); });
 //

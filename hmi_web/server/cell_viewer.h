@@ -1,6 +1,6 @@
 #pragma once
 
-// Turns what is observed of a cell into what viewers are told.
+// Converts observations of a cell into the data for viewers.
 //
 // Thread rule: one thread at a time.
 

@@ -1,9 +1,8 @@
 #pragma once
 
-// Feed of the viewers: the newest of everything that they can be told, and what each of them has been told
-// already. A viewer says what it has and what it wants, keeps a Cursor, and pulls its next message when it
-// has sent the one before; there is no queue behind a viewer, so a slow reader skips snapshots and costs
-// nothing.
+// Feed of the viewers: holds the newest data and, in a Cursor for each viewer, what has been sent to it. A
+// viewer names its known state and its choice of data, and pulls its next message when the one before has
+// been sent. There is no queue for a viewer, so a slow reader skips snapshots and costs nothing.
 //
 //   Feed feed({"bench", "0.1.0"}, synoptic);
 //   feed.update(view, now);                            // the polling thread, every few milliseconds

@@ -6,11 +6,10 @@
 //   if (!server) return report(server.error());
 //   (*server)->run();                    // until stop()
 //
-// Thread rule: run() in one thread; stop() and notify() from any. The feed outlives the server.
-// Invariants: memory per viewer is bounded (one message under way, none queued); no request and no sequence
-// of bytes ends the process. Without an API the only input that it takes is requests without a body and what
-// viewers say of what they show (Feed::hear); who says anything else is disconnected. With an API nothing
-// happens beside that is no row of its route table.
+// Thread rule: run() in one thread; stop() and notify() from any. The feed outlives the server. Invariants:
+// memory per viewer is bounded (one message under way, none queued); no request and no sequence of bytes ends
+// the process. Without an API it accepts only requests without a body and viewers' messages (Feed::hear); any
+// other input ends the connection. With an API it accepts the rows of the route table too, and nothing else.
 
 #include <chrono>
 #include <cstddef>
@@ -53,11 +52,11 @@ class HttpServer {
       const ServerLimits& limits = {});
   ~HttpServer();
 
-  // What kMetricsPath answers, made by the thread of run() for each request; without it there is nothing
-  // there. Before run().
+  // Sets the text of kMetricsPath, which is made by the thread of run() for each request; without it the path
+  // is unknown. Before run().
   void serve_metrics(std::function<std::string()> text, std::string content_type);
 
-  // What a step of the network has thrown; it costs that step. Before run().
+  // Sets the receiver of exceptions of a network step; an exception costs that step. Before run().
   void tell_trouble(std::function<void(const std::string&)> on_trouble);
 
   // Everything goes through this guard from now on. Before run(); the guard outlives the server.

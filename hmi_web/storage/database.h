@@ -90,7 +90,7 @@ class Database {
   [[nodiscard]] result::Result<void> execute(const std::string& sql) const;
   // Ends a transaction that failed; nothing happens where none is open.
   void roll_back() const;
-  // What the file holds, without free pages.
+  // Size of the file's content, without free pages.
   [[nodiscard]] result::Result<std::uint64_t> used_bytes() const;
   // From now on until then; whatever is under way or asked for after that fails (S0009). For what anybody
   // asks.

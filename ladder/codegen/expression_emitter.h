@@ -43,7 +43,7 @@ class FileTable {
   std::uint32_t plain_index_ = 0;
 };
 
-// What all functions of a program share.
+// Layout of the program, shared by all its functions.
 struct ProgramLayout {
   const semantics::Model* model = nullptr;
   std::array<std::uint32_t, 4> bases{};  // absolute address of %I, %Q, %M, Data
@@ -64,7 +64,7 @@ class ExpressionEmitter {
   ExpressionEmitter(const ProgramLayout& layout, FileTable& files, writer::FunctionBuilder& builder)
       : layout_(layout), files_(files), b_(builder) {}
 
-  // What follows comes from here.
+  // Marks the source position of the following instructions.
   void line(source::Position where);
 
   // Before an instruction that calls the POU. A trap of the library names its call, so that this is marked to
@@ -87,7 +87,7 @@ class ExpressionEmitter {
   void reference(const semantics::Place& place);
   // A copy of the bytes: what the target holds does not matter.
   void copy_bytes(const semantics::Place& target, const semantics::Value& value);
-  // Stores what `emit` pushes.
+  // Stores the value that `emit` pushes.
   template <typename Emit>
   void store(const semantics::Place& place, Emit emit);
   void copies_before(const std::vector<semantics::CopyBefore>& copies);

@@ -18,7 +18,7 @@ class SymbolTable {
       : model_(model), layout_(layout), out_(out) {}
 
   void globals();
-  // What VAR_CONFIG gives an address.
+  // Symbols of the variables to which VAR_CONFIG gives an address.
   void configured();
   // The symbol of a trigger.
   std::uint32_t trigger(const semantics::Trigger& trigger);

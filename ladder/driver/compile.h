@@ -29,7 +29,7 @@ struct CompileInput {
   std::vector<source::NamedText> texts;             // ST, in the order in which diagnostics name them
   std::vector<const graphic::Project*> projects{};  // LD, SFC, ST POUs of exchange files or a plan
   // The folder, as an absolute path, that paths in the container are relative to: that of who will read them.
-  // What lies outside of it is named from the folder that its sources share, so that equal sources give equal
+  // Files outside of it are named from the folder that they share, so that equal sources give equal
   // containers wherever they are compiled. Diagnostics name files as `texts` does.
   std::string folder{};
   // Further warnings (ladder/lint) than those of the compiler itself.
@@ -37,7 +37,7 @@ struct CompileInput {
   // The container brings the sources with it for viewers (print/program_document.h), if they are not longer
   // than bytecode::kMaxDocumentBytes. Engines never look at them.
   bool document = false;
-  // What the sources may write beside the standard.
+  // Extensions of the standard that the sources may use.
   const source::Dialect* dialect = &source::standard_dialect();
   // The sources are only checked: they may be a library without a program, which has no container.
   bool library = false;

@@ -31,7 +31,7 @@ class PouLowering {
   // Everything of the projects: POUs, globals, tasks, instances. Each may use the types and POUs of all.
   void add_projects(const std::vector<const graphic::Project*>& projects);
 
-  // What the projects name and nobody declares. Requires that the library was added.
+  // Reports types that the projects use and nothing declares. Requires that the library was added.
   void report_foreign_types();
 
   const std::vector<LoweredChart>& charts() const { return charts_; }
@@ -57,7 +57,7 @@ class PouLowering {
   syntax::Unit& unit_;
   std::vector<LoweredChart> charts_;
   std::deque<std::string> texts_;
-  // What came from projects: indexes into the unit.
+  // Declarations from projects: indexes into the unit.
   struct Range {
     std::size_t begin = 0;
     std::size_t end = 0;

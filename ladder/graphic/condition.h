@@ -1,7 +1,7 @@
 #pragma once
 
-// A boolean condition as a tree of contacts and comparisons: what a transition of an SFC or a rung of a
-// ladder tests. Every language and drawing reads this one form.
+// A boolean condition of an SFC's transition or a ladder's rung, as a tree of contacts and comparisons. All
+// languages and drawings use this form.
 //
 //   Condition c = all({contact("fc1"), compare("S1", CompareOp::GreaterEqual, "3784")});
 //   to_st(c)  ->  "fc1 AND (S1 >= 3784)"
@@ -44,7 +44,7 @@ Condition compare(std::string left, CompareOp op, std::string right);
 Condition all(std::vector<Condition> children);
 Condition any(std::vector<Condition> children);
 
-// What holds where `condition` does not. Edges stay contacts, which ST text has no form for.
+// The negation of a condition. Edges stay contacts: ST text has no form for them.
 Condition negation(const Condition& condition);
 // True if a contact in it senses an edge.
 bool senses_edge(const Condition& condition);

@@ -25,7 +25,7 @@ struct Place {
   friend bool operator==(const Place&, const Place&) = default;
 };
 
-// What a file holds beyond the model: attributes, and XML of child elements (addData and the like).
+// Content of a file beyond the model: attributes, and XML of child elements (addData and the like).
 struct Extra {
   std::vector<std::pair<std::string, std::string>> attributes;
   std::string children;

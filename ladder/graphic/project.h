@@ -33,7 +33,7 @@ struct Variable {
   std::uint32_t where = 0;  // byte of Project::file_text, 0 = none
 };
 
-// What a file says about a list of variables beside its section: index Variable::list - 1.
+// A list of variables in a file, beside its section: index Variable::list - 1.
 struct VariableList {
   std::string documentation;
   Extra extra;

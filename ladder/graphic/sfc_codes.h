@@ -26,7 +26,7 @@ inline constexpr const char* kReturnInAction = "E0724";
 inline constexpr const char* kUnknownIndicator = "E0725";
 inline constexpr const char* kFlagWritten = "E0726";
 
-// What a sound chart may do (sfc_hazards.h).
+// Hazards of a sound chart (sfc_hazards.h).
 inline constexpr const char* kStepUnreachable = "W0701";
 inline constexpr const char* kNeverFires = "W0702";
 inline constexpr const char* kTokenDoubled = "W0703";

@@ -93,7 +93,7 @@ struct SfcLayout {
 // Requires a sound chart, which must live as long as the layout.
 SfcLayout lay_out(const SfcChart& chart, const SfcMetrics& metrics);
 
-// What a drawing calls a transition: its name, or "#3" if it has none.
+// Label of a transition in a drawing: its name, or "#3" if it has none.
 std::string drawn_label(const SfcChart& chart, std::size_t transition);
 
 // "N", "L T#2s": what stands in the first cell of an action block.

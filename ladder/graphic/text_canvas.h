@@ -19,7 +19,7 @@ class TextCanvas {
   std::string finish() const;
 
  private:
-  // What meets in one cell.
+  // Lines that meet in one cell.
   struct Cell {
     bool left = false;
     bool right = false;

@@ -27,7 +27,7 @@ std::size_t find_outside(std::string_view text, std::string_view what);
 bool is_string_type(std::string_view type);
 bool is_wide_string_type(std::string_view type);
 
-// What the elements of "ARRAY[0..3, 1..2] OF INT" are; empty if it is no array.
+// The type of the elements of "ARRAY[0..3, 1..2] OF INT"; empty if it is no array.
 std::string element_type(const std::string& type);
 
 struct StructureMember {

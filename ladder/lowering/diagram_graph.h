@@ -42,7 +42,7 @@ class DiagramGraph {
   DiagramGraph(const graphic::Diagram& diagram, DiagramScope& scope);
 
   const std::vector<Network>& networks() const { return networks_; }
-  // What a connection comes from, through connectors; no element if there is none.
+  // Origin of a connection, followed through connectors; no element if there is none.
   Origin from(const graphic::Connection& connection) const;
   // Elements that read this output, once for each input.
   const std::vector<const graphic::Element*>& readers_of(const Origin& origin) const;

@@ -44,8 +44,8 @@ class DiagramScope {
   virtual std::string mark(std::uint32_t where) const = 0;
   // A byte of the diagram's file for a reader.
   virtual result::Location location(std::uint32_t where) const = 0;
-  // What stands at a byte of the diagram's file and behind it: "network 2, coil 'lamp'". Diagnostics and
-  // traps there say so.
+  // Names the place from a byte of the diagram's file on: "network 2, coil 'lamp'". Diagnostics and traps
+  // there use the name.
   virtual void note(std::uint32_t where, const std::string& what) = 0;
   // A text with the marks of where its pieces stand, on one line. What is not whole (syntax/piece.h) is
   // reported, at `where` if the text does not know its place, and becomes empty.

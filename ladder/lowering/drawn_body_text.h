@@ -34,7 +34,7 @@ class DrawnBodyText {
   // shown, all of them go there: where they run is no business of a reader.
   std::string guarded(graphic::LadderProgram network, std::uint32_t where);
 
-  // What runs in every scan for conditions that were drawn: contacts and their edges.
+  // Networks that run in every scan for drawn conditions: contacts and their edges.
   graphic::LadderProgram take_networks() { return std::move(networks_); }
   // Variables that the texts need.
   std::vector<graphic::Wire> take_variables() { return std::move(variables_); }

@@ -31,8 +31,8 @@ class EvaluationOrder {
   // Both must outlive this.
   EvaluationOrder(const DiagramGraph& graph, DiagramScope& scope);
 
-  // What is evaluated now: everything that does something in the network, and what it needs. What had its
-  // turn before has none again.
+  // The elements to evaluate now: all that have an effect in the network, and those that they need. No
+  // element has two turns.
   std::vector<Turn> turns_of(const Network& network);
   // The same of what this input of an element outside of the networks needs.
   std::vector<Turn> turns_before(const graphic::Pin& pin, const graphic::Element& owner);

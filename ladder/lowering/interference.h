@@ -30,7 +30,7 @@ class Interference {
   bool calls(const graphic::Element& reader) { return reads(reader).calls; }
 
  private:
-  // What a text reads or an element writes.
+  // Names that a text reads or an element writes.
   struct Names {
     std::set<std::string> own;  // variables of the POU, in upper case
     bool is_open = false;       // and others, that can be reached from elsewhere

@@ -25,7 +25,7 @@ class NetworkLowering {
   // Everything that `pin` needs is evaluated; the result is the power there.
   graphic::Condition evaluate(const graphic::Pin& pin, const graphic::Element& owner);
 
-  // What a coil or variable would be written, which nobody declares: the result of a network.
+  // The value for a coil or variable without a declaration: the result of a network.
   graphic::Condition evaluate_output(const graphic::Element& element);
 
   graphic::LadderProgram take() { return std::move(ladder_); }
@@ -44,7 +44,7 @@ class NetworkLowering {
   const graphic::Element* written_by_call(const Origin& origin);
   void check_block(const graphic::Element& element);
 
-  // What an input reads, now.
+  // The value of an input, now.
   graphic::Condition power(const graphic::Pin& pin, const graphic::Element& owner);
   graphic::Condition read(const Origin& origin, const graphic::Element& owner);
   graphic::Condition read_once(const Origin& origin, const graphic::Element& owner);
@@ -57,7 +57,7 @@ class NetworkLowering {
 
   // Wires.
   graphic::Condition through_wire(graphic::Condition condition, const graphic::Element& element);
-  // What becomes text must not sense edges, for which ST has no expression: a wire is computed before it.
+  // A condition without edges, for text: ST has no expression for them, so a wire is computed before it.
   graphic::Condition without_edges(graphic::Condition condition, const graphic::Element& element);
   std::string result_wire(const Origin& origin);
   // The power behind a contact or coil, for everything that reads it.

@@ -2,9 +2,9 @@
 
 // The conditions of a drawn chart as a reader sees them: without the wires that their evaluation needs.
 //
-// What gives a wire its value stands in its place, a function as a call of ST: a condition is shown alone, so
-// that also what several of them read is written out in each. A wire that cannot be written so (feedback, a
-// function under an EN, more text than anybody reads) is a connector, >1>. Not to be compiled.
+// Each wire is replaced by the expression of its value, a function by a call of ST. Every condition is
+// complete, so that a shared expression is written out in each. A wire that cannot be written so (feedback, a
+// function under an EN, too long a text) is a connector, >1>. Not to be compiled.
 //
 //   ShownConditions shown(networks);
 //   transition.condition = shown.drawn(transition.condition);  // __W1_  ->  GT(DIV(10, d), 2) AND ready

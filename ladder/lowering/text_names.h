@@ -26,7 +26,7 @@ std::string each_name(std::string_view text, const Found& found) {
   return result;
 }
 
-// What a wire is called that is not drawn through: where the line ends, and wherever it goes on (IEC
+// Name of a connector, for a wire that is not drawn through: where the line ends, and where it goes on (IEC
 // 61131-3, 8.1.3).
 inline std::string connector_name(std::size_t number) {
   return ">" + std::to_string(number) + ">";

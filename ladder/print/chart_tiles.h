@@ -26,7 +26,7 @@ struct Tile {
   int y2 = 0;
 };
 
-// What no cut may go through: a symbol with its texts.
+// A symbol with its texts, through which no cut may go.
 struct Box {
   Interval x;
   Interval y;

@@ -22,8 +22,8 @@ struct VariableUses {
 // Declared variables that are used, and what contacts and coils use beyond them; sorted by name.
 std::vector<VariableUses> cross_reference(const graphic::Sheet& sheet);
 
-// What stands below the symbols of a ladder diagram: below a contact where it is written, below a coil where
-// it is read.
+// Notes below the symbols of a ladder diagram: below a contact where it is written, below a coil where it is
+// read.
 graphic::LadderNotes ladder_notes(const std::vector<VariableUses>& uses);
 
 // "1, 2, 3"

@@ -99,7 +99,7 @@ struct ProgramInstance {
   Retention retention = Retention::Unsaid;
 };
 
-// What a task runs: a program, or one that the analysis made to run it with its connections.
+// A program that a task runs, or one that the analysis made to run it with its connections.
 struct TaskCall {
   std::string name;
   const Pou* pou = nullptr;

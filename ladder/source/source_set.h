@@ -61,7 +61,7 @@ class SourceSet {
   // the file. `anchors` are sorted and not empty.
   FileId add_piece(std::string text, FileId file, std::vector<Anchor> anchors);
 
-  // What stands at a place of a file and behind it, up to the next note: a POU and an element of its diagram.
+  // Names the place from this position of a file to the next note: a POU and an element of its diagram.
   void add_note(Position where, std::string text);
   // Empty if there is none.
   std::string note(Position position) const;

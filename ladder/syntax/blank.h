@@ -19,7 +19,7 @@ struct Blank {
   bool closed = true;
 };
 
-// What begins at `at`; None where a token begins or the text ends. Comments of one kind nest.
+// The blank that begins at `at`; None where a token begins or the text ends. Comments of one kind nest.
 Blank blank_at(std::string_view text, std::size_t at);
 
 }  // namespace stepwright::syntax

@@ -29,7 +29,7 @@ class NamespaceLookup {
   // The type or POU that `name`, in upper case, means in a scope. Nothing if no declaration has it.
   std::optional<Found> find(const std::string& name, const NameScope* scope) const;
 
-  // What a scope outside of it cannot use: the part of the name that is INTERNAL, and to what.
+  // Barrier for a scope outside of it: the part of the name that is INTERNAL, and its namespace.
   struct Barrier {
     std::string_view part;
     std::string_view owner;

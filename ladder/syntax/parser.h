@@ -2,7 +2,7 @@
 
 // Tokens -> syntax tree, by recursive descent. A mistake is reported once, where it stands; the parser then
 // skips to a place where a statement, a declaration or a POU begins and goes on, so that one run reports all
-// mistakes. What it could not read becomes an Error node, about which later stages say nothing.
+// mistakes. Unreadable parts become Error nodes, which later stages do not report again.
 //
 // One SyntaxContext belongs to one compilation. Not thread-safe.
 //
@@ -31,7 +31,7 @@ void parse_unit(SyntaxContext& context, source::FileId file, Unit& unit, TextKin
 // A whole text that is one statement list. In a Generated text "JMP name;" and "name:" are statements too.
 Statements parse_statements(SyntaxContext& context, source::FileId file, TextKind kind);
 
-// What a text that stands in a chart or a diagram can be (piece.h).
+// Kind of a text in a chart or a diagram (piece.h).
 enum class PieceKind : std::uint8_t {
   Word,           // a name, or a reserved word
   PouName,        // a name, in a namespace or not, or a reserved word that names a function: "AND", "MOD"

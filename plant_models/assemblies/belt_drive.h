@@ -45,7 +45,7 @@ class BeltDrive {
   BeltDrive& operator=(BeltDrive&&) noexcept;
 
   void command(bool on);
-  // What the boxes drag against the motion, N; takes effect at the next advance.
+  // Drag of the boxes against the motion, N; takes effect at the next advance.
   void load(double force_n);
   // Runs to `t_s`, which must not lie before what it was told last. False if the solver gave up.
   bool advance_to(double t_s);

@@ -35,7 +35,7 @@ inline constexpr std::size_t kOverflowRoot = 9;  // one per tank but the supplie
 inline constexpr std::size_t kDrawRoot = 12;     // one per client: an extra draw is complete
 inline constexpr std::size_t kRoots = 14;
 
-// What stays constant between two events.
+// Inputs of the equations that are constant between two events.
 struct BenchModes {
   std::array<bool, kPumps> pump_on{};
   std::array<double, kPumps> pump_strength = {1.0, 1.0, 1.0, 1.0};  // 1 = healthy

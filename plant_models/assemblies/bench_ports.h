@@ -25,7 +25,7 @@ inline constexpr std::size_t kSensors = 6;
 std::span<const core::Port> bench_actuators();
 std::span<const core::Port> bench_sensors();
 
-// What a truth stands for, in the order of bench_truths().
+// Quantities of the truths, in the order of bench_truths().
 enum class TruthKind : std::uint8_t {
   LevelPercent,  // of a tank
   Position,

@@ -1,6 +1,7 @@
 #pragma once
 
-// A floor with forklifts, pallets, walls and places that can be blocked. Metres, seen from above.
+// Parameters of a floor with forklifts, pallets, walls and places that can be blocked. Metres, seen from
+// above.
 
 #include <cstdint>
 #include <vector>
@@ -43,7 +44,7 @@ struct FleetParameters {
 
 inline constexpr double kPalletLength_m = 1.2;  // EN 13698-1
 inline constexpr double kPalletWidth_m = 0.8;
-// What counts of centimetres can say.
+// Greatest coordinate that a count of centimetres can hold.
 inline constexpr double kFarthest_m = 320.0;
 
 // Fails with one C0321 per figure that has no physical sense. Whether bodies overlap at the start is not

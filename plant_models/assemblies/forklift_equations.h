@@ -25,7 +25,7 @@ inline constexpr std::size_t kForkliftTravel =
     5;  // m, way of the wheels' rim, whichever direction: the odometer
 inline constexpr std::size_t kForkliftStates = 6;
 
-// What stays constant between two commands or faults.
+// Inputs of the equations that are constant between two commands or faults.
 struct ForkliftModes {
   bool enabled = false;    // off: the spring brake holds
   double speed_m_s = 0.0;  // commanded, of the wheels' rim

@@ -52,7 +52,7 @@ class Plant {
 
   PlantStatus advance(std::chrono::nanoseconds step) { return advance_to(now() + step); }
 
-  // What the terminal shows at now(): 0 or 1, or raw counts.
+  // Value of the terminal at now(): 0 or 1, or raw counts.
   virtual std::int16_t sensor(SensorId id) const = 0;
 
   // The true state at now(), which no controller may read: for reports and viewers.
@@ -66,7 +66,7 @@ class Plant {
   // Ends the named fault; what it did to the state stays. Fails with C0311.
   [[nodiscard]] virtual result::Result<void> clear_fault(std::string_view name) = 0;
 
-  // What another process needs to go on simulating from here: kept_size() numbers, which never changes, in an
+  // State for another process to continue the simulation from here: kept_size() numbers (a constant), in an
   // order of the plant's own. Faults and terminals are not among them. No heap, as for `truth`.
   virtual std::size_t kept_size() const = 0;
   virtual void keep(std::span<double> numbers) const = 0;

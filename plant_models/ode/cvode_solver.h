@@ -39,7 +39,7 @@ enum class StepOutcome : std::uint8_t {
   Failed,   // no further step is possible; the last state stays readable
 };
 
-// What the solver has done since create().
+// Counts of the solver's work since create().
 struct CvodeStatistics {
   std::int64_t steps = 0;
   std::int64_t derivative_calls = 0;

@@ -1,9 +1,8 @@
 #pragma once
 
-// Everything about a cell that can be known without running it: its configuration with all tables, the wires
-// of its plant, its safe outputs and scheduled faults, what its Modbus processes would refuse, the program
-// that it runs with the register map and the tags that are about it, and, where it plans, its planning files
-// and plan.
+// Checks a cell without running it: its configuration with all tables, the wires of its plant, its safe
+// outputs and scheduled faults, what its Modbus processes would refuse, the program that it runs with the
+// register map and the tags that are about it, and, where it plans, its planning files and plan.
 //
 //   const CheckReport report = check_cell("cell.toml", {"plant.seed=7"});
 //   report.exit();                    // Done if it is sound
@@ -21,7 +20,7 @@
 
 namespace stepwright::check {
 
-// What the cell's own problem comes to.
+// Figures of the cell's own plan.
 struct PlanFigures {
   std::size_t actions = 0;
   double cost = 0.0;

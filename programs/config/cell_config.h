@@ -139,7 +139,7 @@ struct CellConfig {
 
   std::filesystem::path socket_path() const;   // the runtime's Unix socket
   std::filesystem::path journal_path() const;  // the executive's journal
-  // What the simulated plant leaves when its process is killed; of this state folder, kept in memory.
+  // File of the simulated plant's state, which survives its process; of this state folder, kept in memory.
   std::filesystem::path plant_memory_path() const;
   std::filesystem::path modbus_client_path() const;  // where `stepwright modbus-client` answers
   std::filesystem::path report_path() const;         // what the supervisor leaves at the end of a run

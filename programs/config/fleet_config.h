@@ -56,7 +56,7 @@ struct FleetPlantConfig {
   std::vector<BlockageConfig> blockages;
 };
 
-// What is wrong is reported to the document of `plant`. Relative paths are taken from `folder`.
+// Errors are reported to the document of `plant`. Relative paths are taken from `folder`.
 FleetPlantConfig read_fleet_plant(const settings::TomlTable& plant, const std::filesystem::path& folder);
 
 }  // namespace stepwright::config

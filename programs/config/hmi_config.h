@@ -50,8 +50,8 @@ struct HmiConfig {
 // "localhost", 127.x.y.z, ::1.
 bool is_loopback(const std::string& host);
 
-// What is wrong is reported with the document: C0003, C0004, C0468 (a host beyond loopback without TLS),
-// C0469 (half of what TLS needs), C0470 (names that are none, or missing).
+// Errors are reported to the document: C0003, C0004, C0468 (a host beyond loopback without TLS), C0469 (half
+// of what TLS needs), C0470 (names that are none, or missing).
 HmiConfig read_hmi(const settings::TomlTable& hmi, const std::filesystem::path& folder,
                    const std::filesystem::path& state_dir);
 

@@ -23,7 +23,7 @@
 
 namespace stepwright::config {
 
-// What a tag takes over from its device, and where it may lie.
+// Defaults of a tag from its device, and the areas that it may lie in.
 struct ModbusTagFrame {
   modbus::client::Order order = modbus::client::Order::Abcd;
   modbus::client::LossValue on_loss = modbus::client::LossValue::Hold;

@@ -37,7 +37,7 @@ struct HistoryConfig {
   std::filesystem::path alarms;          // empty: no others
 };
 
-// What is wrong goes to the document of the table.
+// Errors are reported to the document of the table.
 HistoryConfig read_history(const settings::TomlTable& table, const std::filesystem::path& folder,
                            const std::filesystem::path& state_dir);
 RecordConfig read_record(const settings::TomlTable& table, const std::filesystem::path& state_dir);

@@ -13,7 +13,7 @@
 
 namespace stepwright::config {
 
-// What one line of the table says.
+// One line of the table.
 struct SafeRule {
   std::string address;  // as it is written
   result::Location where;

@@ -15,7 +15,7 @@ namespace stepwright::demo {
 
 class SetupTokenPrinter {
  public:
-  // What the log has by now is of earlier runs.
+  // The present content of the log is of earlier runs and is skipped.
   explicit SetupTokenPrinter(std::filesystem::path log);
 
   // Prints each token that is new in the log, on a line of its own. Cheap where nothing is new.

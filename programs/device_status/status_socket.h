@@ -35,7 +35,7 @@ class StatusServer {
   std::thread thread_;
 };
 
-// What the server says. Fails with R0127 if nobody does.
+// The server's text. Fails with R0127 if there is no server.
 [[nodiscard]] result::Result<std::string> ask_status(const std::filesystem::path& path);
 
 }  // namespace stepwright::device_status

@@ -1,7 +1,7 @@
 #pragma once
 
-// Everything between the page's server and the cell that decides who may do what: users, audit trail, forces,
-// recipes, route table, guard; made from a cell's configuration.
+// Access control between the page's server and the cell: users, audit trail, forces, recipes, route table and
+// guard, made from a cell's configuration.
 //
 //   auto access = AccessPoint::open(config, {control, &records}, log,
 //                                   [&](auto json) { feed.set_forces(json); });
@@ -32,7 +32,7 @@
 
 namespace stepwright::hmi {
 
-// What the routes act on and read.
+// Interfaces to the cell for the routes.
 struct ActsOn {
   api::CellControl& cell;
   api::CellRecords* records = nullptr;   // null: the server keeps none

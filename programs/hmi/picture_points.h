@@ -23,7 +23,7 @@ class PicturePoints {
   std::string terminal(const std::string& id, const std::string& port);
   // The counts of a terminal, each of them worth `factor` of the unit.
   std::string counted(const std::string& id, const std::string& unit, const std::string& port, double factor);
-  // What the simulated plant reports under `name`.
+  // Point of the simulated plant's value `name`.
   std::string truth(const std::string& id, const std::string& label, const std::string& unit, bool trend,
                     const std::string& name);
 

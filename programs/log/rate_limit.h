@@ -35,9 +35,9 @@ class RateLimit {
   void set_limit(std::uint32_t per_window) { per_window_ = per_window; }
   // True if a message of this kind may be written now; else it is counted.
   bool admit(std::string_view kind, Clock::time_point now);
-  // What was suppressed in windows that have ended, each once.
+  // Suppressed lines of windows that have ended, each once.
   std::vector<Suppressed> due(Clock::time_point now);
-  // What was suppressed and not told of, at the end.
+  // Suppressed lines that were not reported yet, at the end.
   std::vector<Suppressed> rest();
 
  private:

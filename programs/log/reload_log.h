@@ -13,7 +13,7 @@
 
 namespace stepwright::log {
 
-// What a process takes over beside its log.
+// Part of the configuration that a process reloads beside its log.
 struct ReloadPart {
   std::vector<std::string_view> keys;  // as config::reload_cell takes them
   // Whether the file still has what the part is about; if not, its keys wait for a restart as all others do.

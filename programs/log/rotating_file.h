@@ -7,8 +7,7 @@
 //   auto file = RotatingFile::open("cell.log", {.max_bytes = 16 << 20, .keep = 4});
 //   if (file) (*file)->append("a line\n");
 //
-// What is no regular file (a terminal, a pipe) is never renamed. Threads: one at a time; processes: any
-// number.
+// A terminal, a pipe or another special file is never renamed. Threads: one at a time; processes: any number.
 
 #include <cstddef>
 #include <cstdint>

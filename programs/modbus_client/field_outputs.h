@@ -23,7 +23,7 @@ namespace stepwright::modbus_client {
 
 class FieldOutputs {
  public:
-  // What the matrix refers to must outlive this object.
+  // The data of the matrix must outlive this object.
   FieldOutputs(const scan::SafeMatrix& matrix, std::size_t bytes, std::chrono::nanoseconds holder_timeout);
 
   // Nothing as long as nobody has ever driven: the devices keep what they have.

@@ -35,7 +35,7 @@ void end_with_a_word();
 // line (its message went to stderr); nothing if it goes on.
 [[nodiscard]] std::optional<int> parse(CLI::App& app, int argc, char** argv);
 
-// What is wrong with an option's text as a number of seconds above 0; empty if nothing is. For
+// Checks an option's text as a number of seconds above 0: the error, empty if there is none. For
 // CLI::Validator, whose ranges take "nan" for a number within them.
 std::string refuse_seconds(const std::string& text);
 

@@ -42,7 +42,7 @@ struct FoundProgram {
 class BootProgram final : private service::ProgramPersistence {
  public:
   BootProgram(config::BootSection config, host::HostRuntime& runtime);
-  // What is to be kept is kept when it returns.
+  // Returns when the program is kept.
   ~BootProgram() override;
   BootProgram(const BootProgram&) = delete;
   BootProgram& operator=(const BootProgram&) = delete;

@@ -30,7 +30,7 @@ class CellIo {
   virtual io_memory::GuardFigures guard() const { return {}; }
   // A runtime other than this one drives the outputs.
   virtual std::optional<io_memory::ProcessMark> other_runtime() const { return std::nullopt; }
-  // What stands behind the I/O is there. Always true where it cannot be missing.
+  // True if the process behind the I/O is there. Always true where it cannot be missing.
   virtual bool alive() const { return true; }
 
   // Fails with what is wrong in [plant], its ports and its scheduled faults (C0301 to C0331).

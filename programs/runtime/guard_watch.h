@@ -27,7 +27,7 @@ class GuardWatch {
  public:
   using Clock = std::chrono::steady_clock;
 
-  // What is passed by reference must outlive it.
+  // References must outlive it.
   GuardWatch(const config::CellConfig& config, const CellIo& io, log::Logger& log);
 
   // Returns once a guard watches, if one is wanted. Fails with R0046.

@@ -27,7 +27,7 @@ namespace stepwright::cell_runtime {
 
 class IoWatch {
  public:
-  // What is passed by reference must outlive it.
+  // References must outlive it.
   IoWatch(const config::CellConfig& config, const CellIo& io, host::HostRuntime& runtime, log::Logger& log);
 
   void event(const host::StepEvent& event);

@@ -30,7 +30,7 @@ class PlantMemory {
   PlantMemory(const PlantMemory&) = delete;
   PlantMemory& operator=(const PlantMemory&) = delete;
 
-  // What a killed runtime left; nothing in a new file or in one of a plant with another number of numbers.
+  // The state that a killed runtime left; nothing in a new file or in one of another size.
   std::optional<std::vector<double>> left_behind() const;
   // As many numbers as open() was told.
   void keep(std::span<const double> numbers);

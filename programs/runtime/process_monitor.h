@@ -35,7 +35,7 @@ class ProcessMonitor final : public service::ServiceObserver {
   void attach(service::Server& server, const host::RuntimePort& port);
   // Hears of events, stops and supervisors, too.
   void attach(IoWatch& watch) { watch_ = &watch; }
-  // Who wants to hear every status, too.
+  // Registers a listener for every status.
   void tell(std::function<void(const host::RuntimeStatus&)> listener) { listener_ = std::move(listener); }
   // Between two turns of the service.
   void turn();

@@ -27,7 +27,7 @@ struct SourceFiles {
 
   // One more: ST, or PLCopen if its name ends in .xml, of which E08xx is appended.
   void add(const std::string& name, std::string text, result::Diagnostics& diagnostics);
-  // What the compiler is given; valid as long as this object.
+  // Input of the compiler; valid as long as this object.
   driver::CompileInput input() const;
 };
 

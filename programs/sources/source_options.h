@@ -13,7 +13,7 @@ class App;
 namespace stepwright::sources {
 
 struct SourceOptions {
-  // What the sources may write beside the standard.
+  // Extensions of the standard that the sources may use.
   const source::Dialect* dialect = &source::standard_dialect();
   std::string configuration{};  // of those that a PLCopen file has; empty: it has one
 };

@@ -42,7 +42,7 @@ class FleetLink {
   // Waits for messages at most this long and handles all that are there.
   LinkNews turn(std::chrono::milliseconds wait);
 
-  // What the controller shows (Releases::ByController): places for first orders, bases that grow.
+  // Takes the controller's view (Releases::ByController): places for first orders, bases that grow.
   LinkNews place(const fleet::vda5050::Places& places);
   // As FleetOrders::cancel and adopt, with their messages.
   [[nodiscard]] result::Result<void> cancel(const std::string& vehicle);

@@ -1,7 +1,7 @@
 #pragma once
 
-// The fleet of a running cell on a broker: master control and vehicles, both out of what controller and
-// supervisor show. It reads and never asks them for anything: that it dies costs neither of them a scan.
+// Publishes the fleet of a running cell on a broker, as master control and as vehicles, from the data of
+// controller and supervisor. It only reads them: if it dies, neither of them loses a scan.
 //
 // Plan document and image belong together only if the program in the image is the one that the document
 // names. While they do not (a new plan is on its way), orders and progress stay as they are and only places,
@@ -29,7 +29,7 @@
 
 namespace stepwright::vda5050_link {
 
-// What is known of the cell now.
+// Present state of the cell.
 struct CellView {
   bool runtime_alive = false;
   std::string controller;                              // why the program does not run; empty: it does

@@ -48,7 +48,7 @@ struct VehicleImage {
   bool estop_ok = false;
 };
 
-// What a plan needs to know of the vehicle.
+// Data of the vehicle for a plan.
 VehicleData data_of(const VehicleImage& seen);
 
 class VehicleTags {

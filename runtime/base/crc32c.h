@@ -16,7 +16,8 @@
 
 namespace stepwright::base {
 
-// What eight bits more make of a sum whose lowest byte has already met them: the definition of both.
+// The sum after eight more bits, which have been combined with its lowest byte: the definition of both
+// speeds.
 constexpr std::uint32_t crc32c_shifted(std::uint32_t crc) {
   constexpr std::uint32_t kPolynomial = 0x82F63B78;  // 0x1EDC6F41 with its bits reflected
   for (int bit = 0; bit < 8; ++bit) crc = crc >> 1 ^ (kPolynomial & (0u - (crc & 1u)));

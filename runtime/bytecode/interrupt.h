@@ -51,7 +51,8 @@ struct BudgetSlices {
   static constexpr std::uint64_t first(std::uint64_t budget, const Interrupt* interrupt) {
     return interrupt == nullptr || budget < kBudgetSlice ? budget : kBudgetSlice;
   }
-  // What is left once there is enough for `cost`; as before if there is no more, or the run is to end.
+  // The remaining budget once there is enough for `cost`; unchanged if there is no more, or the run is to
+  // end.
   [[gnu::cold, gnu::noinline]] std::uint64_t refill(std::uint64_t left, std::uint64_t cost) {
     if (interrupt != nullptr && interrupt->asked()) return left;
     const std::uint64_t wanted = cost > kBudgetSlice ? cost : kBudgetSlice;

@@ -261,8 +261,9 @@
   X(MaxF64, "dd", "d")           \
   STEPWRIGHT_ELEMENTARY_FUNCTIONS(X)
 
-// What StringOp does, each for STRING (S) and WSTRING (W): X(Name, pops, pushes). The Ref of a destination
-// lies below the sources. Positions count from 1. The meaning of each is in runtime/doc/bytecode_format.md.
+// Operations of StringOp, each for STRING (S) and WSTRING (W): X(Name, pops, pushes). The Ref of a
+// destination lies below the sources. Positions count from 1. The meaning of each is in
+// runtime/doc/bytecode_format.md.
 #define STEPWRIGHT_BOTH_STRINGS(X, Op, pops, pushes) \
   X(Op##S, pops, pushes)                             \
   X(Op##W, pops, pushes)

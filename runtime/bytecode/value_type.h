@@ -7,8 +7,8 @@
 
 namespace stepwright::bytecode {
 
-// What one 64-bit slot of the operand stack or of a function frame holds. I32 and I64 carry signed and
-// unsigned integers alike: the opcode decides. A Ref is a byte offset into the image.
+// Type of one 64-bit slot of the operand stack or of a function frame. I32 and I64 carry signed and unsigned
+// integers alike: the opcode decides. A Ref is a byte offset into the image.
 enum class StackType : std::uint8_t { Bool = 0, I32 = 1, I64 = 2, F32 = 3, F64 = 4, Ref = 5 };
 inline constexpr std::uint8_t kStackTypeCount = 6;
 inline constexpr std::uint8_t kNoResult = 0xFF;  // FunctionRecord::result of a function without a result

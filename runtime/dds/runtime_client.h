@@ -1,6 +1,6 @@
 #pragma once
 
-// A runtime as supervisor and HMI see it, over Fast DDS and the link process.
+// Client of a runtime for supervisor and HMI, over Fast DDS and the link process.
 //
 //   auto client = RuntimeClient::connect({61, "supervisor", "bench"}, ClientRole::Supervisor);
 //   if (!(*client)->wait_for_runtime(5s)) ...
@@ -14,8 +14,8 @@
 // between never performs one twice. Diagnostics: D0001 no runtime answers, D0003 the runtime's program
 // arrived damaged, D0004 request out of bounds, D0005 Fast DDS could not start, D0006 an address that is none
 // of this machine, D0008 the link is of another version: nothing was sent, D0009 another supervisor drives
-// the runtime. What the runtime refuses has its codes (runtime/service/requests.h), a container those of the
-// verifier.
+// the runtime. Refusals of the runtime have its codes (runtime/service/requests.h), a refused container those
+// of the verifier.
 
 #include <chrono>
 #include <cstddef>
@@ -42,7 +42,7 @@ inline constexpr std::chrono::milliseconds kDownloadTimeout{180'000};
 
 using service::kHeldByAnother;
 
-// What came of a download.
+// Result of a download.
 struct Download {
   std::string digest;
   ChangeReport change;        // of an online change
@@ -96,7 +96,7 @@ class RuntimeClient {
   [[nodiscard]] bool wait_snapshot(std::chrono::milliseconds timeout);
   // About once a second; none from a link that does not publish it.
   std::optional<RuntimeHealth> health() const;
-  // What has come here so far, topic by topic.
+  // Samples received so far, by topic.
   std::vector<TopicTraffic> traffic() const;
   TopicTraffic snapshot_traffic() const;
 

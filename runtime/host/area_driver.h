@@ -1,8 +1,8 @@
 #pragma once
 
-// Fits the I/O areas of the cell, which the driver was wired for, to those of a program, which may be
-// smaller. What the program does not have reads from nowhere; every write drives all outputs of the cell, and
-// those behind the program's stay in the safe state that rest_outputs or a longer write gave them.
+// Adapts the I/O areas of the cell, for which the driver was wired, to those of a program, which may be
+// smaller. Inputs beyond the program's are ignored; every write drives all outputs of the cell, and those
+// beyond the program's stay in the safe state that rest_outputs or a longer write gave them.
 //
 // Threads: the scan thread. Memory is taken once.
 
@@ -33,13 +33,14 @@ class AreaDriver final : public image::IoDriver {
   void beat() override { driver_.beat(); }
   std::uint64_t held_reads() const override { return driver_.held_reads(); }
 
-  // What was written last; before the first write, and after a takeover, what somebody else left, else zero.
+  // The outputs as last written; before the first write, and after a takeover, as the one before left them,
+  // else zero.
   std::span<const std::byte> outputs();
 
   std::size_t input_bytes() const { return inputs_.size(); }
   std::size_t output_bytes() const { return outputs_.size(); }
 
-  // What the driver gave at the newest read, and how it answered then and at the writes since.
+  // The inputs of the newest read, and the driver's answers to it and to the writes since.
   std::span<const std::byte> inputs() const { return inputs_; }
   bool read_good() const { return read_good_; }
   bool write_good() const { return write_good_; }

@@ -1,12 +1,12 @@
 #pragma once
 
 // The barrier of simulated time: whether the clock stands still after a step change until its event is
-// acknowledged, so that what a supervisor decides acts at that instant, however long it takes.
+// acknowledged, so that a supervisor's decision acts at that instant, however long it takes.
 //
-// A supervisor that is lost lets go of it where the configuration says `continue` and the simulation keeps
-// step with the wall's clock. Without a speed it does not: nothing is late in such a simulation, and a
-// supervisor that the machine has held up for a moment must not cost it the rest of the run. The clock then
-// stands until a supervisor is there, or somebody stops the program.
+// The loss of the supervisor ends a barrier where the configuration says `continue` and the simulation has a
+// speed. Without a speed it does not: nothing is late in such a simulation, and a supervisor that the machine
+// has delayed for a moment must not lose the rest of the run. The clock then stands until a supervisor is
+// there or the program is stopped.
 //
 // Threads: the one that scans. No heap.
 

@@ -1,7 +1,7 @@
 #pragma once
 
 // BOOL variables of an image, by their bytes. Programs may rely on such a byte being 0 or 1
-// (runtime/doc/native.md), so whoever writes the image from outside settles what it writes.
+// (runtime/doc/native.md), so a write to the image from outside makes its bytes 0 or 1 with this.
 //
 // Thread rule: as its owner; nothing changes after construction.
 

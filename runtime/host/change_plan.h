@@ -70,7 +70,7 @@ class ChangePlan {
   // Service thread.
   result::Diagnostic lost_step_problem(std::uint32_t step) const;
   result::Diagnostic impossible_chart_problem(std::uint32_t chart) const;
-  // What is carried and what is not, as notes; bounded, with the first names of each kind.
+  // Notes about carried and other variables; bounded, with the first names of each kind.
   result::Diagnostics notes() const;
   // Pause and forces are not known yet.
   ChangeReport report() const;

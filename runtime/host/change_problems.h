@@ -1,7 +1,7 @@
 #pragma once
 
-// Diagnostics of a refused online change (runtime/doc/online_change.md), and the outlook on one: the part
-// that can be judged from two programs and an image without performing anything, for whoever asks beforehand.
+// Diagnostics of a refused online change (runtime/doc/online_change.md), and the outlook on a change: a check
+// of two programs and an image beforehand, without performing anything.
 //
 // Pure; service thread or any other.
 //
@@ -30,7 +30,7 @@ struct ChangeOutlook {
   record::StateLayout from;
   record::StateLayout to;
   record::TransferReport transfer;
-  // What would refuse the change, by its mode. The runtime judges by the image of the very scan.
+  // Problems that refuse the change, by its mode. The runtime decides by the image of that scan.
   result::Diagnostics keep;            // DownloadMode::Change
   result::Diagnostics restart_charts;  // DownloadMode::ChangeRestartCharts
 };

@@ -1,11 +1,11 @@
 #pragma once
 
-// Memory of the charts of a program, and the functions that are theirs: what starting the charts afresh has
-// to put back while every other variable keeps its value.
+// Memory of the charts of a program, and their functions: the part of the image that a restart of the charts
+// resets while every other variable keeps its value.
 //
-// The compiler appends what a chart needs (step bits, step times, stored actions, action timers) behind the
-// variables of the POU that holds it, in this order: the clock of the step times if there is one, the bit of
-// the first step, all the rest (runtime/doc/bytecode_format.md, "Charts").
+// The compiler appends the variables of a chart (step bits, step times, stored actions, action timers) behind
+// the variables of the POU that holds it, in this order: the clock of the step times if there is one, the bit
+// of the first step, all the rest (runtime/doc/bytecode_format.md, "Charts").
 //
 // Threads: any; immutable.
 //

@@ -47,8 +47,8 @@ constexpr bool names_memory(CommandKind kind) {
          kind == CommandKind::WriteBlock;
 }
 
-// What does not wait behind other commands. What was to be performed before a stop and comes after it does
-// not make the program run again (Outcome::Overtaken).
+// True for commands that do not wait behind others. A start that was given before a stop but would be
+// performed after it is dropped (Outcome::Overtaken).
 constexpr bool goes_ahead(CommandKind kind) {
   return kind == CommandKind::Stop || kind == CommandKind::SupervisorAlive ||
          kind == CommandKind::SupervisorLost;

@@ -4,8 +4,8 @@
 // that are large enough for the program's image, taken when the program is loaded.
 //
 // Threads: one producer (scan), one consumer (service), no locks. Invariants: step changes, of which there
-// may be any number, leave the last slots free: one for what a command does, and one for a trap, whose reason
-// is told by nothing else.
+// may be any number, leave the last slots free: one for the event of a command, and one for a trap, whose
+// reason no other message carries.
 
 #include <atomic>
 #include <cstddef>
@@ -22,7 +22,7 @@ namespace stepwright::host {
 
 class PreparedProgram;
 
-// What the scan thread says about an event beside the image.
+// Data of an event beside the image.
 struct EventNote {
   std::uint64_t sequence = 0;
   std::uint64_t scan = 0;

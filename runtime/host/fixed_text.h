@@ -1,6 +1,6 @@
 #pragma once
 
-// A short text without heap, for what crosses the scan thread; longer ones are cut.
+// A short text without heap, for messages to and from the scan thread; longer texts are cut.
 
 #include <algorithm>
 #include <array>

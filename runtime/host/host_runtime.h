@@ -42,7 +42,7 @@ class HostRuntime final : public RuntimePort {
   [[nodiscard]] static result::Result<std::unique_ptr<HostRuntime>> create(const HostConfig& config,
                                                                            image::IoDriver& driver,
                                                                            PlantAccess* plant);
-  // As `end`, and then what is retained or recorded is written.
+  // As `end`; then retained values and the recording are written.
   ~HostRuntime() override;
 
   // Stops the program and joins the scan thread: outputs are in their safe state and the driver has said
@@ -73,7 +73,7 @@ class HostRuntime final : public RuntimePort {
   scan::TaskTiming timing(std::uint32_t task) const { return loop_->figures().program->timing(task); }
   // Downloads that are prepared at present; they go on with take_completion.
   std::size_t preparing() const { return preparer_.under_way(); }
-  // What the monotonic clock shows at scan time 0.
+  // The monotonic clock at scan time 0.
   std::int64_t clock_origin_ns() const { return loop_->clock_origin_ns(); }
   // Something about this process that its status should say, behind the rest. Any thread.
   void set_note(const std::string& of, std::string note);
@@ -98,7 +98,7 @@ class HostRuntime final : public RuntimePort {
   void take_preparations();
   [[nodiscard]] result::Result<void> hand_over(Preparation prepared);
   void explain(const ProgramRegistry::Held& held, Completion& completion) const;
-  // What the newest event says, for as long as it is why the runtime is as it is.
+  // True while the newest event is the reason of the runtime's state.
   static bool still_holds(const NewestEvent& event, const ScanFigures& figures);
   StepEvent to_event(const PreparedProgram& program, const EventRing::Slot& slot) const;
 

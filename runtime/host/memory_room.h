@@ -1,7 +1,7 @@
 #pragma once
 
-// Check for the memory of a program, made before it is prepared: beyond its limit a process is ended by the
-// system, with its outputs on, where a refused download changes nothing.
+// Checks the memory of a program before it is prepared. The system ends a process that passes its limit, with
+// its outputs on; a refused download changes nothing.
 //
 // Threads: any. What is free is what the tightest limit leaves: the one of the configuration, those of the
 // control groups that the process is in (systemd's MemoryMax=), RLIMIT_AS and RLIMIT_DATA, and
@@ -19,7 +19,7 @@
 
 namespace stepwright::host {
 
-// What a program takes while it is prepared and when it runs, beside its container.
+// Memory that a program takes while it is prepared and when it runs, beside its container.
 struct MemoryNeed {
   std::size_t code_bytes = 0;   // of bytecode
   std::size_t image_bytes = 0;  // with the frames

@@ -33,7 +33,7 @@ class MergeMap {
              std::span<std::byte> shared) const;
 
  private:
-  // What a byte is part of.
+  // Role of a byte in its value.
   static constexpr std::uint8_t kWithin = 0;  // of the value that began before it; eight are a word of 0
   static constexpr std::uint8_t kBegin = 1;   // the first byte of a value
   static constexpr std::uint8_t kBits = 2;    // each bit is a value

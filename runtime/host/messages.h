@@ -75,7 +75,7 @@ struct DurationCounts {
   friend bool operator==(const DurationCounts&, const DurationCounts&) = default;
 };
 
-// What only those ask who look closely at a task; in the order of the tasks.
+// Details of a task, asked for separately; in the order of the tasks.
 struct TaskDetail {
   std::string name;
   std::uint64_t watchdog_us = 0;  // 0: none
@@ -89,7 +89,7 @@ struct TaskDetail {
   friend bool operator==(const TaskDetail&, const TaskDetail&) = default;
 };
 
-// What the process around the scan says about itself, for monitoring.
+// Figures of the runtime's process, for monitoring.
 struct ProcessFigures {
   std::string version;               // of Stepwright
   double uptime_s = 0.0;             // since the service began
@@ -140,14 +140,14 @@ struct Snapshot {
   friend bool operator==(const Snapshot&, const Snapshot&) = default;
 };
 
-// What a download does to the program that runs.
+// Effect of a download on the program that runs.
 enum class DownloadMode : std::uint8_t {
   Replace = 0,              // stops it; the new one is loaded and stays stopped
   Change = 1,               // takes over between two scans with the values, steps and forces of the old one
   ChangeRestartCharts = 2,  // the same, but every chart starts at its initial steps
 };
 
-// What an online change carried; all zero after any other download.
+// Summary of an online change; all zero after any other download.
 struct ChangeReport {
   std::uint32_t carried = 0;         // variables with the values of the old program
   std::uint32_t initialised = 0;     // new ones, with their initial values
@@ -166,9 +166,9 @@ struct StartOptions {
 
 using image::ImageBits;
 
-// Whoever names memory names the program that he has looked it up in, by its hexadecimal digest: an address
-// of one program is another variable of the next. The scan thread compares it with the program that is loaded
-// at the moment of acting, and refuses any other, and a request that names none (R0009).
+// A request that names memory names its program too, by the hexadecimal digest: an address of one program is
+// another variable of the next. The scan thread compares it with the program that is loaded at the moment of
+// acting, and refuses any other, and a request that names none (R0009).
 
 // Bits to be forced, released (`value` is ignored then) or written once, before the next scan.
 struct ProgramBits {
@@ -188,7 +188,7 @@ struct ForceRequest {
   friend bool operator==(const ForceRequest&, const ForceRequest&) = default;
 };
 
-// What is forced, and in which program; the digest is empty where none is loaded.
+// The forces and their program; the digest is empty where none is loaded.
 struct Forces {
   std::string program_digest;
   std::vector<image::Force> places;  // `end_ns`: the time that each has left; image::kNoEnd: no end

@@ -1,7 +1,7 @@
 #pragma once
 
-// Bits of the output area that the code of a program may write: what a new program does not drive must not
-// stay as the old one left it.
+// Finds the bits of the output area that the code of a program may write. Outputs that a new program does not
+// drive must not stay as the old one left them.
 //
 // Threads: any; immutable. Invariant: errs on the side of "written": an output whose address the code takes
 // counts as written, with all that lies behind it in the variable's declaration unknown, so to the end of the

@@ -1,7 +1,7 @@
 #pragma once
 
-// How fast simulated time goes: the wait before a scan for a simulation with a speed, and how much faster or
-// slower than the wall's clock the scans were altogether.
+// Pace of simulated time: the wait before a scan for a simulation with a speed, and how much faster or slower
+// than the wall's clock the scans were altogether.
 //
 //   Pace pace(config.speed);
 //   pace.begin(wall_ns, scan_ns, next_ns);                    // a start, or the end of a barrier

@@ -33,7 +33,7 @@ namespace stepwright::host {
 
 class PreparedProgram {
  public:
-  // What a program runs in.
+  // Environment of a program: I/O, clock, configuration, monitor.
   struct Environment {
     AreaDriver& io;
     scan::Clock& clock;
@@ -60,7 +60,7 @@ class PreparedProgram {
   const std::string& digest() const { return digest_; }
   const reader::LoadedProgram& loaded() const { return loaded_; }
 
-  // What it retains, with the buffers for it; set before it is handed over.
+  // Its retained values, with their buffers; set before it is handed over.
   record::RetainChannel& retained() const { return *retained_; }
   void set_retained(std::shared_ptr<record::RetainChannel> retained) { retained_ = std::move(retained); }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// Check whether a program has room in a cell: the areas of its I/O and its image. Asked when it is loaded,
-// and by whoever wants to know before.
+// Checks whether a program fits a cell: the areas of its I/O and its image. Called when it is loaded, and by
+// tools before that.
 //
 // Pure; any thread.
 
@@ -13,7 +13,7 @@
 
 namespace stepwright::host {
 
-// What a cell has, in bytes.
+// Sizes of a cell's I/O areas.
 struct CellAreas {
   std::size_t input_bytes = 0;
   std::size_t output_bytes = 0;

@@ -1,12 +1,12 @@
 #pragma once
 
-// Prepares programs beside the service: to verify, translate and place a large one takes seconds, in which
-// commands are answered and signs of life are heard. What ended is destroyed here as well, as that waits for
-// the cycles that its tasks are in.
+// Prepares programs on a thread of its own: to verify, translate and place a large one takes seconds, in
+// which the service goes on. Programs that have ended are destroyed here too, as that waits for the cycles of
+// their tasks.
 //
 // Threads: one of its own does the work, one job after the other; all functions belong to the service's
-// thread. Invariants: bounded in number; whatever a job fails at (memory, threads) is its outcome and nothing
-// else; what was accepted is taken exactly once.
+// thread. Invariants: bounded in number; a failure of a job (memory, threads) is its outcome and has no other
+// effect; each accepted job is taken exactly once.
 //
 //   ProgramPreparer preparer(work, [&] { news.notify(); });
 //   if (auto accepted = preparer.submit(std::move(job)); !accepted) ...

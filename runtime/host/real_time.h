@@ -3,7 +3,7 @@
 // Services of the operating system for a scan thread: a monotonic clock, sleep until an instant, and, where
 // it is permitted, a real-time priority and memory that is never paged out.
 //
-// Threads: any; a placement is that of the calling thread. What the system refuses is told, and is no
+// Threads: any; a placement is that of the calling thread. A refusal of the system is reported and is no
 // failure.
 
 #include <cstdint>

@@ -55,7 +55,7 @@ class RuntimePort {
   // Of the shared snapshot memory, read-only.
   virtual int snapshot_descriptor() const = 0;
 
-  // What is forced, as of the newest completion, event or end of a force.
+  // The forces, as of the newest completion, event or end of a force.
   virtual Forces forces() const { return {}; }
   // Begins a recording; the completion carries `ticket`. CommandKind::RecordEnd ends it. Fails with R0051 or
   // R0052, or R0006 if too many commands are under way.

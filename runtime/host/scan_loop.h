@@ -1,10 +1,10 @@
 #pragma once
 
 // The scan thread: takes commands between two scans, waits for the next one (or, in simulated time, does
-// not), runs it, compares the steps, and publishes events, figures and the image. Nothing that the service,
-// the link or a supervisor does or fails to do delays a scan in real time. In real time commands, a fault of
-// another task and the end interrupt the wait for a scan that is far away; a stop and what is said about a
-// supervisor go ahead of every other command.
+// not), runs it, compares the steps, and publishes events, figures and the image. In real time neither the
+// service nor the link nor a supervisor can delay a scan. In real time commands, a fault of another task and
+// the end interrupt the wait for a scan that is far away; a stop and the news of a supervisor's life go ahead
+// of every other command.
 //
 // Threads: `run` is the body of the scan thread; the functions under "service thread" belong to that one
 // thread; `quit` may be called from any. No heap, lock or log on the path of a scan; a Notifier is set (one
@@ -39,7 +39,7 @@
 
 namespace stepwright::host {
 
-// What the scan thread publishes about itself.
+// Figures of the scan thread, published for the service thread.
 struct ScanFigures {
   RuntimeState state = RuntimeState::Empty;
   bool waiting_for_supervisor = false;
@@ -61,7 +61,7 @@ struct ScanFigures {
   std::int64_t last_change_pause_ns = 0;
 };
 
-// What is forced, and in which program, whenever either changes.
+// The forces and their program, published whenever either changes.
 struct ForceList {
   FixedText<kDigestLetters> program_digest;
   std::array<image::Force, image::ForceTable::kCapacity> forces;
@@ -73,7 +73,7 @@ inline constexpr std::int64_t kUndisturbedNs = 2'000'000;
 
 class ScanLoop {
  public:
-  // What is passed by reference must outlive the loop; `plant` may be null.
+  // References must outlive the loop; `plant` may be null.
   ScanLoop(const HostConfig& config, AreaDriver& io, PlantAccess* plant, SnapshotWriter& snapshots,
            record::RetainManager& retain);
 
@@ -86,7 +86,7 @@ class ScanLoop {
   std::optional<Completion> take_completion() { return completions_.pop(); }
   ScanFigures figures() const { return figures_.load(); }
   ForceList forces() const { return forces_.load(); }
-  // Rings when completions or events are there.
+  // Notifies of completions and events.
   Notifier& news() { return news_; }
   // The event ring of the program that runs was full and has room again.
   void events_taken() { wake_.notify(); }
@@ -99,7 +99,7 @@ class ScanLoop {
 
   // Measures scans and, in real time, sets them off; forces end by it. Any thread.
   scan::Clock& clock() { return clock_; }
-  // What the clock shows at scan time 0.
+  // The clock's time at scan time 0.
   std::int64_t clock_origin_ns() const { return origin_ns_; }
   // Of the scan thread. Any thread.
   ThreadLiveness& liveness() { return liveness_; }

@@ -1,10 +1,10 @@
 #pragma once
 
-// Sees from outside whether the scan comes back. Each scanning thread has a ThreadLiveness, in which it says
-// by when it will report again; the monitor's own thread looks at all of them. An execution that lasts beyond
-// what its watchdog allows is ended through the engine's interrupt; a thread that is not heard of (a driver
-// that blocks, a deadlock) cannot be helped from inside the process: the runtime is not healthy then, and the
-// heartbeat that the guard and systemd live on stops.
+// Monitors the scanning threads from outside. Each scanning thread has a ThreadLiveness, in which it says by
+// when it will report again; the monitor's own thread looks at all of them. An execution that lasts beyond
+// what its watchdog allows is ended through the engine's interrupt; a thread that does not report (a driver
+// that blocks, a deadlock) cannot be ended from inside the process: then the runtime is not healthy, and its
+// heartbeat to the guard and systemd stops.
 //
 //   ScanMonitor monitor(20'000'000, [&] { driver.beat(); });
 //   monitor.watch(loop.liveness());

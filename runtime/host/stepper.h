@@ -1,7 +1,7 @@
 #pragma once
 
-// Step mode: the clock of simulated time stands still, and scans run as many as somebody asks for. What the
-// scans do does not depend on it. A barrier holds beside it: scans that are still to run do so after its
+// Step mode of simulated time: the clock stands still and runs only as many scans as are asked for. The
+// scans' results do not depend on it. A barrier holds beside it: scans that are still to run do so after its
 // event was acknowledged.
 //
 //   stepper.step(2);

@@ -22,7 +22,7 @@
 
 namespace stepwright::host {
 
-// What the workers take from outside of the program.
+// Settings and services of the workers from outside of the program.
 struct WorkerSetup {
   const MergeMap& merge_map;
   scan::Clock& clock;
@@ -36,9 +36,8 @@ struct WorkerSetup {
 
 class TaskThreads {
  public:
-  // What is passed by reference must outlive the object. `engines` holds one for each of plan.others(),
-  // `timings` an entry for each task of the program. Throws std::system_error where the system gives no
-  // threads.
+  // References must outlive the object. `engines` holds one for each of plan.others(), `timings` an entry for
+  // each task of the program. Throws std::system_error where the system gives no threads.
   TaskThreads(const bytecode::Program& program, image::ProcessImage& image, scan::ScanCycle& cycle,
               const WorkerSetup& setup, const TaskPlan& plan,
               std::vector<std::unique_ptr<bytecode::Engine>> engines,
@@ -68,7 +67,7 @@ class TaskThreads {
   // Go on where the tasks of another program stand: `counterparts[i]` is the one that task i stands for, or
   // kNoIndex. Requires that the mutexes of both are held; the tasks of `before` stop.
   void take_over(TaskThreads& before, std::span<const std::uint32_t> counterparts, std::int64_t time_ns);
-  // What a task is doing just now no longer counts.
+  // Stops all tasks; a cycle that is under way no longer counts.
   void stop();
   void look_at_triggers() {
     for (const auto& worker : workers_) worker->look_at_trigger();

@@ -28,7 +28,7 @@
 
 namespace stepwright::host {
 
-// What the workers of one program share with the thread that scans it.
+// State that the workers of one program share with the scan thread.
 struct WorkerShare {
   const bytecode::Program& program;
   image::ProcessImage& image;
@@ -39,9 +39,9 @@ struct WorkerShare {
   std::int64_t stall_ns = 0;   // of the workers' liveness
   std::int64_t origin_ns = 0;  // what the clock shows at scan time 0
   std::uint64_t budget = 0;    // of a task's cycle
-  // What a worker calls after it has written to the image: others may wait for what it wrote.
+  // Called by a worker after it has written to the image: others may wait for the values.
   std::function<void()> wake_others;
-  // What a worker calls when a fault of its task has ended the program: the thread that scans has to say so.
+  // Called by a worker when a fault of its task has ended the program: the scan thread has to report it.
   std::function<void()> failed;
   PriorityMutex mutex{};  // guards image, cycle and what follows
   bool running = false;

@@ -1,7 +1,7 @@
 #pragma once
 
-// Memory that is locked for the sake of real time is resident to the last page, and that of a thread's stack
-// is 8 MiB by default: most of what a runtime would take. Its threads need a few pages.
+// Makes the stacks of threads small. Locked memory (real time) is resident to the last page, and a thread's
+// stack is 8 MiB by default: most of a runtime's memory, where its threads need a few pages.
 //
 // Threads: call it before the first one is created; it holds for all that come later.
 

@@ -1,8 +1,7 @@
 #pragma once
 
-// Wakes the scan thread from its wait for an instant, so that what is asked of it does not have to wait for
-// the next scan. A wait is one system call, to an absolute instant; a notification is one only if somebody
-// waits.
+// Wakes the scan thread from its wait for an instant, so that a command need not wait for the next scan. A
+// wait is one system call, to an absolute instant; a notification is one only if somebody waits.
 //
 // Threads: notify from any thread, the waits from one. No heap or lock.
 //

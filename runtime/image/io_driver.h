@@ -39,16 +39,16 @@ class IoDriver {
   // are. Scan thread.
   virtual void safe(std::uint8_t, bool) {}
 
-  // What lies behind the outputs of the next writes: those that the program lacks, in their safe state. Of
-  // use for a driver that has more outputs than the program.
+  // Outputs behind those of the next writes, which the program lacks, in their safe state. For drivers with
+  // more outputs than the program.
   virtual void rest_outputs(std::span<const std::byte>) {}
 
   // This process stood still for so long that others took it for lost and made its outputs safe. Until the
   // next safe ones nothing is written. Scan thread.
   virtual bool lapsed() { return false; }
 
-  // Nobody drives any more: the outputs stay as the newest write left them. The last call but for the
-  // destructor; before the process waits for anything at its end. Scan thread.
+  // The end of driving: the outputs stay as the newest write left them. The last call but for the destructor;
+  // before the process waits for anything at its end. Scan thread.
   virtual void farewell() {}
 
   // The scan is alive. Called now and then by a thread beside the scan's, with the same rules.

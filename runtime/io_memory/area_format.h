@@ -16,7 +16,8 @@ inline constexpr std::uint64_t kAreaMagic = 0x314D'454D'4F49'5753;  // "SWIOMEM1
 inline constexpr std::uint32_t kAreaVersion = 1;
 inline constexpr std::uint32_t kMaxAreaBytes = 65'536;  // of inputs or outputs
 
-// Who drives the outputs. Whoever does holds the lease, a lock that the kernel takes back when he is gone.
+// The process that drives the outputs. It holds the lease, a lock that the kernel releases when the process
+// ends.
 enum class Owner : std::uint32_t {
   Nobody = 0,    // never driven
   Runtime = 1,   // a program, or the safe state of a runtime that lives

@@ -1,8 +1,8 @@
 #pragma once
 
 // A shared-memory I/O area, mapped: a file in /dev/shm that stays when its processes go, for this user only.
-// Whoever comes first makes it. Its locks are the kernel's and end with the process that holds them, so that
-// a lock that can be had proves that its holder can write no more.
+// The first process creates it. Its locks are the kernel's and end with the process that holds them: a lock
+// that is free proves that its last holder can write no more.
 //
 //   auto area = IoArea::open("press", 64, 64);          // /dev/shm/stepwright-io-press
 //   if ((*area)->try_lock(AreaLock::Lease)) ...

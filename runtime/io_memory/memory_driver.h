@@ -35,7 +35,7 @@ enum class PlantNeed : std::uint8_t {
   Always,     // without one the I/O is lost
 };
 
-// Who takes the runtime for lost when it is silent.
+// When others take a silent runtime for lost.
 struct Judgement {
   std::int64_t after_ns = 0;  // how old the heartbeat may be; 0: nobody does, as in simulated time
   bool always = false;        // also while no guard watches: a bus master with a safe state of its own, say

@@ -1,7 +1,7 @@
 #pragma once
 
-// The guard of a shared-memory I/O area: sees when the runtime that drives the outputs is lost, makes sure
-// that it writes no more, and drives them to their safe state itself until a runtime wants them again.
+// The guard of a shared-memory I/O area: detects that the runtime that drives the outputs is lost, makes sure
+// that it writes no more, and drives them to their safe state until a runtime takes them over again.
 //
 // Lost is a runtime that is gone without a farewell (seen at once, through its process descriptor) and one
 // whose heartbeat is too old: stopped, deadlocked, blocked in a driver. That one is killed first. The guard
@@ -42,7 +42,7 @@ enum class GuardState : std::uint8_t {
 
 class OutputGuard {
  public:
-  // What the matrix refers to must outlive the guard.
+  // The data of the matrix must outlive the guard.
   [[nodiscard]] static result::Result<std::unique_ptr<OutputGuard>> create(const std::string& area,
                                                                            std::uint32_t input_bytes,
                                                                            std::uint32_t output_bytes,
@@ -57,8 +57,8 @@ class OutputGuard {
   const char* turn(int stop);
 
   GuardState state() const { return state_; }
-  // Nobody drives and nobody is to: there was no runtime yet, or the last one ended in good order and its
-  // outputs are where they stay.
+  // True while no process has to drive the outputs: there was no runtime yet, or the last one ended in good
+  // order and its outputs are final.
   bool idle() const;
 
  private:

@@ -23,7 +23,7 @@
 
 namespace stepwright::mqtt {
 
-// What the broker sends to others when it loses this client.
+// Last will of MQTT: the message that the broker publishes when it loses this client.
 struct Will {
   std::string topic;
   std::string payload;
@@ -79,7 +79,7 @@ class Client {
   ~Client();
 
   bool connected() const;
-  // What came of the last attempt; nothing while there is a connection, and before the first attempt ended.
+  // Error of the last attempt; nothing while there is a connection, and before the first attempt ended.
   std::optional<Trouble> trouble() const;
   // How often a connection was made.
   std::size_t connections() const;

@@ -65,8 +65,8 @@ constexpr std::uint32_t rotate_right(std::uint32_t x, std::uint32_t count, std::
   return rotate_left(x, bits - (count & (bits - 1)), bits);
 }
 
-// What an operation on x and y gave; if that is a NaN, the same NaN on every machine: that of x, else that of
-// y, made quiet, else a negative one without a payload. (Which operand's NaN comes out is the compiler's
+// Result of an operation on x and y; a NaN becomes the same NaN on every machine: that of x, else that of y,
+// made quiet, else a negative one without a payload. (Which operand's NaN comes out is the compiler's
 // choice.)
 template <std::floating_point T>
 constexpr T settle_nan(T result, T x, T y) {

@@ -42,7 +42,7 @@ struct RecordingOptions {
   std::size_t ring_bytes = 4u << 20;
 };
 
-// What a replay must know of the runtime beside its programs.
+// Facts of the runtime that a replay needs beside its programs.
 struct RuntimeFacts {
   bool real_time = false;
   std::uint64_t budget = 0;          // scan::ScanConfig

@@ -36,8 +36,8 @@ class RetainArea {
   // Requires the image of the program and size() bytes of payload.
   void gather(std::span<const std::byte> image, std::span<std::byte> payload) const;
 
-  // What of a layout is retained and no constant: with its places in the image, and with those in the
-  // payload.
+  // The retained variables of a layout that are no constants: with their places in the image, and with those
+  // in the payload.
   StateLayout in_image(const StateLayout& layout) const;
   StateLayout in_payload(const StateLayout& layout) const;
 

@@ -1,14 +1,14 @@
 #pragma once
 
-// Retained values from one start to the next: out of the store into the program that finds it, out of a
-// program into the one that follows it, and into the store while it runs. A warm start has them, a cold start
-// has initial values (IEC 61131-3, 6.5.6.2).
+// Manages retained values: from the store into the program that starts, from a program into the one that
+// follows it, and into the store while it runs. A warm start has them, a cold start has initial values (IEC
+// 61131-3, 6.5.6.2).
 //
 // Threads: `open` and `prepare` on the service thread, `note` and `committed` on any, the rest on the scan
-// thread. `offer` is all that a scan does: nothing until the period is over, then a copy and one atomic
-// exchange; no heap, no lock, no system call. How values come from one program into another is worked out in
-// `prepare`, from every program and store that may be kept when the prepared one starts: a start copies, and
-// its time does not grow with the names. The others take memory only to say what does not fit.
+// thread. A scan calls only `offer`: nothing until the period is over, then a copy and one atomic exchange;
+// no heap, no lock, no system call. `prepare` works out how to copy the values of every program and store
+// that may precede the prepared one, so that a start only copies and its time does not grow with the names.
+// The other functions take memory only to report values that do not fit.
 //
 //   auto retain = RetainManager::open({.store = state_dir / "retain.store"});
 //   auto channel = retain->prepare(program);                   // loaded
@@ -33,7 +33,7 @@
 
 namespace stepwright::record {
 
-// What becomes of retained values that do not fit the program: names or types differ.
+// Policy for retained values that do not fit the program: names or types differ.
 enum class RetainPolicy : std::uint8_t {
   Carry,       // what has its name and type keeps its value
   Initialise,  // all of them have initial values
@@ -48,8 +48,8 @@ struct RetainConfig {
 
 class RetainManager {
  public:
-  // Reads the store. What is wrong with it goes to `note`, and the store aside: a runtime comes up whatever
-  // its store says.
+  // Reads the store. A damaged store is moved aside and reported by `note`: it never keeps a runtime from
+  // starting.
   static std::unique_ptr<RetainManager> open(const RetainConfig& config);
 
   // Of a verified program, which is to start behind all that were prepared before. Fails with R0021.
@@ -72,7 +72,7 @@ class RetainManager {
   // Number of the newest values that were handed to the writer, and of the newest that the disk has.
   std::uint64_t published() const { return number_; }
   std::uint64_t committed() const { return writer_ == nullptr ? 0 : writer_->committed(); }
-  // What the user should know: a store that was refused, values that did not fit, writes that fail.
+  // Message for the user: a store that was refused, values that did not fit, writes that fail.
   std::string note() const;
 
  private:
@@ -81,7 +81,7 @@ class RetainManager {
   RetainArrival arrival(std::uint64_t source, const StateLayout& from, const RetainChannel& to) const;
   void forget_unused();
   void restore(const RetainChannel& channel, std::uint64_t source, std::span<std::byte> image);
-  // What is kept at present, as arrivals name it; none: nothing.
+  // Source of the values that are kept at present, as arrivals name it; none: there are none.
   std::optional<std::uint64_t> kept_source() const;
   const StateLayout& kept_layout() const;
   std::span<const std::byte> kept_payload() const;

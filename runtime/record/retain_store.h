@@ -25,7 +25,7 @@
 
 namespace stepwright::record {
 
-// What a store held: values of `layout`, one behind the other as it says.
+// Contents of a store: the values of `layout`, in its order.
 struct StoredState {
   StateLayout layout;
   std::vector<std::byte> payload;

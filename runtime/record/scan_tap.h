@@ -1,7 +1,7 @@
 #pragma once
 
-// The scan thread's end of a recording: says after every scan, and after every command between two, what is
-// needed to run it again. While nothing is recorded every function returns at once.
+// The scan thread's end of a recording: writes, after every scan and after every command between two scans,
+// the data to run it again. While nothing is recorded every function returns at once.
 //
 // Threads: the scan thread. No heap, lock, log or system call; what the ring cannot take becomes a gap in the
 // recording, from which it goes on with a complete state as soon as there is room: a recording never claims
@@ -29,7 +29,7 @@
 
 namespace stepwright::record {
 
-// What scan thread and writer thread share of one recording. Belongs to the Recorder.
+// State of one recording that scan thread and writer thread share. Owned by the Recorder.
 struct Session {
   // Takes all memory that recording needs.
   Session(std::size_t ring_bytes, std::uint32_t hash_every_scans, std::uint32_t keyframe_every_scans);
@@ -47,7 +47,7 @@ struct Session {
   std::atomic<std::uint64_t> first_gap{0};  // its first scan
 };
 
-// What the driver gave and took in a scan.
+// Inputs and outcome of the driver in a scan.
 struct ScanIo {
   std::span<const std::byte> inputs;  // of the program's input area, as the driver gave them
   bool read_good = true;
@@ -65,7 +65,7 @@ class ScanTap {
  public:
   bool recording() const { return session_ != nullptr; }
 
-  // What was recorded before is given up without an end.
+  // An earlier recording is given up without an end.
   void begin(Session* session);
   void end(std::string_view reason);
 

@@ -4,13 +4,13 @@
 // online change, and from a store of retained values into the program that finds it. Made on the host side; a
 // list of copies is all that the scan thread sees of it.
 //
-// What has the same path (without regard to case) and a type that takes the old one's values keeps its value,
-// strings cut to the new capacity, arrays by index where both have the element. Anything else has the initial
-// value of the new program. Constants and inputs are never carried. Outputs and markers are memory with
-// public addresses: they are copied by address first, what has a name in them then by name. A reference holds
-// an address: it is carried only between equal layouts. A step that only the new program has begins inactive
-// where its chart is carried with an active one, also an initial step: the chart has its token already. A
-// chart that loses its last active step begins anew, at its initial steps.
+// A variable with the same path (without regard to case) and a type that takes the old one's values keeps its
+// value, strings cut to the new capacity, arrays by index where both have the element. Anything else has the
+// initial value of the new program. Constants and inputs are never carried. Outputs and markers are memory
+// with public addresses: they are copied by address first, then the variables in them by name. A reference
+// holds an address: it is carried only between equal layouts. A step that only the new program has begins
+// inactive where its chart is carried with an active one, also an initial step: the chart has its token
+// already. A chart that loses its last active step begins anew, at its initial steps.
 //
 // Threads: made on any; `apply` on the one that owns both images: no heap, no lock, no failure, O(bytes).
 //

@@ -1,8 +1,8 @@
 #pragma once
 
-// One controller, as its register protocol lets a master use it: status, commands, pieces of a program,
-// memory in windows, turns of the I/O. Whatever a line may lose is asked for again until the patience is at
-// its end: every request of the protocol may be repeated without harm.
+// Master of one controller by its register protocol: status, commands, pieces of a program, memory in
+// windows, turns of the I/O. A request without an answer is repeated until the patience has passed; every
+// request of the protocol may be repeated without harm.
 //
 //   ControllerLink link(line, {.patience = 500ms}, stop);
 //   auto status = link.status();                                    // R0142 if that is no controller
@@ -34,13 +34,13 @@ struct LinkOptions {
   std::chrono::milliseconds command_patience{10'000};  // a command that is under way longer hangs
 };
 
-// What a turn brings back when only that is read which every turn needs.
+// Shortest answer of a turn.
 struct TurnAnswer {
   std::uint32_t event = 0;
   std::int64_t next_ns = 0;
 };
 
-// What became of a command that arrived.
+// Result of a command that arrived.
 struct CommandAnswer {
   control::Refusal refusal = control::Refusal::Done;
   std::uint32_t detail = 0;

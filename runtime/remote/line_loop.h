@@ -30,7 +30,7 @@ namespace stepwright::remote {
 
 class LineLoop {
  public:
-  // What is passed by reference must outlive the loop; `plant` may be null.
+  // References must outlive the loop; `plant` may be null.
   LineLoop(const RemoteConfig& config, RegisterLine& line, image::IoDriver& driver, host::PlantAccess* plant,
            host::SnapshotWriter& snapshots, LineQueues& queues);
 

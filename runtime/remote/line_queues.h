@@ -27,7 +27,7 @@ struct RemoteCommand {
   std::shared_ptr<const RemoteProgram> program;  // CommandKind::Load
 };
 
-// What the line's thread publishes about the controller and itself.
+// Figures of the controller and the line, published by the line's thread.
 struct RemoteFigures {
   host::RuntimeStatus status;
   std::shared_ptr<const RemoteProgram> program;

@@ -29,7 +29,7 @@ class PlantFeed {
   // areas no larger than the cell's.
   void fit(std::size_t input_bytes, std::size_t output_bytes, std::int64_t time_ns);
 
-  // What the plant shows at `time_ns`; false if it does not answer, or this process stood still.
+  // Reads the plant's inputs at `time_ns`; false if it does not answer, or this process stood still.
   bool read(std::int64_t time_ns);
   std::span<const std::byte> inputs() const { return inputs_; }
 
@@ -45,7 +45,7 @@ class PlantFeed {
 
   // This process stood still and others took it for lost: the reason why read or write failed.
   bool stood_still() const { return stood_still_; }
-  // Nobody drives any more.
+  // The end of driving.
   void farewell() { io_.farewell(); }
   // This side is alive, for whoever looks at the outputs' other end.
   void beat() { io_.beat(); }

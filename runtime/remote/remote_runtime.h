@@ -33,7 +33,7 @@ class RemoteRuntime final : public host::RuntimePort {
   // False if it has not been heard of within `timeout`.
   bool wait_for_controller(std::chrono::milliseconds timeout) const;
   bool contact() const { return queues_.figures().contact; }
-  // What the line came to, all of one instant.
+  // Figures of the line, all of one instant.
   RemoteFigures figures() const { return queues_.figures(); }
   // Why there is no contact; empty if there is.
   std::string line_problem() const { return queues_.figures().line_problem; }

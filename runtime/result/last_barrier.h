@@ -15,7 +15,7 @@
 
 namespace stepwright::result {
 
-// What the step threw, in words; nothing: it came to its end.
+// Text of the exception that the step threw; nothing: it returned.
 template <typename Step>
 std::optional<std::string> thrown_by(Step&& step) {
   try {

@@ -100,7 +100,7 @@ class SafeState {
   SafeCause cause() const { return cause_; }
   // Every ramp has come to its target: nothing changes any more.
   bool settled() const { return settled_; }
-  // What was driven last, or is to be.
+  // The outputs that were driven last, or are to be.
   std::span<const std::byte> outputs() const { return memory_; }
 
  private:

@@ -39,7 +39,7 @@ namespace stepwright::scan {
 // The layout of the memory that a program runs on.
 image::ImageLayout layout_of(const bytecode::Program& program);
 
-// What the spans name must outlive the cycle.
+// Options of a cycle. The data of the spans must outlive it.
 struct ScanConfig {
   std::uint64_t budget = 100'000'000;  // per scan, in bytes of code (bytecode::Engine); beyond it: Trap; not
                                        // for tasks whose watchdog can end them
@@ -109,9 +109,9 @@ class ScanCycle {
  public:
   // Everything passed in must outlive the cycle. Requires an image of layout_of(program), and for the outputs
   // as somebody drove them last `safe_outputs`: as many bytes as the driver has outputs, at least as many as
-  // the program has, outside the image. A safe state holds and ramps from those; what a force or the scan of
-  // a fault has left in the image since was never put out. Outputs behind the program's are driven as well:
-  // they stay in their safe state while it runs.
+  // the program has, outside the image. A safe state holds and ramps from those, not from values in the image
+  // that a force or the scan of a fault has left and that were never written. Outputs behind the program's
+  // are driven as well: they stay in their safe state while it runs.
   ScanCycle(const bytecode::Program& program, bytecode::Engine& engine, image::ProcessImage& image,
             std::span<std::byte> safe_outputs, image::IoDriver& io, Clock& clock, const ScanConfig& config);
 
@@ -174,7 +174,7 @@ class ScanCycle {
   ScanState state() const { return state_; }
   std::uint64_t scan() const { return scan_; }
   bytecode::Trap last_trap() const { return last_trap_; }
-  // What the outputs are while the state is not Running.
+  // The outputs while the state is not Running.
   const SafeState& safe_state() const { return safe_; }
   const WatchdogReport& watchdog_report() const { return watchdog_report_; }
 

@@ -9,7 +9,7 @@
 
 namespace stepwright::scan {
 
-// What follows when a cyclic task is due again before its last cycle began (real time only: simulated time is
+// Policy for a cyclic task that is due again before its last cycle began (real time only: simulated time is
 // never late).
 enum class OverrunPolicy : std::uint8_t {
   Skip,     // the newest missed cycle runs, the others are left out; the task keeps its phase

@@ -51,7 +51,7 @@ struct Task {
   void restart(std::int64_t time_ns);
 };
 
-// What became of the cycles of a task that were due before `now_ns` and have not begun.
+// Cycles of a task that were due before `now_ns` and have not begun.
 struct Overrun {
   std::uint64_t missed = 0;   // newly found
   std::uint64_t skipped = 0;  // of these, left out

@@ -36,7 +36,7 @@ class TaskWatchdog {
   // Executions in a row that were too long, the newest included.
   std::uint32_t too_long() const { return too_long_; }
 
-  // What one execution may take; kNoLimit without a watchdog.
+  // Longest time of one execution; kNoLimit without a watchdog.
   std::int64_t longest_ns() const;
 
   // True if this execution is the one too many.

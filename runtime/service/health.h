@@ -11,7 +11,7 @@
 
 namespace stepwright::service {
 
-// What stands behind the image's inputs and outputs.
+// Source of the image's inputs and sink of its outputs.
 enum class IoKind : std::uint8_t {
   SimulatedPlant = 0,  // in the runtime's own process
   SharedMemory = 1,    // another process on the same machine

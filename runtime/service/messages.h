@@ -5,9 +5,9 @@
 // thread.
 //
 // On the socket a client begins with Hello and is answered with Welcome (which brings the descriptor of the
-// snapshot memory). Whoever speaks another version is told that of the service by the Welcome, and nothing
-// more. Then it sends requests, and SupervisorLife if it stands for a supervisor; the service sends replies,
-// every event from the sequence on that Hello named, and the status at least every kStatusPeriod.
+// snapshot memory). A client of another version is told the service's version in the Welcome, and nothing
+// more. Then the client sends requests, and SupervisorLife if it stands for a supervisor; the service sends
+// replies, every event from the sequence on that Hello named, and the status at least every kStatusPeriod.
 
 #include <chrono>
 #include <cstddef>

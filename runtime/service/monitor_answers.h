@@ -1,11 +1,11 @@
 #pragma once
 
-// Encoding of the answers to people who look on (forces, recording), as the bytes of Reply::data.
+// Encoding of the answers for observers (forces, recording), as the bytes of Reply::data.
 //
 //   auto reply = connection.call(ReadForces{}, 1s);
 //   auto forces = decode_forces(reply->data);
 //
-// Pure functions; any thread. Any bytes are safe to decode: what is malformed fails with R0005.
+// Pure functions; any thread. Any bytes are safe to decode: malformed ones fail with R0005.
 
 #include <cstddef>
 #include <span>

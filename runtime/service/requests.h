@@ -2,9 +2,9 @@
 
 // Requests of clients to a runtime's service, and the replies. Plain values; any thread.
 //
-// A request is named by (client, id): the client draws its number at random and counts its ids. Whoever did
-// not get an answer sends the same request again; the service answers a repetition from memory and never
-// performs it twice. That is what lets a link process die and come back unnoticed.
+// A request is named by (client, id): the client draws its number at random and counts its ids. A client
+// without an answer sends the same request again; the service answers a repetition from memory and never
+// performs it twice. So a link process can die and come back unnoticed.
 //
 // Diagnostics of the runtime: R0001 the socket, R0002 refused in the present state, R0003 a download that is
 // broken, R0004 out of bounds, R0005 a malformed message, R0006 too busy, R0007 an unknown name,
@@ -81,7 +81,7 @@ struct ResendEvents {
   std::uint64_t first = 1;
 };
 
-// What is forced: Reply::data, see monitor_answers.h, in the program of Reply::digest. Observers may ask.
+// The list of forces: Reply::data, see monitor_answers.h, in the program of Reply::digest. Observers may ask.
 struct ReadForces {};
 // Simulated clock only: that many scans, then it stands still until the next Step or Continue; Reply::offset
 // is the last of them. 0: stands still at once.

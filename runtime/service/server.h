@@ -6,9 +6,9 @@
 //   (*server)->run(stop_descriptor);          // until that descriptor is readable
 //
 // Threads: the one that uses the RuntimePort. Invariants: no client can make it block, grow without bound or
-// stop, nor keep others out: there is room for a client of another process, whatever one process opens, and
-// for its commands; what there is no memory for costs the request or its connection. A malformed message ends
-// the connection that it came from. Clients of the same user only (mode 0600).
+// stop, nor keep others out: however many connections one process opens, there is room for a client of
+// another process and for its commands; a lack of memory costs only the request or its connection. A
+// malformed message ends the connection that it came from. Clients of the same user only (mode 0600).
 
 #include <chrono>
 #include <cstddef>

@@ -1,7 +1,7 @@
 #pragma once
 
-// Whoever wants to know what happens in the service of a runtime: the log, the watchdog of the init system.
-// The service tells; what is done with it is decided by the program that puts the runtime together.
+// Interface for observers of a runtime's service: the log, the watchdog of the init system. The service only
+// reports; the program that contains the runtime decides what is done.
 //
 //   class Journal final : public ServiceObserver {
 //     void on_event(const host::StepEvent& event) override;

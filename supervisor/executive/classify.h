@@ -3,11 +3,12 @@
 // Classification of an incident: which of plant, sensor, actuator and plan is at odds with the others, from
 // what is observed.
 //
-// What speaks for a sensor is what liquid and vehicles cannot do: a level that rises while nothing fills it,
-// a place that is left while nothing drives, two places at once, counts at the end of their range. What
-// speaks for an actuator is an output that was on without any effect. A level that falls by itself is taken
-// for a disturbance once; the second time for a leak, or a sensor that drifts, which one sensor alone cannot
-// tell. So does what adds up over the run a little at a time (drift_watch.h).
+// Evidence against a sensor is a reading that liquid and vehicles cannot cause: a level that rises while
+// nothing fills it, a place that is left while nothing drives, two places at once, counts at the end of their
+// range. Evidence against an actuator is an output that was on without any effect. A level that falls by
+// itself counts as a disturbance the first time, and as a leak or a drifting sensor the second time; one
+// sensor alone cannot tell which. The same holds for a small difference that adds up over the run
+// (drift_watch.h).
 //
 // Pure functions; use from any thread.
 

@@ -1,14 +1,14 @@
 #pragma once
 
-// Adds up, over a whole run, what the readings of the levels did that no action accounts for. A sensor that
-// walks away slowly, or a small leak, stays within its tolerance between any two pumpings, and each of them
-// starts afresh from an absolute level; only the sum shows it.
+// Adds up, over a whole run, the changes of level readings that no action explains. A sensor that drifts
+// slowly, or a small leak, stays within its tolerance between any two pumpings, and each of them starts
+// afresh from an absolute level; only the sum shows it.
 //
-// What is known of a level: at rest it stays; what an action moves from one measured level to another leaves
-// here what arrives there, in the proportion of the plan. Each such stretch begins and ends with the level at
-// rest, and what it shows too much or too little is added to its sensor's sum. A level that an action moves
-// without a second sensor, or that was interrupted half-way, tells nothing for as long. A jump beyond the
-// tolerance is for the classifier (classify.h); of it no more is kept than leaves the next one a tolerance.
+// Rules: a level at rest does not change, and an action that moves liquid between two measured levels takes
+// from one what it gives to the other, in the proportion of the plan. Each interval begins and ends with the
+// level at rest; its unexplained change is added to the sum of its sensor. An interval in which an action
+// moves a level without a second sensor, or is interrupted, is not counted. A jump beyond the tolerance
+// belongs to the classifier (classify.h); it brings the sum no nearer to its limit than one tolerance.
 //
 // Threads: one thread uses an object; the binding must outlive it.
 //
@@ -45,13 +45,13 @@ class DriftWatch {
 
   explicit DriftWatch(const translate::Binding& binding);
 
-  // Everything is at rest and shows this. What was under way is interrupted; jumps are answered by now.
+  // Everything is at rest with these readings. Begun intervals are dropped; jumps have been answered.
   void rest(const Levels& levels);
-  // The next looks are at this plan, of which nothing has begun.
+  // The following calls of `see` are of this plan, of which nothing has begun.
   void follow(const model::PlannedRun& run);
   // At a change of steps: which actions of the followed plan run from here on, and what the levels are.
   void see(const Levels& levels, const translate::Progress& progress);
-  // Nobody knows what has moved since the last look.
+  // It is unknown what has moved since the last call.
   void forget();
 
   // The sensor that is furthest beyond its `max_drift`.

@@ -52,7 +52,7 @@ namespace stepwright::executive {
 
 struct Journal;
 
-// What somebody outside wants from a scan-clock time on: a client that changes its demand, or another goal.
+// Change of the goal from outside at a time of the scan clock: a client's new demand, or another goal.
 struct GoalChange {
   double at_s = 0.0;
   std::string fluent;  // "(demand c1)"
@@ -140,7 +140,7 @@ class Executive final : public run::Mission {
     Again,  // the plant is not any more where the planning began
     Over,   // the run is
   };
-  // What is wanted from outside.
+  // Goal and fluents as set from outside.
   struct Asked {
     std::string goal;
     std::map<std::string, double> changed;

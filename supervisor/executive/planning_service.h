@@ -1,7 +1,7 @@
 #pragma once
 
-// From a state of the plant to a program that runs: plan, translate, lower, compile. Holds what never changes
-// in a run (task, binding, options).
+// Makes a program from a state of the plant: plan, translate, lower, compile. Holds what is constant over a
+// run (task, binding, options).
 //
 //   auto service = PlanningService::open({"domain.pddl", "problem.pddl", "binding.toml"});
 //   auto prepared = planning->prepare({.start = start});
@@ -43,7 +43,7 @@ struct PlanningOptions {
   bool document = true;       // programs bring their sources with them, for the page
   bool monitors = true;       // rungs that watch the plan in the scan (translate/monitors.h)
   std::string report_fluent;  // what the report follows per action, "(transport-cost)"; empty: the metric
-  // What hand-written programs may write beside the standard.
+  // Extensions of the standard for hand-written programs.
   const source::Dialect* dialect = &source::standard_dialect();
 };
 
@@ -65,10 +65,10 @@ struct PreparedPlan {
   run::Episode episode;  // figures and actions, nothing executed yet
 };
 
-// What to plan for.
+// Request for a plan: start, plan so far, devices to avoid, budget.
 struct PlanRequest {
   StartState start;
-  // What is left of the plan that was interrupted: kept or repaired where that is as good as a new plan.
+  // Remaining actions of the interrupted plan: kept or repaired where that is as good as a new plan.
   std::vector<model::GroundAction> remaining{};
   std::set<std::string> without{};            // devices of the binding that no action of the plan may need
   model::Budget budget{};                     // instead of the planning's; a zero leaves that one
@@ -105,8 +105,8 @@ class PlanningService {
   [[nodiscard]] result::Result<PrepareOutcome> prepare(const PlanRequest& request) const;
   // The same plan with its figures, actions and schedule, but neither a chart nor a program: for looking at.
   [[nodiscard]] result::Result<PrepareOutcome> sketch(const PlanRequest& request) const;
-  // What another plan is worth from a state: that of these actions there, without a search. Fails if they
-  // cannot be executed there.
+  // Worth of another plan: that of these actions from the state, without a search. Fails if they cannot be
+  // executed there.
   [[nodiscard]] result::Result<PlanWorth> worth_of(const StartState& start,
                                                    const std::vector<model::GroundAction>& actions) const;
   // The same program again from a plan that is known (a restarted supervisor); episode figures are left
@@ -115,7 +115,7 @@ class PlanningService {
   // The program that only looks (translate/observe_program.h), compiled.
   [[nodiscard]] result::Result<PreparedPlan> observer(bool locate, std::chrono::milliseconds settle) const;
 
-  // What the report follows, added by `action` when it starts in `before`; 0 if it cannot be told.
+  // Increase of the report's fluent by `action` when it starts in `before`; 0 if it is unknown.
   double cost_of(const model::GroundAction& action, const model::NamedState& before) const;
   // The conjuncts of a goal in a state; an empty goal is the problem's.
   std::vector<run::GoalRecord> goal_status(const model::NamedState& state,

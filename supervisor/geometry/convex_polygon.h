@@ -61,7 +61,7 @@ class ConvexPolygon {
 // Whether the two share inner points (separating axes: Gottschalk, Lin, Manocha 1996, section 4). Regions
 // that overlap by less than a nanometre count as touching.
 bool overlaps(const ConvexPolygon& a, const ConvexPolygon& b);
-// What both cover; nothing where they do not overlap.
+// Their common region; nothing where they do not overlap.
 std::optional<ConvexPolygon> intersection(const ConvexPolygon& a, const ConvexPolygon& b);
 
 // Requires a finite pose.

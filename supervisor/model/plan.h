@@ -39,7 +39,7 @@ struct Plan {
   bool proved_optimal = false;  // cost == bound, and no plan of that cost is shorter
 };
 
-// What a planner may spend. Zero = no limit.
+// Limits of a planner's time and memory. Zero = no limit.
 struct Budget {
   std::chrono::milliseconds time{0};
   std::size_t memory_mb = 0;

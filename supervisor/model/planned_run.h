@@ -20,7 +20,8 @@
 
 namespace stepwright::model {
 
-// What is true and how much there is. A fact that is not listed is false; a fluent not listed is unknown.
+// A state by names: true facts and the values of fluents. A fact that is not listed is false; a fluent not
+// listed is unknown.
 struct NamedState {
   std::set<std::string> facts;
   std::map<std::string, double> fluents;

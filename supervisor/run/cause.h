@@ -1,6 +1,6 @@
 #pragma once
 
-// Why a plan cannot be carried on, and what is decided because of it.
+// The cause for which a plan cannot go on, and the decision that follows.
 //
 // Plain values.
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// The controller behind Fast DDS: what the supervisor process uses.
+// The controller over Fast DDS, for the supervisor process.
 
 #include <memory>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// Incident of a run, a deviation from the plan: its class, the evidence for it, and what was decided in how
-// much time.
+// Incident of a run, a deviation from the plan: its class, the evidence for it, the decision and the time
+// that it took.
 //
 // Plain values.
 

@@ -1,8 +1,8 @@
 #pragma once
 
 // The file of an executive's journal, replaced as a whole and on the disk before it counts, so that whoever
-// reads it finds the old one or the new one, after a power cut as well. What stands in it is for journal.h
-// and the fleet's.
+// reads it finds the old one or the new one, after a power cut as well. Its contents belong to journal.h and
+// the fleet's journal.
 //
 // One thread for one file.
 

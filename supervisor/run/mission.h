@@ -2,8 +2,8 @@
 
 // The life of a run, from its first plan to its goal or to the safe state of the outputs: waits for the
 // runtime, brings programs to run on it, watches them event by event, keeps the record with its incidents,
-// and has what goes wrong planned for anew. What a kind of plan adds is a class that derives from this: what
-// is planned, what is observed, what a surprise means, how the plant comes to rest
+// and has a new plan made after an incident. A kind of plan derives a class from this one, which decides how
+// to plan, what to observe, what a deviation means and how the plant comes to rest
 // (supervisor/doc/adding_a_planner.md).
 //
 //   class Trains final : public Mission {
@@ -17,7 +17,7 @@
 //
 // Functions that return false mean: the run is over, and its phase says how (Done, Safe).
 //
-// Threads: `run` belongs to one thread; what asks for something may be called from any.
+// Threads: `run` belongs to one thread; the request functions may be called from any.
 
 #include <atomic>
 #include <chrono>
@@ -83,9 +83,9 @@ class Mission {
   };
   enum class Wish : std::uint8_t { Start, OtherPlan, Abort };
 
-  // What a mission is. From a journal or afresh, up to a program that runs:
+  // Functions of a mission. From a journal or afresh, up to a program that runs:
   virtual bool begin() = 0;
-  // What the image of the running program shows, at an event; the clock has seen it.
+  // Judges the image of the running program at an event; the clock has seen it.
   virtual Decision judge_image(std::span<const std::byte> image) = 0;
   // From a cause to the next program that runs.
   virtual bool replan(const Cause& cause) = 0;
@@ -93,7 +93,7 @@ class Mission {
   virtual bool finish() = 0;
   // A runtime that was lost: it goes on with the plan, or another one is made.
   virtual bool recover_runtime() = 0;
-  // What the observer and the journal are to know. `now`: not only later.
+  // Tells the observer and the journal. `now`: at once, not only later.
   virtual void publish(bool now) = 0;
   // Whether a program was brought to the runtime, which has to be stopped at the end.
   virtual bool drives() const = 0;

@@ -1,8 +1,8 @@
 #pragma once
 
-// The clock of a run: that of the scan, which goes on over restarts of the runtime. A runtime that is started
-// again counts from zero; by which process said a time, and by nothing else, that is known: news that come
-// late, after newer ones, are older times of the same process.
+// The clock of a run: that of the scan, which goes on over restarts of the runtime. A restarted runtime
+// counts from zero, which shows in the incarnation of its process and in nothing else: a late message has an
+// older time of the same process.
 //
 // Threads: one.
 //
@@ -26,9 +26,9 @@ class RunClock {
   RunClock() = default;
   explicit RunClock(const State& state) : state_(state) {}
 
-  // The scan clock of that runtime process showed this. The run's clock never goes back.
+  // Takes note of a time of that process. The run's clock never goes back.
   void see(std::uint64_t incarnation, std::int64_t time_ns);
-  // What the run's clock shows then, without seeing it.
+  // The run's time at that instant, without taking note of it.
   double at(std::uint64_t incarnation, std::int64_t time_ns) const;
 
   double now_s() const { return state_.now_s; }

@@ -82,7 +82,7 @@ struct OneOf {
   std::vector<Search> searches;  // in order; may be empty
 };
 
-// What leaves `from` (an observed fluent) arrives in `to` (one that no sensor sees).
+// Transfer of an amount from `from` (an observed fluent) to `to` (one without a sensor).
 struct Transfer {
   Pattern from;
   Pattern to;
@@ -120,8 +120,8 @@ struct ActionBinding {
   result::Location where;
 };
 
-// What can fail as one: the actions that drive its outputs, and those that need it without driving it. An
-// output that no entry names is a device of its own, with the name of its tag.
+// A device, which fails as a whole: the actions that drive its outputs, and those that need it without
+// driving it. An output that no entry names is a device of its own, with the name of its tag.
 struct Device {
   std::string name;  // for people: "diverter 1"
   std::vector<std::string> outputs;

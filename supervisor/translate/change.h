@@ -15,7 +15,7 @@
 
 namespace stepwright::translate {
 
-// What one action changes. Changes of different actions add up in any order that the plan allows.
+// Changes of one action. Changes of different actions add up in any order that the plan allows.
 struct Change {
   std::vector<std::string> made_true;
   std::vector<std::string> made_false;

@@ -46,7 +46,7 @@ struct TranslateOptions {
 
 enum class StepKind : std::uint8_t { Start, Action, Rest, Wait, Settle, Done, Failed, Search };
 
-// What a chart step means for whoever watches it.
+// Meaning of a chart step for those that follow the program.
 struct StepInfo {
   std::string name;
   StepKind kind = StepKind::Wait;
@@ -60,7 +60,7 @@ struct StepInfo {
 
 enum class MonitorKind : std::uint8_t { Precondition, Invariant, Effect, Motion, Standstill };
 
-// What the rungs of a program watch (monitors.h).
+// A monitor of the program: the reading that its rungs watch (monitors.h).
 struct Monitor {
   std::size_t action = 0;  // index into the plan
   MonitorKind kind = MonitorKind::Invariant;

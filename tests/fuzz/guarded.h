@@ -46,7 +46,7 @@ class GuardedPages {
  private:
   static constexpr std::byte kPattern{0xA5};
 
-  // What is left of the pages on the side without a guard.
+  // The rest of the pages on the side without a guard.
   std::span<std::byte> slack() const {
     return {side_ == Side::Front ? first_ + bytes_ : first_, usable_ - bytes_};
   }

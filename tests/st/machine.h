@@ -41,7 +41,7 @@ class Machine {
   bool equals(const std::string& path, const std::string& expected) const;
   std::string shown(const std::string& path) const;
 
-  // What lies in the memory, frames left out.
+  // The memory without frames.
   std::span<const std::byte> image() const;
 
  private:

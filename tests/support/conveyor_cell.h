@@ -63,7 +63,7 @@ inline std::map<int, std::pair<int, int>> sorted_boxes(const support::SimulatedC
   return boxes;
 }
 
-// What problem.pddl orders: b3 before b1 in chute 1, b4 before b2 in chute 2, b5 in chute 3.
+// The goal of problem.pddl: b3 before b1 in chute 1, b4 before b2 in chute 2, b5 in chute 3.
 inline std::map<int, std::pair<int, int>> ordered_boxes() {
   return {{1, {1, 2}}, {2, {2, 2}}, {3, {1, 1}}, {4, {2, 1}}, {5, {3, 1}}};
 }

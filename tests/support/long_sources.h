@@ -39,7 +39,7 @@ std::string repeated_elements(int count);             // first values of an arra
 std::string many_unknown_names(int count);  // beside as many variables with similar names
 std::string many_syntax_errors(int count);
 
-// What is nested `depth` levels deep.
+// Constructs nested `depth` levels deep.
 std::string nested_parentheses(int depth);
 std::string nested_negations(int depth);
 std::string nested_ifs(int depth);

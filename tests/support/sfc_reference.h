@@ -29,7 +29,7 @@ class SfcReference {
   // Whether an action's body ran in the scan: with final scan once more after its Q fell, and for P1 and P0
   // without its Q.
   bool runs(const std::string& target) const { return runs_.at(target); }
-  // What a BOOL variable with S and R blocks only holds, else the same as action().
+  // Value of a BOOL variable with S and R blocks only, else the same as action().
   bool variable(const std::string& target) const { return variables_.at(target); }
 
  private:

@@ -37,7 +37,7 @@ inline void wait_for_interrupt() {
   for (;;) wait_for_interrupt();
 }
 
-// What an interrupt and the main loop share is touched with interrupts off.
+// Turns interrupts off for its lifetime, for data that an interrupt and the main loop share.
 class InterruptsOff {
  public:
   InterruptsOff() { disable_interrupts(); }

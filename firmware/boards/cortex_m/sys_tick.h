@@ -7,7 +7,7 @@
 
 namespace stepwright::boards {
 
-// What rest() looks at with interrupts off, so that it does not sleep over what has just come.
+// Whether data wait; rest() asks with interrupts off, so that it does not sleep over new data.
 class Waiting {
  public:
   virtual bool waiting() const = 0;

@@ -39,7 +39,7 @@ class PtyUart final : public port::Uart {
 
   // Whether it could be opened; errno says why not.
   bool ok() const { return ok_; }
-  // What a master opens.
+  // Name of the device for a master.
   std::string name() const { return link_.empty() ? ::ptsname(line_) : link_; }
   int descriptor() const { return line_; }
 

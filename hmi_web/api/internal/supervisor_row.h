@@ -20,7 +20,7 @@ namespace stepwright::api {
 // A text of the body, of up to so many bytes.
 Field text_field(const char* name, double most, const char* description);
 
-// What `done` came to, with what the audit trail says of it.
+// The answer for `done`, with the values for the audit trail.
 Answer accepted(const result::Result<void>& done, std::string target, std::string after);
 
 // A row whose request to the supervisor is made of its body; it gets a field for the reason, too.

@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to this folder: what the server answers, as responses of Beast.
+// Private to this folder: the server's answers as responses of Beast.
 
 #include <boost/beast/http/message.hpp>
 #include <boost/beast/http/string_body.hpp>

@@ -1,7 +1,7 @@
 #pragma once
 
 // Private to this folder: a connection with TLS or without, behind one type, so that all of Beast is compiled
-// for one kind of stream only. What HTTP and WebSocket need of a stream stands in `Wire`.
+// for one kind of stream only. `Wire` is the stream for HTTP and WebSocket.
 //
 // Thread rule: as Boost.Asio; the handlers of one wire are called one after the other.
 
@@ -23,7 +23,7 @@ namespace stepwright::server::internal {
 
 using ErrorCode = boost::beast::error_code;
 
-// What a kind of connection does.
+// Interface of a connection, with TLS or without.
 class WireKind {
  public:
   using Moved = std::function<void(ErrorCode, std::size_t)>;
@@ -33,7 +33,7 @@ class WireKind {
   virtual void handshake(Done done) = 0;  // `done` may be called at once
   virtual void read_some(boost::asio::mutable_buffer room, Moved moved) = 0;
   virtual void write_some(std::span<const boost::asio::const_buffer> parts, Moved moved) = 0;
-  // Says good-bye to the other end.
+  // Shuts the connection down in order.
   virtual void end(Done done) = 0;
   virtual boost::beast::tcp_stream& transport() = 0;
 };
@@ -92,7 +92,7 @@ class Wire {
   std::unique_ptr<WireKind> kind_;
 };
 
-// What a WebSocket calls when it ends, found by the type of its stream.
+// Called by a WebSocket when it ends; found by the type of its stream.
 template <typename Handler>
 void async_teardown(boost::beast::role_type, Wire& wire, Handler&& handler) {
   auto kept = std::make_shared<std::decay_t<Handler>>(std::forward<Handler>(handler));

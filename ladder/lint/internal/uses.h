@@ -74,7 +74,7 @@ struct Uses {
 BitRange range_of(const semantics::Variable& variable);
 BitRange range_of(const syntax::DirectAddress& address);
 
-// What the declarations name: constants in bounds, lengths and first values, variables in REF.
+// Marks the names that declarations use: constants in bounds, lengths and first values, variables in REF.
 void name_declarations(Uses& uses);
 
 // REF(x): the x; null for any other expression.

@@ -27,7 +27,7 @@ struct EnumValue {
   std::int64_t value = 0;
 };
 
-// What REF(x) as a first value leads to: a place of an area, or one within the instance that holds it.
+// Target of REF(x) as a first value: a place of an area, or one within the instance that holds it.
 struct FirstTarget {
   const Pou* owner = nullptr;  // whose instance; null: of an area
   Base base = Base::Data;      // of an area
@@ -47,7 +47,7 @@ struct Analysis {
   // Blocks of programs that tasks of their own run (6.8.2): a call in the body passes arguments only.
   std::unordered_map<const Pou*, std::vector<NameId>> run_by_tasks;
 
-  // What was said of names that mean nothing, by the POU that uses them.
+  // Unknown names that have been reported, by the POU that uses them.
   std::set<std::pair<const Pou*, std::string>> unknown = {};
   // In first values a reference that is not NULL is the number of its target here, from 1, until the value
   // lies in an area.

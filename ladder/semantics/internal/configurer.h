@@ -42,7 +42,7 @@ class Configurer {
     std::size_t first = 0;
     std::size_t end = 0;
   };
-  // What a path of VAR_CONFIG leads to.
+  // Target of a path of VAR_CONFIG.
   struct Member {
     Instance* instance = nullptr;
     const Variable* variable = nullptr;

@@ -25,7 +25,7 @@ class TypeResolver {
   bool names_block(const syntax::TypeSpec& spec) const;
   // ANY_INT, which the library's texts may name (6.4.3).
   bool is_any_integer(const syntax::TypeSpec& spec) const;
-  // What a variable that is declared so starts with: TYPE may give a first value of its own.
+  // Initial value of a variable of this declaration: TYPE may give one of its own.
   std::vector<std::byte> initial_of(const syntax::TypeSpec& spec, const Type& type);
   // Lays out the variables of a POU, before those that hold instances of it.
   void lay_out(Pou& pou);

@@ -9,7 +9,7 @@
 
 namespace stepwright::semantics::internal {
 
-// What stands for a POU in these tests: its mock, or itself.
+// The POU that replaces `original` in these tests: its mock, or itself.
 const syntax::PouDeclaration& mock_of(const syntax::PouDeclaration& original, const TestGroup& group);
 
 // A mock looks from outside as what it stands for: name, kind, parameters and result are those of a POU of
@@ -19,7 +19,7 @@ void check_mocks(Analysis& analysis, TypeResolver& types, const syntax::Unit& un
 // Behind all other POUs of the model.
 void register_tests(Analysis& analysis, const TestGroup& group);
 
-// What the instance of a test begins with (TestHeader).
+// First bytes of a test's instance (TestHeader).
 std::vector<std::byte> test_header(Analysis& analysis);
 
 // Whether the unit says what runs while a test waits: a configuration, or a single program.

@@ -1,6 +1,6 @@
 #pragma once
 
-// What must hold so that a standard function has a value, as an expression of its operands.
+// Builds the condition under which a standard function has a value, as an expression of its operands.
 //
 // Thread rule: one analysis, one thread.
 

@@ -34,8 +34,8 @@ struct NamedVariable {
                                                                         const char* code = "R0057",
                                                                         const result::Location& where = {});
 
-// What stands at a place of the image: the variable there, else its direct address, else its bytes. `bit` is
-// 0xFF for whole bytes.
+// Name of a place of the image: the variable there, else its direct address, else its bytes. `bit` is 0xFF
+// for whole bytes.
 std::string name_of_place(const ProgramInfo& info, std::uint32_t address, std::uint8_t bit,
                           std::uint8_t size);
 

@@ -20,9 +20,8 @@ class EventOrder {
   // Held events beyond this are dropped; they are asked for again later.
   static constexpr std::size_t kMaxHeld = 1'024;
 
-  // What the newest status says. The first one decides where this client starts: after the newest event, or
-  // with it while the runtime waits for its acknowledgement. Another incarnation starts anew at its first
-  // event.
+  // Takes the newest status. The first one decides where this client starts: after the newest event, or with
+  // it while the runtime waits for its acknowledgement. Another incarnation starts anew at its first event.
   void observe(const RuntimeStatus& status);
   // An event that arrived; one of another incarnation than the status named is dropped.
   void add(StepEvent event);

@@ -75,7 +75,7 @@ class MessageReader {
     if (body) return handlers_.on_message(std::move(*body));
     reader_.refuse();
     const result::Diagnostic& refused = body.error().front();
-    // What all of the domain says is mostly about other cells.
+    // Messages of the whole domain are mostly about other cells.
     if (tells_) trouble_.add(refused, frame.version(), Trouble::Clock::now());
     if (frame.version() != service::kProtocolVersion && handlers_.on_other_version)
       handlers_.on_other_version(frame.version());

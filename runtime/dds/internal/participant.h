@@ -140,7 +140,7 @@ class Reader final : private fdds::DataReaderListener {
   // True while a writer of heartbeats lives; for Profile::Heartbeat only. Fast DDS tells of leases that end
   // and begin again from several threads, and the older news may come last: whoever is heard of is alive.
   bool alive() const { return alive_.load(std::memory_order_acquire) > 0 || heard_within(kHeartbeatLease); }
-  // What has come so far; `refused` is for the owner, who knows what the samples mean.
+  // Samples received so far; `refused` is counted by the owner, which can decode them.
   TopicTraffic traffic() const {
     TopicTraffic traffic;
     traffic.topic = name_;

@@ -12,14 +12,14 @@
 
 namespace stepwright::modbus::client {
 
-// What a slave has (Modbus Application Protocol V1.1b3, 4.3). Addresses are those of the PDU, from 0.
+// Tables of a slave (Modbus Application Protocol V1.1b3, 4.3). Addresses are those of the PDU, from 0.
 enum class Table : std::uint8_t { Coils, DiscreteInputs, InputRegisters, HoldingRegisters };
 
 constexpr bool is_bits(Table table) {
   return table == Table::Coils || table == Table::DiscreteInputs;
 }
 
-// What the slave holds there.
+// Type of the value in the slave.
 enum class WireType : std::uint8_t { Bool, Int16, Uint16, Int32, Uint32, Int64, Uint64, Real, Lreal };
 
 constexpr std::uint16_t registers_of(WireType type) {
@@ -46,7 +46,7 @@ enum class Order : std::uint8_t {
   Dcba,  // both
 };
 
-// What the program has at the address (IEC 61131-3, 6.4.2).
+// Type of the value in the program (IEC 61131-3, 6.4.2).
 enum class ImageType : std::uint8_t { Bool, Sint, Usint, Int, Uint, Dint, Udint, Lint, Ulint, Real, Lreal };
 
 constexpr std::uint32_t bytes_of(ImageType type) {
@@ -84,7 +84,7 @@ struct Scale {
   bool plain() const { return factor == 1.0 && offset == 0.0 && !low && !high; }
 };
 
-// What an input becomes when its slave is lost.
+// Value of an input when its slave is lost.
 enum class LossValue : std::uint8_t { Hold, Zero, Value };
 
 // How far a value may be trusted: the quality byte of OPC Data Access 2.05, 6.8 (192 good, 64 and more

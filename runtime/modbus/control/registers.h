@@ -24,7 +24,7 @@ inline constexpr std::uint16_t kMaxWrite = 123;        // of one FC 16
 inline constexpr std::uint16_t kMaxWriteInRw = 121;    // of FC 23's write half
 inline constexpr std::uint16_t kDigestRegisters = 16;  // a SHA-256
 
-// What the controller says about itself. Offsets are from kFirst.
+// Status of the controller. Offsets are from kFirst.
 namespace status {
 inline constexpr std::uint16_t kFirst = 0xF000;
 inline constexpr std::uint16_t kMagicAt = 0;

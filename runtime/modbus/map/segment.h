@@ -7,7 +7,7 @@
 
 namespace stepwright::modbus::map {
 
-// What an address of a table stands for.
+// Kind of the values at an address of a table.
 enum class Kind : std::uint8_t {
   Zero,   // nothing: reads 0
   Bits,   // bits of the image that follow each other

@@ -12,8 +12,8 @@
 
 namespace stepwright::modbus::master {
 
-// What stands around a request: the header of Modbus TCP, or unit and checksum as on a serial line, which
-// some converters between network and line pass on as they are.
+// Framing of a request: the header of Modbus TCP, or unit and checksum as on a serial line (RTU over TCP, as
+// some converters pass it on).
 enum class Framing : std::uint8_t { Tcp, Rtu };
 
 struct TcpEndpoint {
@@ -61,7 +61,7 @@ constexpr std::chrono::microseconds frame_gap(std::uint32_t baud) {
   return std::chrono::microseconds((kBitsTimesMicro + baud - 1) / baud);
 }
 
-// What so many characters take on a line: a start bit, data, parity and stop bits each.
+// Time of so many characters on a line: a start bit, data, parity and stop bits each.
 constexpr std::chrono::microseconds time_on(const SerialEndpoint& line, std::size_t characters) {
   constexpr std::uint64_t kMicro = 1'000'000;
   const std::uint64_t bits = 1u + line.data_bits + (line.parity == Parity::None ? 0u : 1u) + line.stop_bits;

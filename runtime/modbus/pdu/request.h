@@ -41,14 +41,15 @@ enum class Function : std::uint8_t {
 
 struct Request {
   Function function{};
-  // What is read; of a request that only writes, what is written. address + count <= 65536, count >= 1.
+  // Range that is read; of a request that only writes, the range that is written. address + count <= 65536,
+  // count >= 1.
   std::uint16_t address = 0;
   std::uint16_t count = 0;
   // FC 23: what is written, before the read.
   std::uint16_t write_address = 0;
   std::uint16_t write_count = 0;
-  // What is written. Bits (FC 5, 15): packed, the first one in bit 0 of the first byte, (count + 7) / 8
-  // bytes. Registers (FC 6, 16, 23): two bytes each, the most significant first.
+  // Data to write. Bits (FC 5, 15): packed, the first one in bit 0 of the first byte, (count + 7) / 8 bytes.
+  // Registers (FC 6, 16, 23): two bytes each, the most significant first.
   std::span<const std::byte> data;
   // FC 22: register = (register AND and_mask) OR (or_mask AND NOT and_mask).
   std::uint16_t and_mask = 0;

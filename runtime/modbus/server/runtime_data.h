@@ -2,12 +2,12 @@
 
 // The values of a Stepwright runtime for the server: reads from its shared snapshot, writes by its service.
 //
-// A thread of its own attends the runtime: it connects for ever, reads the program and builds its map, hears
-// the status, sends writes and takes their answers, so that the server's loop never waits for the runtime.
-// Nothing old is given out: without a program, without a connection, when nothing has been heard for
-// `stale_after`, or, in real time, when the snapshot does not change for so long (and three intervals of the
-// slowest task), every request gets exception 4. So does the moment between two programs: an address is only
-// ever looked up in the map of the program that the snapshot is of.
+// A thread of its own talks to the runtime: it connects again and again, reads the program and builds its
+// map, receives the status, sends writes and takes their answers, so that the server's loop never waits for
+// the runtime. Stale values are never returned: without a program, without a connection, when nothing has
+// been heard for `stale_after`, or, in real time, when the snapshot does not change for so long (and three
+// intervals of the slowest task), every request gets exception 4. So does the moment between two programs: an
+// address is only ever looked up in the map of the program that the snapshot is of.
 //
 // Threads: ProcessData's functions on the server's; create and destroy it there too. `news` is called on the
 // inner thread.
@@ -35,7 +35,7 @@ struct RuntimeDataOptions {
   std::chrono::milliseconds write_timeout{2'000};  // then exception 4; whether it was written is not known
 };
 
-// What the inner thread reports: a kind for the log and a sentence.
+// Report of the inner thread: a kind for the log and a sentence.
 using News =
     std::function<void(const char* kind, const std::string& text, const result::Diagnostics& problems)>;
 

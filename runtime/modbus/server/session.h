@@ -24,7 +24,7 @@ namespace stepwright::modbus::server {
 
 using Clock = std::chrono::steady_clock;
 
-// What all sessions of a server share.
+// State that all sessions of a server share.
 struct Shared {
   const ServerOptions& options;
   const Access& access;

@@ -31,7 +31,7 @@ enum class Framing : std::uint8_t {
         // noticed
 };
 
-// Who is on the other side, as far as access depends on it.
+// The peer of a connection, as far as access depends on it.
 struct Peer {
   // "192.168.1.7", "fe80::1"; of a serial line its device. Limits per address and the windows of clients go
   // by it.

@@ -12,7 +12,7 @@
 
 namespace stepwright::native {
 
-// What one run needs; the slots of all functions follow in the same block.
+// State of one run; the slots of all functions follow in the same block.
 struct Context {
   std::int64_t now_ns;
   std::uint64_t budget;

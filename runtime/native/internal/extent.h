@@ -7,8 +7,8 @@
 
 namespace stepwright::native {
 
-// What an address counts from; the image is all of the memory here, frames included. Slots are the context
-// and the functions' locals and operands: no Ref reaches them.
+// Base of an address; the image is all of the memory here, frames included. Slots are the context and the
+// functions' locals and operands: no Ref reaches them.
 enum class Space : std::uint8_t { Image, Instance, Slot, Unknown };
 
 // Beyond this no address is followed: sums of it stay far from wrapping around.

@@ -26,7 +26,7 @@ struct FunctionCode {
   std::vector<Item> items;
 };
 
-// What an instruction takes from the stack and leaves there.
+// Numbers of stack slots that an instruction pops and pushes.
 struct StackEffect {
   std::uint32_t pops = 0;
   std::uint32_t pushes = 0;

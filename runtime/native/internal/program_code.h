@@ -15,7 +15,7 @@ namespace stepwright::native {
 // Runs the function at that address; the number of the trap's site, 0 if there was none.
 using Entry = std::uint32_t (*)(Context*, const void* function);
 
-// What a return address says: the call is in this function, `return_pc` is behind its instruction.
+// Call that a return address belongs to: it is in this function, `return_pc` is behind its instruction.
 struct CallSite {
   std::size_t offset = 0;  // of the address in the code
   std::uint32_t function = 0;
@@ -50,8 +50,9 @@ class FirstError final : public asmjit::ErrorHandler {
   asmjit::Error first = asmjit::kErrorOk;
 };
 
-// What the library says if it cannot make the code, e.g. for want of memory. One for each kind of processor.
-// Checked code exists on x86-64 only, where loops keep variables in registers; elsewhere it is the plain one.
+// Makes the code of a program; one implementation for each kind of processor. Returns the library's error,
+// e.g. for want of memory. Checked code exists on x86-64 only, where loops keep variables in registers;
+// elsewhere it is the plain one.
 asmjit::Error make_code(const ProgramFacts& facts, bool checked, ProgramCode& out);
 
 }  // namespace stepwright::native

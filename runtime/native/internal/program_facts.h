@@ -34,7 +34,7 @@ class ProgramFacts {
   const FunctionCode& code(std::uint32_t function) const { return codes_[function]; }
   const std::vector<MemoryEffect>& effects(std::uint32_t function) const { return effects_[function]; }
 
-  // What the instruction reads or writes; requires that it does.
+  // The instruction's access to memory; requires that it has one.
   const MemoryEffect& effect(std::uint32_t function, std::uint32_t item, bool store) const;
 
   // Bytes of the block that holds the context and all slots.

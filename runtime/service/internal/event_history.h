@@ -1,6 +1,6 @@
 #pragma once
 
-// The newest events of a runtime, for those who missed some.
+// The newest events of a runtime, for clients that missed some.
 //
 // Threads: one. Invariant: sequence numbers grow; bounded in number and bytes.
 

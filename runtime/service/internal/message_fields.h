@@ -1,8 +1,8 @@
 #pragma once
 
 // Every structure on the wire with its fields in wire order and their bounds: one list for writing and
-// reading (message_coder.h), on the service socket and on Fast DDS. Whoever changes one changes
-// kProtocolVersion. Requests have no bounds here: who asks for too much is answered (R0004).
+// reading (message_coder.h), on the service socket and on Fast DDS. A change needs a new kProtocolVersion.
+// Requests have no bounds here: too large ones are answered (R0004).
 //
 // Pure; any thread.
 

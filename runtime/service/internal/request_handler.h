@@ -19,7 +19,7 @@
 
 namespace stepwright::service::internal {
 
-// Who waits for a reply.
+// A reply and the session that waits for it.
 struct Answer {
   std::uint64_t session = 0;
   Reply reply;

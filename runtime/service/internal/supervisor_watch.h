@@ -24,7 +24,7 @@ class SupervisorWatch {
   void set_lost_after(std::chrono::milliseconds lost_after) { lost_after_ = lost_after; }
   // Whether it counts as lost unless something is heard of it.
   bool overdue(Clock::time_point now) const { return alive_ && now - last_ > lost_after_; }
-  // What has changed since the last call.
+  // The change since the last call.
   Change check(Clock::time_point now) {
     const bool alive = heard_ && now - last_ <= lost_after_;
     if (alive == alive_) return Change::None;

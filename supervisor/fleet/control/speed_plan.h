@@ -29,7 +29,7 @@ struct Gate {
   double not_before_s = 0.0;
 };
 
-// What a vehicle may do at present. Behind `permitted_m` it has no precedence yet.
+// Permission of a vehicle at present. Behind `permitted_m` it has no precedence yet.
 struct Clearance {
   double permitted_m = std::numeric_limits<double>::infinity();
   std::span<const Gate> gates{};  // in the order of the way

@@ -106,7 +106,7 @@ class FleetExecutive final : public run::Mission {
   void note_stop(const StopMade& stop, bool begun);
   void note_delay(const Delay& delay);
   std::optional<run::Cause> due(double time_s) override;
-  // What each kind of request comes to; true if it takes another plan.
+  // Apply one kind of request each; true if it takes another plan.
   bool apply(const OrderChange& order, run::Cause& cause);
   bool apply(const BlockChange& block, run::Cause& cause);
   bool apply(const UnblockChange& unblock, run::Cause& cause);

@@ -96,8 +96,8 @@ class FleetLedger {
   void ended(const Stop& stop, std::chrono::milliseconds begun, std::chrono::milliseconds when);
   void lose(std::uint32_t vehicle, std::string why);
   void find(std::uint32_t vehicle);  // it is there again
-  // What keeps the rest from being planned: what nobody has picked up yet, what a vehicle has aboard, a
-  // drive. False if that was given up already.
+  // Give up goals that keep the rest from being planned: loads that wait, loads aboard a vehicle, a drive.
+  // False if that was given up already.
   bool give_up(std::size_t goal, std::string why);
   bool keep_aboard(std::uint32_t vehicle, std::size_t goal, std::string why);
   bool give_up_task(std::size_t task);

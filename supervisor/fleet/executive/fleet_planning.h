@@ -65,7 +65,8 @@ struct FleetOutcome {
 
 class FleetPlanning {
  public:
-  // What is wrong with the problem's file; F1105 where there are not as many terminals as vehicles.
+  // Fails with the errors of the problem's file, and with F1105 where there are not as many terminals as
+  // vehicles.
   [[nodiscard]] static result::Result<FleetPlanning> open(const FleetPlanningOptions& options);
 
   const MissionProblem& problem() const { return problem_; }

@@ -3,9 +3,9 @@
 // Halt plan, by which a fleet comes to rest between two plans: each vehicle drives on along its way as far as
 // its chart lets it already, and no farther than it needs, then stands. A pure function.
 //
-// Nobody needs anything that he has not been permitted: polygons are the ones that the vehicle is in or may
-// enter, and no two of different vehicles overlap, because the interlocks let nobody in before the other one
-// has left. So there is nothing to order, and the halt always exists.
+// No vehicle needs a new permission: its polygons are those that it is in or may enter, and no two of
+// different vehicles overlap, because the interlocks admit a vehicle only after the other one has left. So no
+// order is to be decided, and the halt always exists.
 //
 //   const HaltPlan halt = halt_plan(plan, program, reading, brake, frame);
 //   controller.change(container_of(fleet_program(halt.plan, terminals, options)));

@@ -16,8 +16,7 @@
 
 namespace stepwright::fleet {
 
-// What estimates the rest of a way. None of them ever overestimates, so that A* finds the least cost with
-// each.
+// Estimate of the remaining cost. All are admissible, so that A* finds the least cost with each.
 enum class Heuristic : std::uint8_t {
   Euclid,    // the straight line
   Table,     // the greater of it and the look-up table

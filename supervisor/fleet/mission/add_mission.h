@@ -20,7 +20,7 @@
 
 namespace stepwright::fleet {
 
-// What has become of a plan.
+// Progress of a plan in execution.
 struct RunningPlan {
   std::chrono::milliseconds now{0};
   // Of each polygon of the plan: before `now` as it was, from then on as early as it can be by now

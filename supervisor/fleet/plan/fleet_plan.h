@@ -61,7 +61,7 @@ struct FleetPlan {
   Schedule schedule;                            // Mode::Strict unless asked otherwise
 };
 
-// What the scheduler takes, in the order of the missions.
+// Envelopes for the scheduler, in the order of the missions.
 std::vector<TrajectoryEnvelope> envelopes_of(const FleetPlan& plan);
 
 }  // namespace stepwright::fleet

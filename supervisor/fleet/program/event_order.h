@@ -17,10 +17,10 @@ namespace stepwright::fleet {
 
 class EventOrder {
  public:
-  // What the ways and `made.before` ask for. All outlive it.
+  // The order by the ways and `made.before`. All outlive it.
   EventOrder(const FleetPlan& plan, const Interlocks& made);
 
-  // What a wait asks for in addition. It may be taken back if nothing else has been asked for since.
+  // Adds the order of a wait. It may be taken back if nothing was added since.
   void require(const TimeWait& wait, const std::vector<MissionEvent>& events);
   void take_back();
 

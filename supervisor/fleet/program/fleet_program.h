@@ -58,7 +58,7 @@ struct ProgramOptions {
   ErrorReset reset = {};
 };
 
-// What a step of a chart is about.
+// Kind of a step of a vehicle's chart.
 enum class MissionStepKind : std::uint8_t { Start, Polygon, Stop, Failed, Done };
 struct MissionStep {
   std::string name;
@@ -75,7 +75,7 @@ struct MissionProgram {
   std::vector<MissionStep> steps;  // in the order of the chart's
 };
 
-// What the data takes; the memory of the controller has to hold it.
+// Size of the program's data, which must fit the controller's memory.
 struct ProgramFigures {
   std::size_t samples = 0;
   std::size_t planes = 0;

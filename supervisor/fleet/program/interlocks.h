@@ -29,7 +29,7 @@ struct Interlocks {
   // By vehicle and polygon: what it takes to enter it.
   std::vector<std::vector<std::vector<Interlock>>> before;
   std::vector<WaitPlaces> places;  // by vehicle
-  // What the constraints ask for. No wait of these is for what comes only after it.
+  // Rules of the constraints. None of their waits is for an event that comes only after it.
   TimeRules times;
 };
 

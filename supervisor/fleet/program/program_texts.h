@@ -14,7 +14,7 @@
 
 namespace stepwright::fleet {
 
-// What a vehicle is called, and its tables; `path` empty: it goes nowhere.
+// Names of a vehicle and its tables in the program; `path` empty: it has no path.
 struct VehicleNames {
   std::string name;
   std::string path;

@@ -29,7 +29,7 @@ struct FleetTerminals {
 // likewise.
 FleetTerminals terminals_in_a_row(std::size_t vehicles);
 
-// What they take of the image.
+// Bytes of the image that these terminals take.
 std::size_t input_bytes_in_a_row(std::size_t vehicles);
 std::size_t output_bytes_in_a_row(std::size_t vehicles);
 

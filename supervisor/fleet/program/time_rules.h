@@ -7,7 +7,7 @@
 //
 //  - least of 0 and more: `to` waits until `from` has happened and so much time has passed since.
 //  - most below 0: the other way round, `from` waits for `to`.
-//  - most of 0 and more, least below 0: nobody can wait for what is still to come. Who is late is told.
+//  - most of 0 and more, least below 0: nothing can wait for a later event. Lateness is reported.
 //
 // Times count from the begin of the missions, which is the schedule's time zero.
 //
@@ -32,7 +32,7 @@ enum class ChartPlace : std::uint8_t {
   End,        // before it is done
 };
 
-// What the scan can see of a vehicle.
+// Events of a vehicle that the scan can observe.
 enum class EventKind : std::uint8_t {
   Begun,     // its mission
   Entered,   // the polygon `index`

@@ -29,7 +29,7 @@ struct SchedulingProblem {
 // F0605 a name that is unknown or used twice. The first problem found is reported.
 [[nodiscard]] result::Result<SchedulingProblem> read_problem(std::string_view text, const std::string& file);
 
-// What read_problem reads back as the same problem.
+// Text that read_problem reads back as the same problem.
 std::string write_problem(const SchedulingProblem& problem);
 
 }  // namespace stepwright::fleet

@@ -35,7 +35,7 @@ class Retiming {
   std::chrono::milliseconds earliest(TimepointRef timepoint) const;
   std::vector<VehicleTimes> earliest() const;
 
-  // What does not fit together with the last delay that was refused.
+  // The constraints that the last refused delay contradicts.
   struct Broken {
     std::vector<std::uint32_t> constraints;  // indices of temporal constraints
     std::vector<std::uint32_t> slowest;      // vehicles that would have to drive slower than they may

@@ -51,11 +51,11 @@ struct Sections {
 
 // `pairs` ascending.
 Sections merge_sections(std::vector<SpatialPair> pairs, std::span<const TrajectoryEnvelope> envelopes);
-// Each pair a section of its own: what merging is held against.
+// Each pair a section of its own: the reference for merging.
 Sections unmerged_sections(std::vector<SpatialPair> pairs);
 
-// What must hold for the first (side 0) or the second (side 1) vehicle to come first in the section, without
-// what follows from the rest and the vehicles' own order of polygons.
+// Appends the constraints by which the first (side 0) or the second (side 1) vehicle comes first in the
+// section, without those that follow from the others and the vehicles' own order of polygons.
 void append_precedences(const Motion& motion, std::span<const SpatialPair> section, int side, Mode mode,
                         std::uint32_t label, std::vector<Constraint>& constraints);
 

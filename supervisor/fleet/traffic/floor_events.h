@@ -67,7 +67,7 @@ class FloorEvents {
   // Vehicles that wait look for a way again.
   std::vector<Detour> retry(std::chrono::milliseconds now);
 
-  // What is still to be done on its way behind this length, its home at last.
+  // Remaining stops on its way behind this length, its home at last.
   std::vector<Waypoint> stops_behind(std::uint32_t vehicle, double arc_m) const;
 
  private:
@@ -76,7 +76,7 @@ class FloorEvents {
     geometry::ConvexPolygon outline;
     Room room;  // around it
   };
-  // Who may not go on, and where it may be.
+  // A vehicle that may not go on, and the polygons that it may be in.
   struct Held {
     std::pair<std::uint32_t, std::uint32_t> permitted;  // polygons: the first one, and one behind the last
     std::vector<std::uint32_t> places;                  // to avoid

@@ -1,7 +1,7 @@
 #pragma once
 
-// The plan in execution: who may enter which polygon now, and what changes when somebody is late, gets a new
-// mission, cannot go on or comes back.
+// Traffic control of a plan in execution: which vehicle may enter which polygon now, and what changes when a
+// vehicle is late, gets a new mission, cannot go on or comes back.
 //
 // No clock, no I/O, no random numbers: times and measurements are passed in, the same calls give the same
 // answers. One thread at a time. Invariants:
@@ -44,7 +44,7 @@ struct TrafficSettings {
   std::uint64_t conflicts = 500;            // budget of a search for orders
 };
 
-// What a vehicle's instruments say. Arc lengths are those of its route.
+// Measurements of a vehicle. Arc lengths are those of its route.
 struct VehicleLocation {
   double arc_m = 0.0;                           // at a stop or the end: that of the stop or the end
   double speed_m_s = 0.0;                       // along the way
@@ -128,7 +128,7 @@ class Traffic {
   std::span<const internal::Wait> waits(std::uint32_t vehicle) const { return lanes_[vehicle].waits; }
   // When it comes to the end of its way as things stand.
   std::chrono::milliseconds expected_end(std::uint32_t vehicle) const;
-  // When it is expected behind the place, as `keep_times` would have it.
+  // When it is expected to have passed the place, as `keep_times` would have it.
   std::chrono::milliseconds expected(std::uint32_t vehicle, double arc_m) const;
   std::uint64_t delays() const { return delays_; }  // posted so far
 

@@ -15,7 +15,7 @@
 
 namespace stepwright::fleet::vda5050 {
 
-// What neither outline nor speed limits say.
+// Properties of the type beyond outline and speed limits.
 struct VehicleType {
   std::string series = "Stepwright forklift";
   double max_load_kg = 1000.0;

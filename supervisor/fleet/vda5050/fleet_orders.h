@@ -10,8 +10,8 @@
 //    and not left yet.
 // States are untrusted: one that contradicts the order is told and moves nothing.
 //
-// What is left and so no longer in the way is known from the vehicles' states or, where one controller drives
-// all of them and counts it itself (Releases::ByController), from what it shows (`place`).
+// Which polygons have been left is known from the vehicles' states or, where one controller drives all
+// vehicles and counts the polygons itself (Releases::ByController), from its image (`place`).
 //
 // One thread at a time. Time is passed in.
 //
@@ -85,11 +85,11 @@ class FleetOrders {
   // The first order of each vehicle that has something to do, from where it is on its path. Once.
   std::vector<Order> begin(Timestamp now, const Places& places = {});
 
-  // What a vehicle says of itself: how far it is, what it has taken, whether it has cancelled.
+  // A vehicle's state: how far it is, which order it has accepted, whether it has cancelled.
   Progress take(const State& state, Timestamp now);
 
-  // What the controller shows: bases grow past what has been left. Requires Releases::ByController. F0907: it
-  // has left what it was not to enter yet.
+  // The controller's view: bases grow past what has been left. Requires Releases::ByController. F0907: it has
+  // left what it was not to enter yet.
   Progress place(const Places& places, Timestamp now);
 
   // How many nodes of its order a vehicle has passed that is so far on the path of its mission, give or take
@@ -106,7 +106,7 @@ class FleetOrders {
   Hold hold(const std::string& vehicle) const;
   // All of its order is passed and done.
   bool arrived(const std::string& vehicle) const;
-  // What the vehicle has after everything sent to it; nothing without an order.
+  // The vehicle's order with all updates that were sent; nothing without an order.
   const Order* order(const std::string& vehicle) const;
 
   // Vehicles whose base another plan would change: a way that does not go on where the base leads, other work

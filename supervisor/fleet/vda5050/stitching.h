@@ -19,8 +19,8 @@ namespace stepwright::fleet::vda5050 {
 // ids of actions that the base has already.
 result::Diagnostics check_update(const Order& held, const Order& update, const std::string& source);
 
-// What a vehicle that holds `held` has after `update`: the base of both and the new horizon. Requires an
-// update that check_update accepts.
+// The order of a vehicle with `held` after `update`: the base of both and the new horizon. Requires an update
+// that check_update accepts.
 Order stitched(Order held, const Order& update);
 
 }  // namespace stepwright::fleet::vda5050

@@ -3,9 +3,9 @@
 // The vehicle's side of VDA 5050 for a vehicle whose controller keeps to a plan on its own: it takes the
 // orders of the plan's master control, says how far they are done, and answers what anybody else asks for.
 //
-// What the controller cannot do is refused with an action state FAILED and an error, never ignored: orders of
-// others, pauses, cancellations by others, unknown actions, messages that break the rules. Refusals stay in
-// the state for `kRefusalStays` and are bounded in number, whatever comes.
+// Requests that the controller cannot carry out are refused with an action state FAILED and an error, never
+// ignored: orders of others, pauses, cancellations by others, unknown actions, messages that break the rules.
+// Refusals stay in the state for `kRefusalStays` and are bounded in number, whatever comes.
 //
 // One thread at a time; time is passed in.
 //
@@ -27,7 +27,7 @@
 
 namespace stepwright::fleet::vda5050 {
 
-// What the controller shows of the vehicle.
+// State of the vehicle as the controller shows it.
 struct VehicleReading {
   std::optional<AgvPosition> position{};  // nothing: not known yet
   Velocity velocity{};
@@ -49,7 +49,7 @@ enum class Sender : std::uint8_t {
   Stranger,  // anybody else at the broker
 };
 
-// What instant actions ask for beside a new state.
+// Messages that instant actions ask for.
 struct RequestedMessages {
   bool state = false;
   bool factsheet = false;

@@ -19,7 +19,7 @@ inline double snap(double value) {
   return std::nearbyint(value * 1e9) / 1e9 + 0.0;
 }
 
-// What the grid does to a number.
+// Effect of the grid on a number.
 enum class Rounding : std::uint8_t {
   None,    // but for what doubles cannot tell
   Digits,  // its last digits: two numbers that differ only there are equal
@@ -32,7 +32,8 @@ inline Rounding rounding_of(double value) {
   return change > 1e-12 + 1e-15 * std::abs(value) ? Rounding::Digits : Rounding::None;
 }
 
-// What holds where `relation` does not. 'Not equal' is no relation: Equal stays, its callers split it in two.
+// Negation of a relation. 'Not equal' is no relation: Equal is returned as it is, and callers split it in
+// two.
 inline Relation opposite(Relation relation) {
   switch (relation) {
     case Relation::Less:

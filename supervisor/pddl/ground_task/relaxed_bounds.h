@@ -20,7 +20,7 @@ struct RelaxedState {
 // False only if the condition holds in no state that the relaxed state stands for.
 bool can_hold(const Condition& condition, const RelaxedState& state);
 
-// What the expression can be where all the conditions hold. For linear expressions the linear comparisons
+// Interval of the expression where all the conditions hold. For linear expressions the linear comparisons
 // among the conditions count: under x + a <= 10 the expression x + a is at most 10, whatever x and a can be.
 Interval implied_interval(const GroundExpression& expression, const std::vector<const Condition*>& conditions,
                           const std::vector<Interval>& values);

@@ -25,7 +25,7 @@ enum class Weight : std::uint8_t {
   Heavy        // two are added, or the one that holds stays
 };
 
-// What the operator does to one set.
+// Effect of the operator on one set.
 struct Verdict {
   int set = 0;
   Weight weight = Weight::Kept;

@@ -11,7 +11,7 @@
 
 namespace stepwright::pddl {
 
-// What relaxed reachability found.
+// Result of relaxed reachability.
 struct Reachable {
   RelaxedState state;
   std::vector<bool> operators;

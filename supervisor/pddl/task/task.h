@@ -46,7 +46,7 @@ class Task {
   std::string metric() const;
   bool maximizes() const;
 
-  // What was doubtful but accepted, e.g. a requirement that is used and not declared.
+  // Warnings of accepted input, e.g. a requirement that is used and not declared.
   const result::Diagnostics& warnings() const { return warnings_; }
 
   // The same task from another state. Fails (code P02xx) if the state names something the task does not know.

@@ -28,7 +28,7 @@ std::size_t index_of_word(const json& value, const char* const* names, std::size
 // Names and messages may come from outside; bytes that are no UTF-8 are replaced, so that this cannot fail.
 std::string text_of(const json& value);
 
-// What `read` makes of the JSON in `text`; its json::exception becomes X0001 "not a <what>".
+// Parses `text` and applies `read`; a json::exception becomes X0001 "not a <what>".
 template <typename Read>
 auto read_text(const std::string& text, const std::string& file, const std::string& what, const Read& read)
     -> decltype(read(json())) {

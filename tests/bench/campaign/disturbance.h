@@ -40,7 +40,7 @@ struct Disturbance {
 
   // A sensor or a switch shows what is not so.
   bool lies() const;
-  // What a level sensor shows walks away.
+  // True if a level sensor drifts.
   bool drifts() const;
   // The plant cannot always be brought to the goal.
   bool breaks() const;

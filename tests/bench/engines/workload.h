@@ -34,7 +34,7 @@ Workload loop();
 // 100 on-delay timers, 100 counters, 100 PID controllers of 16 floating-point operations, 100 assignments.
 Workload blocks();
 
-// What both renderings in C start with.
+// Common beginning of both renderings in C.
 inline constexpr const char* kMatiecStyle = R"(
 typedef unsigned char BOOL;
 typedef unsigned char FLAGS;

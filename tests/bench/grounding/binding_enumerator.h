@@ -1,7 +1,7 @@
 #pragma once
 
 // The baseline of grounding: the bindings that the static part of a condition allows, parameter by parameter.
-// What actions make true is not joined, so that combinations are met that can never be reached.
+// Facts that actions make true are not joined, so that it also meets combinations that can never be reached.
 //
 // Thread rule: one grounding, one object per schema.
 

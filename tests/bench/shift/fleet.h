@@ -24,7 +24,7 @@ class Fleet {
   const fleet::RouteSettings& settings() const { return settings_; }
   // Works out what ways to all stations and homes cost, so that all later ones are nearly the best there are.
   void prepare();
-  // What that took.
+  // CPU time of the preparation.
   double prepare_cpu_s() const { return prepare_cpu_s_; }
 
  private:

@@ -25,7 +25,7 @@
 
 namespace stepwright::bench::shift {
 
-// What stood on the floor and could not be driven through.
+// An obstacle on the floor, for a time.
 struct Standing {
   geometry::ConvexPolygon area;
   double begin_s = 0.0;

@@ -27,7 +27,7 @@ class Engines {
   void set(const std::string& path, Scalar type, std::uint64_t bits);
   std::uint64_t get(const std::string& path, Scalar type) const;
 
-  // What differs between the engines (image, trap, budget), or nothing.
+  // Difference of the engines (image, trap, budget); empty if none.
   std::string scan();
 
   // Of the last scan.

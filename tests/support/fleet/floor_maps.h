@@ -21,8 +21,8 @@ struct DrawnFloor {
 // 120 x 80 m, cells of 0.2 m: a ring of tunnels about 6 m wide with crosscuts and dead ends, walls uneven.
 DrawnFloor draw_mine(std::uint64_t seed);
 
-// What seven vehicles have to do in it: out of one dead end and forwards into another; all starts differ and
-// all goals do.
+// Tasks of seven vehicles in it: out of one dead end and forwards into another; all starts differ and all
+// goals do.
 struct DrawnTask {
   geometry::Pose start;
   geometry::Pose goal;

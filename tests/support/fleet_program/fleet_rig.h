@@ -29,7 +29,7 @@ struct RigOptions {
   ProgramOptions program = {};
 };
 
-// What interlocks do, left out of a program: for tests of the check.
+// Removes the interlocks of a program: for tests of the check.
 void remove_interlocks(FleetProgram& program);
 
 class FleetRig {
@@ -60,7 +60,7 @@ class FleetRig {
   const FleetProgram& program() const { return program_; }
   std::string state() const;  // of all vehicles, for messages
 
-  // What the check found.
+  // Results of the check.
   std::size_t overlaps = 0;  // instants at which outlines of two vehicles shared a point
   std::size_t wall_hits = 0;
   std::string first_fault;
@@ -70,7 +70,7 @@ class FleetRig {
   bool engines_agree = true;
 
  private:
-  // What is looked at in every scan, found once.
+  // Variables that every scan reads, looked up once.
   struct Watched {
     reader::Variable done;
     reader::Variable arc;

@@ -21,7 +21,7 @@ class StandardVehicle {
  public:
   StandardVehicle(std::string manufacturer, std::string serial_number);
 
-  // What became of the message: empty, or why it was refused.
+  // Takes a message: empty, or why it was refused.
   std::string take_order(const std::string& text);
   void take_instant_actions(const std::string& text);
 

@@ -28,7 +28,7 @@ class IoClient {
   // settings of it (R0126). Requires tags that lie within the areas.
   [[nodiscard]] static result::Result<std::unique_ptr<IoClient>> create(const ClientSettings& settings);
 
-  // What create would refuse, found without a thread or a connection.
+  // Checks the settings as create does, without a thread or a connection.
   [[nodiscard]] static result::Result<void> check(const ClientSettings& settings);
 
   // As long as none were set, nothing is written to any slave.

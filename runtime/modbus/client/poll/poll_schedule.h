@@ -35,7 +35,7 @@ class PollSchedule {
     Clock::time_point at = Clock::time_point::max();  // since when it is due, or how long to wait
   };
 
-  // What a request without an answer says.
+  // Effect of a request without an answer.
   struct Silence {
     bool dead = false;           // the unit counts as dead
     bool of_connection = false;  // the connection may carry nothing any more

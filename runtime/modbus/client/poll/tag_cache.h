@@ -1,10 +1,10 @@
 #pragma once
 
-// Store of the newest values of one connection's devices: the poller's thread writes it, the exchange with
-// the image reads it. It decides what a value is worth: good, uncertain until loss_after has passed without
+// Cache of the newest values of one connection's devices: the poller's thread writes it, the exchange with
+// the image reads it. It decides the quality of a value: good, uncertain until loss_after has passed without
 // news, then bad and replaced by its value on loss.
 //
-// Threads: any; one lock, held for a copy. What one request brought is seen whole or not at all.
+// Threads: any; one lock, held for a copy. Invariant: the values of one request become visible together.
 
 #include <chrono>
 #include <cstddef>

@@ -56,7 +56,7 @@ class WritePlan {
   std::uint8_t exceeded(std::uint32_t tag) const { return exceeded_[tag]; }
 
  private:
-  // What is written as one: a number, a coil, or all bits of a register that tags have.
+  // A unit of writing: a number, a coil, or all bits of a register that tags have.
   struct Cell {
     Table table;
     std::uint16_t first;

@@ -24,7 +24,7 @@ class TlsAcceptor final : public Acceptor {
  public:
   TlsAcceptor(std::unique_ptr<Acceptor> inner, TlsContext context, OnRefused on_refused);
 
-  // Who comes from now on meets this one; who is in goes on with the one before.
+  // New connections use this context; open ones keep the one before.
   void renew(TlsContext context) { context_ = std::move(context); }
   const TlsContext& context() const { return context_; }
 

@@ -15,7 +15,7 @@
 
 namespace stepwright::native::a64 {
 
-// What all functions share.
+// State that all functions of a program share.
 struct ProgramWork {
   const ProgramFacts& facts;
   Assembler& out;

@@ -48,7 +48,7 @@ class Operands {
 
   // Everything into its slot, for code that other ways lead to.
   void store_all();
-  // What a call would spoil.
+  // Saves the registers that a call would overwrite.
   void save_for_call();
   std::vector<bytecode::StackType> types() const;
   // Operands of these types lie in their slots, no register is in use.

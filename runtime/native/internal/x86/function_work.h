@@ -16,7 +16,7 @@
 
 namespace stepwright::native {
 
-// What all functions share.
+// State that all functions of a program share.
 struct ProgramWork {
   const ProgramFacts& facts;
   asmjit::x86::Assembler& out;
@@ -55,7 +55,7 @@ class FunctionWork {
   const Loop* loop() const { return loop_; }
   void enter_loop(const Loop& loop);
   void leave_loop();
-  // What the current instruction, or another one, reads or writes; requires that it does.
+  // The access of the current instruction, or of another one, to memory; requires that it has one.
   const MemoryEffect& effect(bool store) const { return effect_of(item_, store); }
   const MemoryEffect& effect_of(std::uint32_t item, bool store) const {
     return facts().effect(function_, item, store);

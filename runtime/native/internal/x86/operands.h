@@ -87,7 +87,7 @@ class Operands {
 
   // Everything into its slot, so that code which other ways lead to finds it there. Constants too.
   void store_all();
-  // What a call would spoil goes to slots; the rest stays unread.
+  // Saves registers that a call would overwrite to their slots; the rest stays unread.
   void save_for_call();
   // Forgets all registers; operands of these types lie in their slots.
   void begin_block(const std::vector<bytecode::StackType>& types);

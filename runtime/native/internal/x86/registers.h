@@ -1,8 +1,8 @@
 #pragma once
 
 // Registers of the x86-64 translator and what they hold. A register is used by values (counted), pinned to a
-// variable for the whole of a loop, or free; a free one may still hold a variable's value, until something
-// else needs the register or the variable changes.
+// variable for a whole loop, or free. A free register may still hold a variable's value, until the register
+// is taken or the variable changes.
 
 #include <array>
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace stepwright::native {
 
-// What an I32 can be, as a signed number; at first anything.
+// Known range of an I32 as a signed number; at first any.
 struct Bounds {
   std::int32_t lower = std::numeric_limits<std::int32_t>::min();
   std::int32_t upper = std::numeric_limits<std::int32_t>::max();

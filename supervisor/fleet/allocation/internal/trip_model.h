@@ -96,7 +96,7 @@ class TripModel {
   static Timepoint at(StopIndex stop) { return Timepoint(1 + stop); }
   Timepoint start_of(std::uint32_t vehicle) const { return Timepoint(1 + stops() + vehicle); }
   Timepoint finish_of(std::uint32_t vehicle) const { return Timepoint(1 + stops() + vehicles() + vehicle); }
-  // What holds whatever the routes are; consistent unless contradiction().
+  // Constraints that hold for any routes; consistent unless contradiction().
   std::span<const Constraint> constraints() const { return constraints_; }
   // When a vehicle leaves at the earliest.
   std::int32_t start_ms(std::uint32_t vehicle) const { return starts_[vehicle]; }

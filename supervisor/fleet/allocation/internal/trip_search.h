@@ -2,8 +2,8 @@
 
 // Branch and bound over routes, stop by stop and vehicle by vehicle: complete for one division of the loads.
 //
-// What is cut off: a bound (RouteTables, for what is left of this route and the vehicles to come) that is no
-// better than the best value, or later than every window; times outside of windows or, where trips are
+// Nodes are pruned by: a bound (RouteTables, for what is left of this route and the vehicles to come) that is
+// no better than the best value, or later than every window; times outside of windows or, where trips are
 // coupled, a network that is inconsistent; partial allocations that another one dominates (no coupled trips
 // only); all but one of what differs by exchanging trips or vehicles that are alike.
 //

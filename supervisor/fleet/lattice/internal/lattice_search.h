@@ -19,7 +19,7 @@
 
 namespace stepwright::fleet::internal {
 
-// What a search moves on; all outlive it.
+// Map, tables and primitives of a search; all outlive it.
 struct SearchFloor {
   const OccupancyGrid& map;
   const DistanceField& clearance;

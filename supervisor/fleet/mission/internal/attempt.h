@@ -1,7 +1,7 @@
 #pragma once
 
-// Context of a search for other paths: what it is given, how it asks for paths, and whether a set of missions
-// has a schedule. A value; its parts outlive it.
+// Context of a search for other paths: its inputs and budgets, the search for paths, and the check whether a
+// set of missions has a schedule. A value; its parts outlive it.
 
 #include <chrono>
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace stepwright::fleet::internal {
 
-// What searches for other paths have taken, counted alike on every machine.
+// Effort of searches for other paths, counted alike on every machine.
 struct SearchWork {
   std::uint64_t conflicts = 0;  // of searches for orders
   std::uint64_t expanded = 0;   // of searches for paths

@@ -1,7 +1,7 @@
 #pragma once
 
-// A value of a JSON file together with its key and with whom to tell what is wrong with it, so that reading
-// goes on after a mistake and all mistakes are told at once. Borrows the document. One thread at a time.
+// A value of a JSON file with its key and its collector of errors, so that reading goes on after an error and
+// all errors are reported at once. Borrows the document. One thread at a time.
 //
 //   const JsonItem vehicle = ...;
 //   if (const auto speed = vehicle.number("max_mps", 0.1, 100.0)) limits.max_mps = *speed;
@@ -18,7 +18,7 @@
 
 namespace stepwright::fleet::internal {
 
-// What has been found wrong with one file.
+// Errors found in one file.
 struct JsonComplaints {
   std::string_view text;
   std::string file;

@@ -37,11 +37,11 @@ inline bool is_planned(const MissionVehicle& vehicle) {
 // The legs of a route, from the vehicle's start on.
 std::vector<LegRequest> legs_of(const MissionProblem& problem, std::size_t vehicle, const Route& route);
 
-// What the allocation is asked, and how its answer becomes routes by vehicle of the problem.
+// The allocation problem of a mission problem, and the routes of its answer by vehicle.
 //
-// Most driving times are never needed exactly: they begin as lengths that no path is shorter than. The legs
-// that an allocation takes are planned on the lattice, and it is asked again with their times, until it takes
-// only legs that are known. What is best under times that are too small, and uses none of them, is best.
+// Driving times begin as lower bounds. The legs that an allocation uses are planned on the lattice, and the
+// problem is solved again with their exact times, until it uses only exact legs. An allocation that is best
+// under lower bounds and uses none of them is best.
 enum class LegTimes : std::uint8_t {
   Paths,         // of the paths that are known; the least there can be where none is
   LeastOnPaths,  // the same, less all that a schedule can gain by rounding: see least_leg_ms
@@ -54,7 +54,7 @@ class AllocationTask {
                  const std::atomic<bool>* cancel);
 
   const AllocationProblem& problem() const { return asked_; }
-  // What the allocation is asked with. False if no leg has become known since the last call.
+  // Updates the problem's times. False if no leg has become known since the last call.
   bool learn(LegTimes times);
   // F0801 for goals of which the floor knows that no vehicle that may carry them finds its way, and for tasks
   // to which there is none.

@@ -12,7 +12,7 @@ inline constexpr double kLattice_m = 0.2;
 // The pose of the lattice that stands for this one.
 geometry::Pose on_lattice(const OccupancyGrid& map, const geometry::Pose& pose);
 
-// What is in the way, in words; empty if nothing is.
+// The obstacle at the pose, in words; empty if there is none.
 std::string in_the_way(const OccupancyGrid& map, const VehicleModel& model, const geometry::Pose& pose);
 
 // F0707: starts and places of which that is so for the vehicles that have to stand there, and vehicles that

@@ -25,7 +25,7 @@ class ActivityHeap {
       insert(section);
     }
   }
-  // What was bumped before counts less from here on.
+  // Earlier increments count less from here on.
   void decay() { step_ /= 0.95; }
 
   void insert(std::uint32_t section) {

@@ -46,7 +46,7 @@ struct SearchModel {
   Literal literal_of(std::uint32_t label) const { return {label - first_literal_label}; }
 };
 
-// What is to become small, beside that all constraints hold: sums over the ends of vehicles.
+// Measure to be minimised, a function of the ends of vehicles.
 enum class Measure : std::uint8_t { None, Makespan, TotalTardiness };
 
 struct SearchObjective {

@@ -39,7 +39,7 @@ struct Lane {
   std::chrono::milliseconds planned_go{0};  // and when it drove on from there
 };
 
-// What is left of all ways: an envelope for each vehicle that takes part, from the polygon on in which it is.
+// The rest of all ways: an envelope for each vehicle that takes part, from its present polygon on.
 struct Remainder {
   std::vector<std::uint32_t> vehicles;  // by row
   std::vector<TrajectoryEnvelope> envelopes;

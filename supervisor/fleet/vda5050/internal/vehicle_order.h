@@ -16,7 +16,7 @@
 
 namespace stepwright::fleet::vda5050 {
 
-// What the standard does not say of a node.
+// Data of a node beyond those of the standard.
 struct Waypoint {
   std::uint32_t polygon = 0;  // within which the vehicle is, at the latest, once it has passed the node
   std::uint32_t next = 0;     // polygon of the edge behind it
@@ -32,12 +32,12 @@ class VehicleOrder {
   // Appends the route behind the last node that is kept. `keep`: nodes from the front that stay; the first
   // node of the route is the last of these, or the first of all.
   void lay(const VehicleMission& mission, const Route& route, std::size_t keep);
-  // What is known of kept nodes in the terms of another plan.
+  // Position of a kept node in another plan.
   void set_place(std::size_t node, std::uint32_t polygon, double arc_m);
 
   // Edges whose polygon is one of the first `clear` ones become base. True if the base has grown.
   bool release(std::uint32_t clear);
-  // What to send: once the whole, then again and again what lies behind the last decision point.
+  // Messages to send: first the whole order, then updates from the last decision point on.
   Order first(Header header);
   Order update(Header header);
 

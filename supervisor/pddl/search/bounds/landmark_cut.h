@@ -47,8 +47,8 @@ class LandmarkCut {
     return bound(state, costs, &found);
   }
 
-  // What every operator still costs when the sets of the last bound have been paid. So a plan from that state
-  // that applies the operator costs at least the bound and this.
+  // Remaining cost of an operator after the sets of the last bound. A plan from that state that applies the
+  // operator costs at least the bound and this.
   double rest(int op) const { return remaining_[static_cast<std::size_t>(op)]; }
 
   // The least that every operator costs in any reachable state.

@@ -1,8 +1,8 @@
 #pragma once
 
 // Control of all searches of one call, on however many threads they run: when to stop, and the best plan so
-// far. The memory budget is of all that the process has grown by since; what searches tell of their tables is
-// seen at once, everything else a few milliseconds later.
+// far. The memory budget limits the growth of the process since construction: tables that searches report
+// count at once, all else a few milliseconds later.
 //
 // Thread rule: thread-safe. `on_improvement` is called under a lock, one call at a time, from the thread that
 // found the plan; `on_second` from the thread that made the control.
@@ -25,7 +25,7 @@ namespace stepwright::pddl {
 enum class StopReason : std::uint8_t { None, Time, Memory, Cancelled, Finished };
 enum class SearchStatus : std::uint8_t { Running, Found, Exhausted, Stopped };
 
-// What a plan is judged by: cost first, then steps. Costs that differ by rounding only count as equal.
+// Quality of a plan: cost first, then steps. Costs that differ by rounding only count as equal.
 struct Quality {
   double cost = kInfinity;
   std::uint32_t steps = UINT32_MAX;
@@ -112,7 +112,7 @@ class SearchControl {
   Incumbent best_;  // guarded by mutex_
 };
 
-// The bytes that one search holds. What it held is given back when it ends.
+// The bytes that one search holds; released by the destructor.
 class MemoryShare {
  public:
   explicit MemoryShare(SearchControl& control) : control_(control) {}

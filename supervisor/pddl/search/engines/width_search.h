@@ -55,8 +55,8 @@ class WidthSearch {
   struct Steps {
     std::vector<int> facts;
   };
-  // What a node has of its own beside the landmarks: how many are left, which relaxed plan it follows, how
-  // much of it is done, and what of it, by bit.
+  // Data of a node beside the landmarks: how many are left, which relaxed plan it follows, how many of its
+  // steps are done, and which, by bit.
   static constexpr std::size_t kLeft = 0, kSteps = 1, kDone = 2, kBits = 3, kStepWords = 2;
 
   bool meet(std::uint32_t node, std::uint32_t parent);

@@ -16,7 +16,7 @@ namespace stepwright::pddl {
 
 class PlanNeeds {
  public:
-  // What the goal and the metric need, after the plan's last state.
+  // Begins with the needs of goal and metric, after the plan's last state.
   PlanNeeds(const StateSpace& space, const Word* last);
 
   // Puts one operator, which is applied in `before`, ahead of the rest.

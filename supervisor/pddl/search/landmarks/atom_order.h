@@ -20,7 +20,7 @@ class AtomOrder {
 
   // False if `stop` said so; then nothing is known.
   bool work_out(const std::function<bool()>& stop);
-  // What it takes for a task: as many sets as there are atoms, of as many bits.
+  // Memory for a task: as many sets as there are atoms, of as many bits.
   static std::size_t bytes_for(const RelaxedTask& task) {
     return task.atoms() * ((task.atoms() + 63) / 64) * sizeof(Word);
   }

@@ -25,7 +25,7 @@ class CountingRows {
 
   const std::vector<LpRow>& rows() const { return rows_; }
 
-  // What the row must reach from the state; -kInfinity if it says nothing there.
+  // Lower bound of the row from the state; -kInfinity if it has none there.
   double low(std::size_t row, const Word* state) const;
 
  private:

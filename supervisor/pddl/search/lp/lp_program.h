@@ -4,9 +4,8 @@
 // bounds of rows change, rows come and go at its end, and each solution starts from the last basis (dual
 // simplex of COIN-OR Clp, behind this header).
 //
-// What it answers is proved by multipliers of the rows that are checked against the program itself, so that
-// an inexact solution, or one that was stopped on the way, gives a lower bound and never one that is too
-// high.
+// Invariant: a bound is never too high. It is proved by multipliers of the rows, checked against the program
+// itself; so an inexact solution, or one that was stopped early, still gives a lower bound.
 //
 // Thread rule: one owner.
 //
@@ -54,8 +53,8 @@ class LpProgram {
   // Asks `stop` after every iteration; gives up after `most_iterations`.
   LpSolution minimize(const std::function<bool()>& stop, int most_iterations);
 
-  // What every column still costs when the last solution's multipliers have been paid: not negative. Bounds
-  // under these costs may be added to the solution's bound.
+  // Reduced cost of every column under the last solution's multipliers: not negative. Bounds under these
+  // costs may be added to the solution's bound.
   std::span<const double> reduced_costs() const;
 
   // The last x: a guess, nothing is proved of it.

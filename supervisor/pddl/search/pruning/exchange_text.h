@@ -1,7 +1,7 @@
 #pragma once
 
-// Parts of a task as texts, with other facts and variables in their places: two parts that mean the same have
-// the same text. What stands where in a list of conditions or effects does not matter.
+// Writes parts of a task as texts, with facts and variables exchanged: two parts of the same meaning have the
+// same text. The order within a list of conditions or effects does not matter.
 //
 // Thread rule: immutable; the exchange must outlive it.
 //
@@ -15,7 +15,7 @@
 
 namespace stepwright::pddl {
 
-// What takes the place of every fact and variable.
+// Replacement of every fact and variable, by number.
 struct Exchange {
   std::vector<int> facts, variables;
 };

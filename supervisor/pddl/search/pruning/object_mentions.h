@@ -30,7 +30,7 @@ class ObjectMentions {
   // Does no fact and no fluent mention both?
   bool apart(int a, int b) const;
 
-  // What an operator mentions, ascending.
+  // Objects that an operator mentions, ascending.
   const std::vector<int>& objects(int op) const { return objects_[static_cast<std::size_t>(op)]; }
 
  private:

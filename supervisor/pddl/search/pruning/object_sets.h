@@ -27,7 +27,7 @@ struct SetLimits {
 
 struct ExchangeMember {
   int object = 0;  // index into the definition's objects
-  // What mentions the object, in the same order for all objects of a set.
+  // Facts and variables that mention the object, in the same order for all objects of a set.
   std::vector<int> facts, variables;
   // As long as one of these can still come, an operator may tell the object apart.
   std::vector<VariableValue> parted_by;
@@ -35,8 +35,8 @@ struct ExchangeMember {
 
 struct ExchangeSet {
   std::vector<ExchangeMember> members;  // by object, ascending
-  // What one of them can reach in the delete relaxation, an earlier one that the state says the same of
-  // can reach as well, and the goal asks for neither.
+  // In the delete relaxation an earlier object with the same facts in the state reaches all that a later one
+  // does, and the goal mentions neither.
   bool first_is_enough = false;
 };
 

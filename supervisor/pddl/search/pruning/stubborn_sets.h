@@ -36,7 +36,7 @@ class StubbornSets {
   std::size_t memory() const { return footprints_.memory(); }
 
  private:
-  // What a condition lacks, one part after the other.
+  // Operators that achieve the unsatisfied parts of a condition, part by part.
   using Achievers = std::vector<int>;
 
   bool close(const Word* state, const Achievers& seed, std::size_t most_applicable);

@@ -6,8 +6,8 @@
 //
 // Thread rule: one search, one object: it reuses its memory.
 //
-// What an operator costs may depend on the state: it counts what it would cost in the state that is looked
-// at, so that relaxed plans do not choose what is only cheap elsewhere.
+// An operator's cost may depend on the state: its cost in the evaluated state counts, so that relaxed plans
+// do not choose an operator that is cheap only elsewhere.
 //
 //   AdditiveHeuristic heuristic(relaxed, cost_weights(task));
 //   if (heuristic.evaluate(state)) use(heuristic.estimate(), heuristic.helpful());
@@ -19,7 +19,7 @@
 
 namespace stepwright::pddl {
 
-// What one application of each operator counts.
+// Weight of one application of each operator.
 struct OperatorWeights {
   std::vector<int> of;  // at least 0; of its least cost, if the cost depends on the state
   double scale = 0.0;   // what a cost of one counts; 0: costs count nothing

@@ -12,7 +12,7 @@ namespace stepwright::pddl {
 // A stack program over the numbers; NaN where a division by zero or an undefined fluent takes part.
 double run_ground_program(const std::vector<NumericOperation>& program, const Word* numbers);
 
-// What a change makes of a value.
+// The value after a change.
 inline double new_value(ChangeKind kind, double before, double amount) {
   switch (kind) {
     case ChangeKind::Increase:

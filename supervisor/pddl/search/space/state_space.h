@@ -65,7 +65,7 @@ class StateSpace {
   }
 
  private:
-  // What an operator always does to one word of facts.
+  // Unconditional effect of an operator on one word of facts.
   struct WordChange {
     std::uint32_t word;
     Word keep, set;

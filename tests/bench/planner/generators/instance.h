@@ -21,7 +21,7 @@
 
 namespace stepwright::bench {
 
-// What a generator draws for one size.
+// Instance of one size as a generator draws it.
 struct Draft {
   std::string problem;                 // PDDL
   std::vector<std::string> reference;  // "drive truck1 a b", one line per action

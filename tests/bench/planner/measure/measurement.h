@@ -49,7 +49,7 @@ struct Measurement {
   const Found& last() const { return profile.back(); }
 };
 
-// What grounding, the planner's own, made of an instance; no operators: it did not end in time.
+// Result of the planner's own grounding of an instance; no operators: it did not end in time.
 struct GroundSize {
   double grounding_ms = 0.0;
   std::size_t operators = 0, facts = 0, variables = 0;
@@ -63,7 +63,7 @@ GroundSize measure_grounding(const Instance& instance, const Limits& limits);
 // The textbook planner of baseline/.
 Measurement measure_baseline(const Instance& instance, const pddl::Task& task, const Limits& limits);
 
-// What a planner's process said, judged: one JSON object a line, with `plan` for every plan found and
+// Validates the output of a planner's process: one JSON object a line, with `plan` for every plan found and
 // `expanded` in the last one.
 struct ChildResult;
 Measurement measurement_of(const ChildResult& child, const pddl::Task& task);

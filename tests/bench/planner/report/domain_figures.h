@@ -14,7 +14,7 @@ namespace stepwright::bench {
 
 double median(std::vector<double> values);  // of at least one value
 
-// What another planner did on the instances that it was asked for.
+// Figures of another planner on its instances.
 struct Rival {
   std::string name;
   int solved = 0, instances = 0;

@@ -12,7 +12,7 @@
 
 namespace stepwright::st_fuzz {
 
-// What a statement can be made of: random expressions and places of the POU that it stands in.
+// Source of random expressions and places of the POU that it stands in.
 class Material {
  public:
   Material(Random& numbers, const Program& all, const Pou& own, const Scope& scope,

@@ -101,7 +101,7 @@ class FakeCell : public CellControl {
     write_failure_ = std::move(code);
   }
 
-  // What a supervisor says from now on.
+  // Sets the supervisor's answers from now on.
   void say(const std::string& goal_form, const std::string& outlook) {
     const std::lock_guard lock(mutex_);
     goal_form_ = goal_form;

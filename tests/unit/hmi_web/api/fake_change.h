@@ -50,7 +50,7 @@ class FakeChange : public CellChange {
   }
 
   void load(Bytes container) { container_ = std::make_shared<const Bytes>(std::move(container)); }
-  // What becomes of the trial; the runtime goes back by itself.
+  // Ends the trial; the runtime goes back by itself.
   void end(Trial::State state, std::string why = {}) {
     trial_ = {state, 10, 10, std::move(why)};
     if (state == Trial::State::RolledBack) container_ = old_;

@@ -34,7 +34,7 @@ class FeedTest : public testing::Test {
 
   bool update() { return feed_.update(view_, now_); }
 
-  // What a page says first that shows everything, and one that has something already.
+  // First message of a page that shows everything, and of one that has some data already.
   static std::string begin(const std::string& show = R"("tags":"all")", const std::string& has = {}) {
     return R"({"type":"begin","protocol":3,"epoch":"e1",)" + (has.empty() ? "" : "\"has\":{" + has + "},") +
            R"("show":{"number":1,"also":["plan","routes","trend"],)" + show + "}}";

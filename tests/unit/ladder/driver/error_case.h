@@ -32,7 +32,7 @@ std::span<const ErrorCase> test_error_cases();
 // Mistakes in configurations.
 std::span<const ErrorCase> configuration_error_cases();
 
-// What people write who come from other languages.
+// Mistakes by habits from other languages.
 std::span<const ErrorCase> habit_error_cases();
 
 }  // namespace stepwright::driver_test

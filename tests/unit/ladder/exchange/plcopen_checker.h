@@ -10,8 +10,7 @@
 
 namespace stepwright::exchange {
 
-// What is wrong with a body (ids used twice, connections to nothing, children out of order); empty if
-// nothing.
+// Errors of a body (ids used twice, connections to nothing, children out of order); empty if nothing.
 std::vector<std::string> faults_of(pugi::xml_node body);
 
 // "A+B -T1-> C" for every transition of an SFC body: sources and targets as the connections lead to them.

@@ -25,7 +25,7 @@ class LineRig {
   // Scans of 10 ms until it holds; false after `limit_s`.
   bool run_until(const std::function<bool()>& holds, double limit_s);
 
-  // What the plan of a cell asks for: the outputs are on until the sensor has the value, then off.
+  // Acts as the plan of a cell: the outputs are on until the sensor has the value, then off.
   bool drive(const std::vector<std::string>& outputs, const std::string& sensor, double value,
              double limit_s = 10);
   bool feed() { return drive({"belt_in"}, "eye_in", 1); }

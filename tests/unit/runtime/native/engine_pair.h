@@ -116,7 +116,7 @@ class EnginePair {
     return out;
   }
 
-  // What another engine makes of the same run, beside the interpreter's trap, image and budget that is left.
+  // Compares another engine's run, beside the interpreter's trap, image and budget that is left.
   std::string compare(const char* name, bytecode::Engine& engine, std::vector<std::byte>& image,
                       const bytecode::Invocation& invocation, std::uint64_t budget, std::uint64_t left) {
     const bytecode::Trap trap = engine.run(invocation, image, budget);

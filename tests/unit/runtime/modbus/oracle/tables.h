@@ -36,7 +36,7 @@ struct Tables {
   std::vector<std::uint16_t> input_registers;
 };
 
-// What differs, in order: "c12=1 h3=a0ff"; the letters are c, d, h and i.
+// The differences, in order: "c12=1 h3=a0ff"; the letters are c, d, h and i.
 std::string changes(const TablesView& before, const TablesView& now);
 
 }  // namespace stepwright::modbus::oracle

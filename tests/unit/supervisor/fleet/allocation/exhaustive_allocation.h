@@ -13,8 +13,8 @@ namespace stepwright::fleet {
 // Nothing: there is none.
 std::optional<std::int64_t> best_by_enumeration(const AllocationProblem& problem);
 
-// What the conflict names, and nothing else of the problem; but for the `without`-th part of it, counted
-// through transports, constraints, vehicles, orders, routes.
+// The parts of the problem that the conflict names, less the `without`-th of them, counted through
+// transports, constraints, vehicles, orders, routes.
 inline constexpr std::size_t kKeepAll = static_cast<std::size_t>(-1);
 AllocationProblem reduced_to(const AllocationConflict& conflict, const AllocationProblem& problem,
                              std::size_t without = kKeepAll);

@@ -35,7 +35,7 @@ class SmallFloor {
   void tick(const std::set<std::uint32_t>& stand = {});
   // Until all that take part rest; false if that takes longer.
   bool settle(int ticks);
-  // What must always hold; empty if it does.
+  // Checks the invariants; empty if they hold.
   std::string broken();
   // A new way is no permission taken back.
   void changed(std::uint32_t vehicle) { permitted_m_[vehicle] = 0.0; }

@@ -28,12 +28,12 @@ class OrderWorld {
 
   // The vehicle goes on by one node, if it may, and says its state. False if it had to stay.
   bool drive(const std::string& name, bool charging = false);
-  // What the vehicle has not acknowledged is sent again.
+  // Sends messages again that the vehicle has not acknowledged.
   void repeat(const std::string& name);
   void cancel(const std::string& name);
   std::vector<Order> adopt(FleetPlan next);
 
-  // What was wrong so far, one line for each.
+  // Errors so far, one line for each.
   std::string faults() const { return faults_; }
   bool all_arrived() const;
   std::size_t updates() const { return updates_; }

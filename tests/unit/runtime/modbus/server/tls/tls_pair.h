@@ -57,13 +57,13 @@ class TlsPair {
   // The client asks for new keys by a handshake within the connection (TLS 1.2); true if it gets them.
   bool renegotiate();
 
-  // What the client has written reaches our side, and the other way; nobody reads it yet.
+  // Moves the bytes of both sides to the other one; they are not read yet.
   void move_bytes();
 
   Transport& server() { return *server_; }
   BufferTransport& inside() { return *inside_; }
   SSL* client() { return client_; }
-  // What the server has read so far, and whether it said that this is the end.
+  // Bytes that the server has read so far, and whether the end was among them.
   std::string received;
   bool server_closed = false;
   std::vector<std::string> refused;
