@@ -80,6 +80,7 @@ ARROWS = {
     "supervisor/ltl/syntax": ["supervisor/ltl/formula"],
     "supervisor/ltl/automaton": ["supervisor/ltl/syntax"],
     "supervisor/ltl/hoa": ["supervisor/ltl/automaton"],
+    "supervisor/ltl/regions": ["supervisor/geometry", "runtime/result"],
     "supervisor/geometry": [],
     "supervisor/fleet/map": ["supervisor/geometry", "runtime/result"],
     "supervisor/fleet/lattice": ["supervisor/fleet/map"],
