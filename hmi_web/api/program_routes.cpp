@@ -61,7 +61,7 @@ std::vector<Route> program_routes(const Services& services) {
            {"tags", "likewise: numbers of tags whose values are wanted"}},
           &CellMonitor::live),
       monitor_row(services.monitor,
-                  reading_row("/api/program/chart", "program.chart",
+                  reading_row("/api/chart", "program.chart",
                               "Where the steps, transitions and lines of a chart stand, in pixels", kChart),
                   {{"chart", "its name; all charts together without it"},
                    {"exits", "1: with the steps in which it ends when something goes wrong"},

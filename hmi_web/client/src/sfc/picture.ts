@@ -1,4 +1,4 @@
-// The picture of a chart as GET /api/program/chart has laid it out (hmi_web/doc/program.md), in px.
+// The picture of a chart as GET /api/chart has laid it out (hmi_web/doc/program.md), in px.
 
 import { refusal } from '../access/api';
 import { fieldsOf, listOf, numberOf as numberIn, recordsOf, textOf, type Fields } from '../lib/doubt';
@@ -67,7 +67,7 @@ export function readPicture(value: unknown, chart: string): ChartPicture {
 // `chart`: its name, empty for all together; `shown`: exits that are drawn although the others are not.
 export async function fetchPicture(chart: string, exits: boolean, shown: string, signal: AbortSignal): Promise<ChartPicture> {
   const query = new URLSearchParams({ chart, exits: exits ? '1' : '0', shown });
-  const response = await fetch(`/api/program/chart?${query.toString()}`, { credentials: 'same-origin', cache: 'no-store', signal });
+  const response = await fetch(`/api/chart?${query.toString()}`, { credentials: 'same-origin', cache: 'no-store', signal });
   if (!response.ok) throw new Error(refusal(response.status));
   return readPicture(await response.json(), chart);
 }

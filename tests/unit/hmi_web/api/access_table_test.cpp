@@ -60,7 +60,7 @@ const std::map<std::string, Role>& expected_roles() {
       {"GET /api/scan", Role::Viewer},
       {"GET /api/program", Role::Viewer},
       {"GET /api/program/live", Role::Viewer},
-      {"GET /api/program/chart", Role::Viewer},
+      {"GET /api/chart", Role::Viewer},
       {"GET /api/change", Role::Engineer},
       {"GET /api/change/diff", Role::Engineer},
       {"GET /api/change/sources", Role::Engineer},
