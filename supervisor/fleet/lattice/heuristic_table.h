@@ -83,8 +83,8 @@ class HeuristicTable {
 struct HeuristicTable::Loaded {
   HeuristicTable table;
   bool built = false;
-  bool unwritten = false;  // it could not be written
   std::string note;        // why it was built, or why it was not written
+  bool unwritten = false;  // it could not be written
 };
 
 }  // namespace stepwright::fleet
