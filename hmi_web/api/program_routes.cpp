@@ -28,9 +28,9 @@ constexpr const char* kChart =
     "lines": {"type": "array", "items": {"type": "array"}},
     "doubles": {"type": "array", "items": {"type": "array"}}}})";
 
-using Ask = Answer (CellMonitor::*)(const CellMonitor::Parameters&) const;
+using AskMonitor = Answer (CellMonitor::*)(const CellMonitor::Parameters&) const;
 
-Route monitor_row(const CellMonitor* monitor, Route route, std::vector<Parameter> query, Ask ask) {
+Route monitor_row(const CellMonitor* monitor, Route route, std::vector<Parameter> query, AskMonitor ask) {
   route.query = std::move(query);
   route.handler = [monitor, ask](const Call& call) {
     if (monitor != nullptr) return (monitor->*ask)(call.parameters);
