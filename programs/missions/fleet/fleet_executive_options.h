@@ -51,15 +51,9 @@ inline geometry::ConvexPolygon area_of(const config::BlockageConfig& blockage) {
        .half_width_m = 0.5 * blockage.width_m});
 }
 
-<<<<<<< HEAD:programs/missions/fleet/fleet_executive_options.h
-// What people at the cell report and order while it runs: a place that the fault block_K of the plant blocks
-// is reported by whoever sees it, at once.
-inline std::vector<fleet::TimedRequest> fleet_requests(const config::CellConfig& config) {
-=======
 // Orders and reports of people while the cell runs, from its configuration. A place that the plant's fault
 // block_K blocks is reported at once.
-inline std::vector<fleet::TimedRequest> fleet_requests(const CellConfig& config) {
->>>>>>> 9f10513f818ed606d6e6733f13ace397e128abc9:programs/fleet/fleet_executive_options.h
+inline std::vector<fleet::TimedRequest> fleet_requests(const config::CellConfig& config) {
   std::vector<fleet::TimedRequest> requests;
   for (const FleetOrder& order : fleet_table(config).orders)
     requests.push_back({order.at_s, fleet::OrderChange{order.name, order.from, order.to, order.amount}});
