@@ -58,8 +58,9 @@ TEST(Random, Task_WhenStrong_ThenTrueExactlyForWordsThatSatisfyIt) {
         at = automaton->next(at, word[end - 1]);
         ASSERT_EQ(automaton->accepting(at), satisfied) << direct.text();
         ASSERT_EQ(Progression::verdict(state) == Verdict::True, satisfied) << direct.text();
-        if (Progression::verdict(state) == Verdict::False)
+        if (Progression::verdict(state) == Verdict::False) {
           ASSERT_TRUE(automaton->rejecting(at)) << direct.text();
+        }
       }
       ++(satisfied ? yes : no);
     }
