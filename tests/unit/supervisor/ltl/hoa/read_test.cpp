@@ -74,7 +74,7 @@ TEST(ReadHoa, Text_WhenBytesAreChanged_ThenReadOrRefused) {
       text_of(kHeader + "Alias: @x 0&1 | 0&!1\n", "State: 0 {0}\n[!@x] 0\n[@x] 1\nState: 1\n[t] 1\n");
   for (int round = 0; round < 20'000; ++round) {
     std::string text = good;
-    for (unsigned k = random() % 4; k > 0; --k) {
+    for (auto k = random() % 4; k > 0; --k) {
       const std::size_t at = random() % text.size();
       if (random() % 2 == 0)
         text[at] = static_cast<char>(random());

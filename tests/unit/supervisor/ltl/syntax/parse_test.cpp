@@ -106,7 +106,7 @@ TEST(Parse, Text_WhenRandomBytesOrWords_ThenReadOrRefused) {
   int read_ones = 0;
   for (int round = 0; round < 20'000; ++round) {
     std::string text;
-    for (unsigned k = random() % 12; k > 0; --k)
+    for (auto k = random() % 12; k > 0; --k)
       text += round % 4 == 0 ? std::string(1, static_cast<char>(random() % 256))
                              : words[random() % words.size()] + " ";
     const auto formula = parse_formula(text);
