@@ -200,8 +200,9 @@ TEST(RungFlow, WhenALadderRuns_ThenWhatIsDrawnIsWhatItsCoilsAre) {
       known[name] += expected ? 1 : 0;
       on[name] += is_true(expected) ? 1 : 0;
       // What sets may be reset by a later network.
-      if (expected && coil.kind != "set")
+      if (expected && coil.kind != "set") {
         EXPECT_EQ(program.get("Rungs." + coil.operand.text), is_true(expected) ? 1 : 0) << name << scan;
+      }
     }
   }
   for (const char* name : {"normal latch", "normal o1", "negated o2", "normal o3", "normal o6"}) {
