@@ -60,7 +60,8 @@ TEST(RungFlow, WhenContactsAreOpenClosedOrUnknown_ThenPowerGoesAsFarAsItIsKnown)
   const json either = {{"kind", "any"}, {"of", {contact("start"), contact("run")}}};
   const json latch = rung({{"kind", "all"}, {"of", {either, contact("stop", {{"negated", true}})}}});
   const auto outs = [&](std::map<std::string, bool> values) {
-    const std::vector<NodeFlow> nodes = Networks(json::array({latch}), std::move(values)).flows()[0].nodes;
+    const Networks networks({latch}, std::move(values));  // its types are those of the values
+    const std::vector<NodeFlow> nodes = networks.flows()[0].nodes;
     return std::string{letter(nodes[1].out), letter(nodes[4].out), letter(nodes[0].out)};
   };
   EXPECT_EQ(outs({{"start", false}, {"run", true}, {"stop", false}}), "111");
