@@ -111,16 +111,23 @@ std::shared_ptr<const CellMonitor::Moment> CellMonitor::now() const {
   return moment_;
 }
 
-void CellMonitor::take(const server::Observation& seen) {
+const server::ImageSnapshot* CellMonitor::Moment::snapshot() const {
+  const bool readable = seen != nullptr && seen->layout != nullptr && seen->snapshot;
+  return readable ? &*seen->snapshot : nullptr;
+}
+
+std::span<const std::byte> CellMonitor::Moment::image() const {
+  const server::ImageSnapshot* const newest = snapshot();
+  return newest == nullptr ? std::span<const std::byte>() : std::span(newest->image);
+}
+
+void CellMonitor::take(std::shared_ptr<const server::Observation> seen) {
   const auto before = now();
   Moment next;
   next.program = before->program;  // while the runtime is away
-  const bool same = before->program != nullptr && before->program->layout == seen.layout;
-  if (seen.layout != nullptr && !same) next.program = std::make_shared<const Program>(seen.layout);
-  if (seen.layout != nullptr && seen.snapshot) {
-    next.scan = seen.snapshot->scan;
-    next.image = seen.snapshot->image;
-  }
+  const bool same = before->program != nullptr && before->program->layout == seen->layout;
+  if (seen->layout != nullptr && !same) next.program = std::make_shared<const Program>(seen->layout);
+  next.seen = std::move(seen);
   auto made = std::make_shared<const Moment>(std::move(next));
   const std::lock_guard lock(mutex_);
   moment_ = std::move(made);
@@ -130,16 +137,17 @@ api::Answer CellMonitor::live(const Parameters& given) const {
   const auto moment = now();
   if (moment->program == nullptr) return no_program();
   const Program& program = *moment->program;
+  const server::ImageSnapshot* const newest = moment->snapshot();
   json answer = {{"digest", program.layout->program.digest},
-                 {"scan", moment->scan},
-                 {"steps", steps_json(*program.layout, moment->image)},
-                 {"tags", tags_json(*program.layout, moment->image, ranges_of(given_text(given, "tags")))},
+                 {"scan", newest == nullptr ? 0 : newest->scan},
+                 {"steps", steps_json(*program.layout, moment->image())},
+                 {"tags", tags_json(*program.layout, moment->image(), ranges_of(given_text(given, "tags")))},
                  {"blocks", json::object()}};
   const std::lock_guard lock(program.mutex);
   const auto number = number_of(given_text(given, "sheet"));
   const auto sheet = number ? program.sheet(*number, given_text(given, "instance")) : nullptr;
   if (sheet != nullptr)
-    answer["blocks"] = sheet->look(types_, moment->image, ranges_of(given_text(given, "blocks")));
+    answer["blocks"] = sheet->look(types_, moment->image(), ranges_of(given_text(given, "blocks")));
   return {.text = protocol::text(answer)};
 }
 

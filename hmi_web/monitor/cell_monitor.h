@@ -11,7 +11,7 @@
 #include <deque>
 #include <memory>
 #include <mutex>
-#include <vector>
+#include <span>
 
 #include "hmi_web/api/cell_monitor.h"
 #include "hmi_web/monitor/sheet_monitor.h"
@@ -24,7 +24,7 @@ class CellMonitor final : public api::CellMonitor {
   CellMonitor();
   ~CellMonitor() override;
 
-  void take(const server::Observation& seen);
+  void take(std::shared_ptr<const server::Observation> seen);
 
   api::Answer live(const Parameters& given) const override;
   api::Answer chart(const Parameters& given) const override;
@@ -33,9 +33,12 @@ class CellMonitor final : public api::CellMonitor {
   // Of one program; shared with whoever still looks while the next one comes.
   struct Program;
   struct Moment {
-    std::shared_ptr<const Program> program;  // null: none has been known yet
-    std::uint64_t scan = 0;
-    std::vector<std::byte> image;  // empty: none has come
+    std::shared_ptr<const Program> program;           // null: none has been known yet
+    std::shared_ptr<const server::Observation> seen;  // null: nothing has
+
+    // Null: none has come, or none that can be read.
+    const server::ImageSnapshot* snapshot() const;
+    std::span<const std::byte> image() const;
   };
 
   std::shared_ptr<const Moment> now() const;

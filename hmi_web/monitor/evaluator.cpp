@@ -2,11 +2,16 @@
 
 #include "ladder/semantics/common_type.h"
 #include "ladder/semantics/constant_conversion.h"
+#include "ladder/semantics/operator_group.h"
 #include "runtime/naming/ascii_names.h"
 
 namespace stepwright::monitor {
 
 using bytecode::ElementaryType;
+using semantics::is_and;
+using semantics::is_comparison;
+using semantics::is_logic;
+using semantics::is_or;
 using semantics::Type;
 using syntax::Expression;
 using syntax::ExpressionKind;
@@ -14,21 +19,9 @@ using syntax::Operator;
 
 namespace {
 
-bool is_comparison(Operator op) {
-  return op >= Operator::Equal && op <= Operator::GreaterEqual;
-}
-
-bool is_and(Operator op) {
-  return op == Operator::And || op == Operator::AndThen;
-}
-
-bool is_or(Operator op) {
-  return op == Operator::Or || op == Operator::OrElse;
-}
-
 bool applies(Operator op, const Type& type) {
   if (is_comparison(op)) return true;
-  if (is_and(op) || is_or(op) || op == Operator::Xor) return type.is_bool() || type.is_bits();
+  if (is_logic(op)) return type.is_bool() || type.is_bits();
   return op == Operator::Modulo ? type.is_integer() : type.is_number();
 }
 

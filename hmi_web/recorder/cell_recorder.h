@@ -5,7 +5,7 @@
 //
 //   auto recorder = CellRecorder::open(options, wall_clock);
 //   CellPoller poller(source, viewer, feed, on_news, [&](auto& seen, auto& view) {
-//     if (auto message = (*recorder)->take(seen, view)) feed.set_alarms(*message);
+//     if (auto message = (*recorder)->take(*seen, view)) feed.set_alarms(*message);
 //   });
 //
 // Tags have the names of the program's variables; points of the picture are `points/ID`. What is not known

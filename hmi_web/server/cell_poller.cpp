@@ -27,8 +27,8 @@ CellPoller::~CellPoller() {
 
 void CellPoller::look() {
   source_.wait_for_image(kLongestPause - kShortestPause);
-  const Observation seen = source_.observe();
-  const CellView view = viewer_.view(seen);
+  const auto seen = std::make_shared<const Observation>(source_.observe());
+  const CellView view = viewer_.view(*seen);
   if (on_look_) on_look_(seen, view);
   if (feed_.update(view, std::chrono::steady_clock::now())) on_news_();
 }

@@ -12,6 +12,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <functional>
+#include <memory>
 #include <mutex>
 #include <string>
 #include <thread>
@@ -26,9 +27,9 @@ class CellPoller {
  public:
   static constexpr std::chrono::milliseconds kShortestPause{20};
   static constexpr std::chrono::milliseconds kLongestPause{100};
-  // `on_look` (may be empty) is given every look at the cell before viewers are told; `on_trouble` (likewise)
-  // what a look has thrown, which is left out then.
-  using OnLook = std::function<void(const Observation&, const CellView&)>;
+  // `on_look` (may be empty) is given every look at the cell before viewers are told, and may keep it;
+  // `on_trouble` (likewise) what a look has thrown, which is left out then.
+  using OnLook = std::function<void(const std::shared_ptr<const Observation>&, const CellView&)>;
   using OnTrouble = std::function<void(const std::string&)>;
   CellPoller(CellSource& source, CellViewer viewer, Feed& feed, std::function<void()> on_news,
              OnLook on_look = {}, OnTrouble on_trouble = {});

@@ -91,10 +91,11 @@ int run(const config::CellConfig& config) {
                     "server is started again");
   }
 
-  const auto record = [&](const server::Observation& seen, const server::CellView& view) {
+  const auto record = [&](const std::shared_ptr<const server::Observation>& seen,
+                          const server::CellView& view) {
     monitor.take(seen);
     if (!*records) return;
-    auto news = (*records)->take(seen, view);
+    auto news = (*records)->take(*seen, view);
     if (!news) return;
     feed.set_alarms(std::move(*news));
     (*http)->notify();

@@ -122,10 +122,11 @@ int main(int argc, char** argv) {
   monitor::CellMonitor monitor;
   OpenAccess access(records ? &*records : nullptr, monitor);
   (*http)->serve_api(access.guard);
-  const auto record = [&](const server::Observation& seen, const server::CellView& view) {
+  const auto record = [&](const std::shared_ptr<const server::Observation>& seen,
+                          const server::CellView& view) {
     monitor.take(seen);
     if (!recorder) return;
-    auto news = recorder->take(seen, view);
+    auto news = recorder->take(*seen, view);
     if (!news) return;
     feed.set_alarms(std::move(*news));
     (*http)->notify();

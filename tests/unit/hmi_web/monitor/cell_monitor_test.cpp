@@ -47,7 +47,7 @@ class CellMonitorTest : public testing::Test {
     program_.scan();
     const auto image = program_.image().bytes();
     seen_.snapshot = server::ImageSnapshot{++scan_, 0, {image.begin(), image.end()}, {}};
-    monitor_.take(seen_);
+    monitor_.take(std::make_shared<const server::Observation>(seen_));
     return json::parse(
         monitor_.live({{"sheet", "0"}, {"instance", instance}, {"blocks", blocks}, {"tags", tags}}).text);
   }
@@ -85,7 +85,7 @@ TEST_F(CellMonitorTest, WhenWhatIsAskedForIsNotThere_ThenTheAnswerHasNothingOfIt
 }
 
 TEST_F(CellMonitorTest, WhenNoImageHasCome_ThenNothingIsKnownAndNothingFails) {
-  monitor_.take(seen_);
+  monitor_.take(std::make_shared<const server::Observation>(seen_));
   const json answer =
       json::parse(monitor_.live({{"sheet", "0"}, {"instance", "Main.fast"}, {"blocks", "0"}}).text);
   EXPECT_EQ(answer["blocks"]["0"]["tested"], json::array());
