@@ -1,6 +1,7 @@
 #include "ladder/codegen/expression_emitter.h"
 
 #include "ladder/codegen/machine_type.h"
+#include "ladder/semantics/operator_group.h"
 #include "runtime/bytecode/trap.h"
 
 namespace stepwright::codegen {
@@ -254,7 +255,7 @@ void ExpressionEmitter::bool_order(const Value& value) {
 
 void ExpressionEmitter::binary(const Value& value, Width width) {
   const Type& operands = *value.operands[0]->type;
-  if (value.op == Operator::AndThen || value.op == Operator::OrElse) return short_circuit(value);
+  if (semantics::is_short_circuit(value.op)) return short_circuit(value);
   if (operands.is_bool() && value.op >= Operator::Less && value.op <= Operator::GreaterEqual)
     return bool_order(value);
   const bool modular =

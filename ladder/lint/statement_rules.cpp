@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ladder/lint/internal/body_walker.h"
+#include "ladder/semantics/operator_group.h"
 #include "ladder/source/codes.h"
 
 namespace stepwright::lint::internal {
@@ -70,7 +71,7 @@ bool BodyWalker::keeps_value(const Expression& target, const Expression& value) 
 void BodyWalker::check_condition(const Expression& condition) {
   if (!speaks_of(condition.where)) return;
   const bool compares = condition.kind == ExpressionKind::Binary && condition.operands.size() == 2 &&
-                        condition.op >= Operator::Equal && condition.op <= Operator::GreaterEqual;
+                        semantics::is_comparison(condition.op);
   const bool itself = compares && same(*condition.operands[0], *condition.operands[1]);
   if (itself) {
     sink_.warning(code::kConstantCondition, condition.where, "this compares something with itself");

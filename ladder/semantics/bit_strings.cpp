@@ -8,20 +8,13 @@
 
 #include "ladder/semantics/constant_conversion.h"
 #include "ladder/semantics/internal/make_value.h"
+#include "ladder/semantics/operator_group.h"
 
 namespace stepwright::semantics::internal {
 
 using syntax::Operator;
 
 namespace {
-
-bool is_logic(Operator op) {
-  return op == Operator::And || op == Operator::Or || op == Operator::Xor;
-}
-
-bool is_arithmetic(Operator op) {
-  return op >= Operator::Add && op <= Operator::Modulo;
-}
 
 bool is_whole(const Type& type) {
   return type.is_bits() || type.is_integer();
@@ -84,7 +77,7 @@ std::uint32_t BitStrings::whole_size(const Value& value) const {
 bool BitStrings::works_on_bits(Operator op, const Type& left, const Type& right) {
   if (!is_whole(left) || !is_whole(right)) return false;
   if (is_arithmetic(op)) return left.is_bits() || right.is_bits();
-  return is_logic(op) && (is_typed_integer(left) || is_typed_integer(right));
+  return is_logic(op) && !is_short_circuit(op) && (is_typed_integer(left) || is_typed_integer(right));
 }
 
 }  // namespace stepwright::semantics::internal

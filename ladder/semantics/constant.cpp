@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "ladder/semantics/operator_group.h"
+
 namespace stepwright::semantics {
 
 namespace {
@@ -97,9 +99,8 @@ Constant wrapped(Constant value, const Type& type) {
 
 std::optional<Constant> evaluate(Operator op, const Constant& left, const Constant& right,
                                  const Type& operands) {
-  const bool is_comparison = op >= Operator::Equal && op <= Operator::GreaterEqual;
   if (operands.is_real()) {
-    if (is_comparison) return compare(op, left.real, right.real);
+    if (is_comparison(op)) return compare(op, left.real, right.real);
     std::optional<double> value;
     if (operands.is(ElementaryType::Real)) {
       value = reals(op, static_cast<float>(left.real), static_cast<float>(right.real));
@@ -108,7 +109,7 @@ std::optional<Constant> evaluate(Operator op, const Constant& left, const Consta
     }
     return value ? std::optional(Constant{0, *value}) : std::nullopt;
   }
-  if (is_comparison) return compare(op, left.integer, right.integer);
+  if (is_comparison(op)) return compare(op, left.integer, right.integer);
   const auto value = integers(op, left.integer, right.integer);
   return value ? std::optional(wrapped({*value}, operands)) : std::nullopt;
 }

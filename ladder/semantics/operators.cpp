@@ -8,29 +8,13 @@
 #include "ladder/semantics/common_type.h"
 #include "ladder/semantics/internal/standard_analyzer.h"
 #include "ladder/semantics/internal/text.h"
+#include "ladder/semantics/operator_group.h"
 
 namespace stepwright::semantics::internal {
 
 using syntax::Operator;
 
 namespace {
-
-bool is_comparison(Operator op) {
-  return op >= Operator::Equal && op <= Operator::GreaterEqual;
-}
-
-bool is_logic(Operator op) {
-  return op == Operator::And || op == Operator::Or || op == Operator::Xor || op == Operator::AndThen ||
-         op == Operator::OrElse;
-}
-
-bool is_arithmetic(Operator op) {
-  return op >= Operator::Add && op <= Operator::Modulo;
-}
-
-bool is_short_circuit(Operator op) {
-  return op == Operator::AndThen || op == Operator::OrElse;
-}
 
 // A reference or an enumeration beside NULL or the name of one of several enumerations.
 bool takes_name(const Type& type, const Type& name) {

@@ -128,7 +128,6 @@ class Collector {
   }
 
   RegionMap finish() { return {std::move(points_), std::move(regions_)}; }
-  bool empty() const { return regions_.empty(); }
 
  private:
   std::uint32_t index_of(Point p) {
@@ -174,7 +173,7 @@ void triangulate(const Geos& geos, const GEOSGeometry* face, Label label, Collec
   }
 }
 
-RegionMap cut(const Geos& geos, const Shapes& shapes, bool& empty) {
+RegionMap cut(const Geos& geos, const Shapes& shapes) {
   Collector collector;
   const Shape faces = faces_of(geos, shapes);
   const int count = GEOSGetNumGeometries_r(geos, faces.get());
@@ -190,7 +189,6 @@ RegionMap cut(const Geos& geos, const Shapes& shapes, bool& empty) {
       if (holds(shapes.propositions[k])) label |= Label{1} << k;
     triangulate(geos, face, label, collector);
   }
-  empty = collector.empty();
   return collector.finish();
 }
 
@@ -201,9 +199,8 @@ result::Result<RegionMap> make_regions(const Floor& floor) try {
   Diagnostics wrong;
   const auto shapes = read_shapes(geos, floor, wrong);
   if (!shapes) return tl::unexpected(std::move(wrong));
-  bool empty = false;
-  RegionMap map = cut(geos, *shapes, empty);
-  if (empty)
+  RegionMap map = cut(geos, *shapes);
+  if (map.regions().empty())
     return result::fail("L0205", floor.border.where, "obstacles cover the whole floor",
                         "the border holds free floor");
   return map;
