@@ -22,13 +22,14 @@
 #include "runtime/dds/runtime_client.h"
 #include "tests/browser/fleet_follower.h"
 #include "tests/support/fleet_program/planned_fleet.h"
+#include "tests/support/patience.h"
 
 using namespace stepwright;
 using namespace std::chrono_literals;
 
 namespace {
 
-constexpr auto kPatience = 300s;
+using support::kPatience;
 
 // A vehicle of which the document says that it is lost.
 struct Lost {

@@ -12,9 +12,9 @@
 #include <string>
 #include <vector>
 
-namespace stepwright::support {
+#include "tests/support/patience.h"
 
-inline constexpr std::chrono::seconds kPatience{300};
+namespace stepwright::support {
 
 class TestProcess {
  public:

@@ -8,7 +8,7 @@ import threading
 import unittest
 
 from page import PASSWORD, Page
-from processes import NO_PLANT, eventually, stepwright
+from processes import NO_PLANT, PATIENCE_S, eventually, stepwright
 
 
 class Claim(unittest.TestCase):
@@ -129,7 +129,7 @@ class Tls(unittest.TestCase):
             csrf = f"Sec-WebSocket-Protocol: csrf.{page.csrf}"
             self.assertEqual(page.upgrade(f"Cookie: {page.cookie}", csrf, f"Origin: https://127.0.0.1:{page.port}"), 101)
             self.assertEqual(page.upgrade(f"Cookie: {page.cookie}", csrf, f"Origin: http://127.0.0.1:{page.port}"), 403)
-            with socket.create_connection(("127.0.0.1", page.port), timeout=600) as plain:
+            with socket.create_connection(("127.0.0.1", page.port), timeout=PATIENCE_S) as plain:
                 plain.sendall(b"GET / HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n")
                 self.assertNotIn(b"HTTP/1.1 200", plain.recv(4_096))
             self.assertEqual(page.ask("GET", "/").status, 200)

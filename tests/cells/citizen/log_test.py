@@ -8,7 +8,7 @@ import signal
 import subprocess
 import unittest
 
-from processes import NO_PLANT, TESTS, Cell, eventually
+from processes import NO_PLANT, PATIENCE_S, TESTS, Cell, eventually
 
 
 def lines(file):
@@ -49,7 +49,7 @@ class Log(unittest.TestCase):
         with Cell(NO_PLANT) as cell:
             runtime = cell.start_runtime()
             refused = subprocess.run([TESTS / "cells_load", cell.socket, "1000", "damaged"], capture_output=True,
-                                     text=True, timeout=600, check=False)
+                                     text=True, timeout=PATIENCE_S, check=False)
             self.assertEqual(refused.returncode, 1, refused.stderr)
             runtime.wait_for(r"warning runtime: download [0-9a-f]{12} of 'cells_load' was refused: ")
 
@@ -57,7 +57,7 @@ class Log(unittest.TestCase):
         with Cell(NO_PLANT + '[log]\nformat = "json"\nlimit_per_s = 4\n') as cell:
             runtime = cell.start_runtime()
             for _ in range(30):
-                subprocess.run([TESTS / "cells_load", cell.socket, "1000", "hello"], check=True, timeout=600)
+                subprocess.run([TESTS / "cells_load", cell.socket, "1000", "hello"], check=True, timeout=PATIENCE_S)
             runtime.end()
             found = lines(runtime.log)
             written = [line for line in found if line["kind"] == "client"]
@@ -76,7 +76,7 @@ class Log(unittest.TestCase):
                                      stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
             eventually(lambda: report.exists() and report.stat().st_size > 10_000)
             trace.send_signal(signal.SIGINT)
-            trace.wait(timeout=600)
+            trace.wait(timeout=PATIENCE_S)
             calls = report.read_text(encoding="utf-8")
             # The scan is the thread that sleeps until its next scan; others of the process may write.
             sleepers = {line.split()[0] for line in calls.splitlines() if "clock_nanosleep(" in line}

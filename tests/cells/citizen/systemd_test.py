@@ -13,7 +13,7 @@ import time
 import unittest
 
 from init_system import InitSystem
-from processes import NO_PLANT, SOURCES, Cell, eventually, stepwright
+from processes import NO_PLANT, PATIENCE_S, SOURCES, Cell, eventually, stepwright
 
 UNITS = sorted((SOURCES / "programs/systemd").glob("*.service"))
 REAL = NO_PLANT + '[clock]\nmode = "real"\n'
@@ -145,7 +145,7 @@ class Units(unittest.TestCase):
         for unit in UNITS:
             instance = unit.name.replace("@", "@cell")
             done = subprocess.run(["systemd-analyze", "verify", self.folder / instance], capture_output=True, text=True,
-                                  timeout=600, check=False)
+                                  timeout=PATIENCE_S, check=False)
             found = [line for line in done.stderr.splitlines() if "stepwright" in line and "man stepwright" not in line]
             self.assertEqual(found, [])
 
@@ -189,7 +189,7 @@ class Units(unittest.TestCase):
     def test_their_exposure_is_at_most_2_5(self):
         for unit in UNITS:
             done = subprocess.run(["systemd-analyze", "security", "--offline=yes", "--no-pager", self.folder / unit.name],
-                                  capture_output=True, text=True, timeout=600, check=False)
+                                  capture_output=True, text=True, timeout=PATIENCE_S, check=False)
             level = re.search(r"Overall exposure level for \S+: ([\d.]+)", done.stdout)
             self.assertTrue(level, done.stdout + done.stderr)
             print(unit.name, level.group(1))

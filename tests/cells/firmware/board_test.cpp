@@ -11,6 +11,7 @@
 #include "ladder/driver/compile.h"
 #include "tests/cells/firmware/gdb_stub.h"
 #include "tests/cells/firmware/rig.h"
+#include "tests/support/patience.h"
 
 namespace stepwright::firmware_test {
 namespace {
@@ -117,7 +118,7 @@ TEST_P(Board, Silence_WhenTheMasterIsAway_ThenOutputsAreSafe) {
   // By the board's own clock, which a busy machine makes late; reading is no sign of life.
   const std::uint32_t silent_ms = rig.controller().status().uptime_ms;
   auto status = rig.controller().status();
-  const auto deadline = std::chrono::steady_clock::now() + 300s;
+  const auto deadline = std::chrono::steady_clock::now() + support::kPatience;
   while (status.uptime_ms - silent_ms < 800 && std::chrono::steady_clock::now() < deadline) {
     if (status.uptime_ms - silent_ms < 400) {
       EXPECT_EQ(status.state, State::Running);
@@ -142,7 +143,7 @@ TEST(Watchdog, Board_WhenTheMainLoopHangs_ThenIsResetAndKeepsProgramAndValues) {
   rig.controller().start(0);
   // Values are kept once in a second of the board's clock, which a busy machine makes late.
   const std::uint32_t begun_ms = rig.controller().status().uptime_ms;
-  const auto deadline = std::chrono::steady_clock::now() + 300s;
+  const auto deadline = std::chrono::steady_clock::now() + support::kPatience;
   while (rig.controller().status().uptime_ms - begun_ms < 2500 &&
          std::chrono::steady_clock::now() < deadline) {
     rig.controller().turn(Bytes(1));

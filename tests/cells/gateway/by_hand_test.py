@@ -10,7 +10,7 @@ import tempfile
 import unittest
 
 from cell_process import STEPWRIGHT, stepwright
-from controllers import eventually
+from controllers import PATIENCE_S, eventually
 
 BENCH = pathlib.Path(__file__).resolve().parent.parent / "bench"
 PLC = """\
@@ -110,7 +110,7 @@ class ByHand(unittest.TestCase):
         gateway = self.start("gateway", "gateway.toml", "follows the plan")
         self.assertTrue(eventually(lambda: "action 3 " in self.said("gateway")), self.said("gateway"))
         gateway.terminate()
-        self.assertEqual(gateway.wait(timeout=600), 0)
+        self.assertEqual(gateway.wait(timeout=PATIENCE_S), 0)
         self.assertIn("nothing is granted any more", self.said("gateway"))
         self.assertNotIn("the plan is done", self.said("gateway"))
         again = self.start("gateway", "gateway.toml", "follows the plan")

@@ -9,7 +9,7 @@ import sys
 import time
 import unittest
 
-from processes import NO_PLANT, TESTS, Cell, eventually
+from processes import NO_PLANT, PATIENCE_S, TESTS, Cell, eventually
 
 JUMP = TESTS / "libcells_calendar_jump.so"
 REAL = NO_PLANT + '[clock]\nmode = "real"\n'
@@ -25,7 +25,7 @@ class Clock(unittest.TestCase):
         script = ("import time\nseen = set()\nfor _ in range(60):\n  seen.add(round((time.time() - START) / 86400))\n"
                   "  time.sleep(0.005)\nprint(sorted(seen))").replace("START", repr(time.time()))
         done = subprocess.run([sys.executable, "-c", script], env={**os.environ, "LD_PRELOAD": str(JUMP)},
-                              capture_output=True, text=True, timeout=600, check=True)
+                              capture_output=True, text=True, timeout=PATIENCE_S, check=True)
         self.assertEqual(done.stdout.strip(), "[-1, 0, 1]")
 
     def test_scans_go_on_and_the_scan_clock_keeps_its_pace(self):
@@ -71,7 +71,7 @@ class Clock(unittest.TestCase):
                                      stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
             eventually(lambda: report.exists() and report.stat().st_size > 50_000)
             trace.send_signal(signal.SIGINT)
-            trace.wait(timeout=600)
+            trace.wait(timeout=PATIENCE_S)
             calls = report.read_text(encoding="utf-8")
             self.assertIn("clock_nanosleep(CLOCK_MONOTONIC", calls)
             # The C library names the calendar's clock also where a wait has no end (its time is NULL).

@@ -7,7 +7,7 @@ import signal
 import subprocess
 import unittest
 
-from processes import NO_PLANT, TESTS, Cell, eventually
+from processes import NO_PLANT, PATIENCE_S, TESTS, Cell, eventually
 
 PROGRAM_STARTS = 10_000
 PROCESS_STARTS = 200
@@ -15,7 +15,7 @@ PROCESS_STARTS = 200
 
 class Restart(unittest.TestCase):
     def test_ten_thousand_starts_of_a_program_cost_no_memory_and_no_descriptor(self):
-        done = subprocess.run([TESTS / "cells_restarts", str(PROGRAM_STARTS)], capture_output=True, text=True, timeout=600,
+        done = subprocess.run([TESTS / "cells_restarts", str(PROGRAM_STARTS)], capture_output=True, text=True, timeout=PATIENCE_S,
                               check=False)
         self.assertEqual(done.returncode, 0, done.stderr)
         print(done.stdout.strip())

@@ -9,7 +9,7 @@ import unittest
 
 from disturbance import no_worse, watch
 from namespaces import need_network_of_its_own
-from processes import NO_PLANT, TESTS, Cell, eventually
+from processes import NO_PLANT, PATIENCE_S, TESTS, Cell, eventually
 from rtps import ports
 
 REAL = NO_PLANT + '[clock]\nmode = "real"\n'
@@ -104,7 +104,7 @@ class Abuse(unittest.TestCase):
                 for client in clients:
                     client.close()
                 subprocess.run([TESTS / "cells_load", self.cell.socket, "1000", "damaged"], capture_output=True,
-                               check=False, timeout=600)
+                               check=False, timeout=PATIENCE_S)
 
         no_worse(self, self.quiet, watch(self.cell, crowd))
 

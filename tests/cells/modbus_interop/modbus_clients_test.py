@@ -10,7 +10,7 @@ import unittest
 
 from lines import TappedLine
 from namespaces import need_network_of_its_own
-from processes import TESTS, Process, eventually
+from processes import PATIENCE_S, TESTS, Process, eventually
 from served import EVERYBODY, PORT, Served, temporary_folder
 
 HERE = pathlib.Path(__file__).parent
@@ -33,7 +33,7 @@ def expected(name, kind):
 def mbpoll(mode, *arguments):
     """mbpoll, once; the values that it prints, by reference."""
     done = subprocess.run(["mbpoll", "-0", "-1", "-a", "1", "-o", "3", *mode, *map(str, arguments)], capture_output=True,
-                          text=True, timeout=600, check=False)
+                          text=True, timeout=PATIENCE_S, check=False)
     return done, {int(at): value for at, value in re.findall(r"^\[(\d+)\]:\s+(\S+)", done.stdout, re.M)}
 
 
@@ -46,7 +46,7 @@ def look(capture, dissector, display_filter):
     """Summaries of the frames of a capture that the filter finds."""
     done = subprocess.run(["tshark", "-r", capture, "-o", f"mbtcp.tcp.port:{PORT}", "-d", dissector, "-o",
                            "mbrtu.crc_verification:TRUE", "-Y", display_filter],
-                          capture_output=True, text=True, timeout=600, check=True)
+                          capture_output=True, text=True, timeout=PATIENCE_S, check=True)
     return done.stdout.splitlines()
 
 
@@ -75,7 +75,7 @@ class Clients(unittest.TestCase):
         cell.answers()
 
     def run_client(self, name, kind, where):
-        done = subprocess.run([*CLIENTS[name], kind, str(where)], capture_output=True, text=True, timeout=600, check=False)
+        done = subprocess.run([*CLIENTS[name], kind, str(where)], capture_output=True, text=True, timeout=PATIENCE_S, check=False)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         self.assertEqual(json.loads(done.stdout), expected(name, kind))
 
@@ -103,7 +103,7 @@ class Clients(unittest.TestCase):
         for name in CLIENTS:
             with self.subTest(name):
                 self.run_client(name, "tcp", PORT)
-        master = subprocess.run([TESTS / "modbus_interop_master", "tcp", str(PORT)], capture_output=True, text=True, timeout=600,
+        master = subprocess.run([TESTS / "modbus_interop_master", "tcp", str(PORT)], capture_output=True, text=True, timeout=PATIENCE_S,
                                 check=False)
         self.assertEqual(master.returncode, 0, master.stdout + master.stderr)
         self.assertTrue(eventually(lambda: capture.file.exists() and capture.file.stat().st_size > 1000))
@@ -124,7 +124,7 @@ class Clients(unittest.TestCase):
         for name in CLIENTS:
             with self.subTest(name):
                 self.run_client(name, "rtu", line.master)
-        master = subprocess.run([TESTS / "modbus_interop_master", "rtu", line.master], capture_output=True, text=True, timeout=600,
+        master = subprocess.run([TESTS / "modbus_interop_master", "rtu", line.master], capture_output=True, text=True, timeout=PATIENCE_S,
                                 check=False)
         self.assertEqual(master.returncode, 0, master.stdout + master.stderr)
         line.close()

@@ -8,7 +8,7 @@ import unittest
 
 from lines import Line
 from namespaces import need_network_of_its_own
-from processes import TESTS, Process
+from processes import PATIENCE_S, TESTS, Process
 
 HERE = pathlib.Path(__file__).parent
 PORT = 1502
@@ -45,7 +45,7 @@ class Servers(unittest.TestCase):
         self.addCleanup(server.end)
         server.wait_for("ready")
         done = subprocess.run([TESTS / "modbus_interop_master", kind, str(master_end)], capture_output=True, text=True,
-                              timeout=600, check=False)
+                              timeout=PATIENCE_S, check=False)
         server.end()
         found = dict(line.split(" ", 1) for line in done.stdout.splitlines())
         self.assertEqual(found, EXPECTED[name], done.stderr + server.output())

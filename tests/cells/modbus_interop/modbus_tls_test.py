@@ -14,7 +14,7 @@ import time
 import unittest
 
 from namespaces import need_network_of_its_own
-from processes import SOURCES, eventually, figures_of
+from processes import PATIENCE_S, SOURCES, eventually, figures_of
 from served import CELL, Served
 
 PORT = 1802
@@ -82,7 +82,7 @@ class Tls(unittest.TestCase):
             context.maximum_version = version
         if name:
             context.load_cert_chain(cls.folder / f"{name}.crt", cls.folder / f"{name}.key")
-        return context.wrap_socket(socket.create_connection(("127.0.0.1", PORT), timeout=600), server_hostname="localhost")
+        return context.wrap_socket(socket.create_connection(("127.0.0.1", PORT), timeout=PATIENCE_S), server_hostname="localhost")
 
     @classmethod
     def ask(cls, name, function, address, value, version=None):
@@ -95,7 +95,7 @@ class Tls(unittest.TestCase):
     def s_client(self, *arguments, text=""):
         return subprocess.run(["openssl", "s_client", "-connect", f"127.0.0.1:{PORT}", "-CAfile", "plant-ca.crt",
                                "-verify_return_error", *arguments], input=text, cwd=self.folder, capture_output=True,
-                              text=True, timeout=600, check=False)
+                              text=True, timeout=PATIENCE_S, check=False)
 
     def refused(self, name, reason):
         """The server ends the connection, and says why in its log. (In TLS 1.3 a client learns it with its first read.)"""
@@ -168,7 +168,7 @@ class Tls(unittest.TestCase):
 
     def test_slow_handshakes(self):
         """Whoever does not greet holds up nobody."""
-        silent = [socket.create_connection(("127.0.0.1", PORT), timeout=600) for _ in range(50)]
+        silent = [socket.create_connection(("127.0.0.1", PORT), timeout=PATIENCE_S) for _ in range(50)]
         half = silent[0]
         half.sendall(b"\x16\x03\x01")
         for _ in range(20):
@@ -265,7 +265,7 @@ class Tls(unittest.TestCase):
         self.assertEqual(self.exchange(stays), 3)
 
     def test_plain_modbus(self):
-        with socket.create_connection(("127.0.0.1", PORT), timeout=600) as plain:
+        with socket.create_connection(("127.0.0.1", PORT), timeout=PATIENCE_S) as plain:
             plain.sendall(struct.pack(">HHHBBHH", 1, 0, 6, 1, 3, 0, 1))
             try:
                 self.assertNotEqual(plain.recv(300)[:2], b"\x00\x01")

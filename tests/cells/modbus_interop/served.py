@@ -5,7 +5,7 @@ import shutil
 import subprocess
 import tempfile
 
-from processes import TESTS, Cell, Process, eventually, stepwright
+from processes import PATIENCE_S, TESTS, Cell, Process, eventually, stepwright
 
 HERE = pathlib.Path(__file__).parent
 PORT = 1502
@@ -68,7 +68,7 @@ class Served(Cell):
         """Waits until the server has found the runtime's program."""
         def ask():
             done = subprocess.run(["mbpoll", "-m", "tcp", "-p", str(PORT), "-0", "-1", "-t", "4", "-r", "0", "127.0.0.1"],
-                                  capture_output=True, text=True, timeout=600, check=False)
+                                  capture_output=True, text=True, timeout=PATIENCE_S, check=False)
             return done.returncode == 0
         assert eventually(ask), "the server never answered"
 

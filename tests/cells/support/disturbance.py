@@ -5,7 +5,7 @@ import dataclasses
 import subprocess
 import time
 
-from processes import TESTS
+from processes import PATIENCE_S, TESTS
 
 
 @dataclasses.dataclass
@@ -40,7 +40,7 @@ def watch(cell, work):
         work()
         last, seconds = cell.metrics(), time.monotonic() - began
     finally:
-        cycles, overruns = (int(word) for word in bare.communicate(timeout=600)[0].split())
+        cycles, overruns = (int(word) for word in bare.communicate(timeout=PATIENCE_S)[0].split())
 
     def grown(name):
         return last[(name, key)] - first[(name, key)]

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "runtime/service/connection.h"
+#include "tests/support/patience.h"
 #include "tests/support/step_program.h"
 
 int main(int argc, char** argv) {
@@ -22,7 +23,7 @@ int main(int argc, char** argv) {
                                         .trap_at_end = what == "trap",
                                         .interval_us = static_cast<std::uint32_t>(std::atoi(argv[2]))});
   if (what == "damaged") program[program.size() / 2] ^= std::byte{1};
-  constexpr std::chrono::seconds kPatience{300};
+  using support::kPatience;
   auto digest = (*connection)->download(program, kPatience);
   if (!digest) return std::fprintf(stderr, "%s\n", result::to_string(digest.error()).c_str()), 1;
   auto started = (*connection)->call(service::Start{.barrier = what == "barrier"}, kPatience);

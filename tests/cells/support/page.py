@@ -6,7 +6,7 @@ import re
 import ssl
 import subprocess
 
-from processes import NO_PLANT, Cell
+from processes import NO_PLANT, PATIENCE_S, Cell
 
 PASSWORD = "correct horse"
 
@@ -56,9 +56,9 @@ class Page:
 
     def connection(self):
         if not self.tls:
-            return http.client.HTTPConnection("127.0.0.1", self.port, timeout=600)
+            return http.client.HTTPConnection("127.0.0.1", self.port, timeout=PATIENCE_S)
         trust = ssl.create_default_context(cafile=self.certificate)
-        return http.client.HTTPSConnection("127.0.0.1", self.port, timeout=600, context=trust)
+        return http.client.HTTPSConnection("127.0.0.1", self.port, timeout=PATIENCE_S, context=trust)
 
     def headers(self):
         return {"Origin": f"{self.scheme}://127.0.0.1:{self.port}", "Content-Type": "application/json",

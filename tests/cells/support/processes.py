@@ -148,7 +148,7 @@ class Cell:
 
 def get(port, path="/metrics", host=None, address="127.0.0.1"):
     """A real HTTP request: the answer and its text."""
-    connection = http.client.HTTPConnection(address, port, timeout=600)
+    connection = http.client.HTTPConnection(address, port, timeout=PATIENCE_S)
     connection.request("GET", path, headers={"Host": host or f"{address}:{port}"})
     answer = connection.getresponse()
     text = answer.read().decode()

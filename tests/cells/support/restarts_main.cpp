@@ -14,6 +14,7 @@
 
 #include "runtime/host/host_runtime.h"
 #include "runtime/image/no_io.h"
+#include "tests/support/patience.h"
 #include "tests/support/step_program.h"
 
 namespace {
@@ -41,7 +42,7 @@ void print_figures(const char* when) {
 
 // Waits for the completion; events are taken on the way, as the service does.
 bool perform(host::HostRuntime& runtime, std::uint64_t ticket) {
-  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(300);
+  const auto deadline = std::chrono::steady_clock::now() + support::kPatience;
   while (std::chrono::steady_clock::now() < deadline) {
     runtime.clear();
     while (runtime.take_event()) {

@@ -12,13 +12,14 @@
 
 #include "tests/fuzz/modbus/socket_client.h"
 #include "tests/fuzz/modbus/socket_frames.h"
+#include "tests/support/patience.h"
 
 namespace {
 
 using namespace stepwright::fuzz::modbus;
 using Clock = std::chrono::steady_clock;
 
-constexpr std::chrono::milliseconds kPatience{300'000};
+using stepwright::support::kPatience;
 constexpr std::uint64_t kBatch = 200;  // frames between two valid requests
 const Bytes kValid{0x03, 0x00, 0x00, 0x00, 0x02};
 

@@ -10,6 +10,7 @@
 #include "runtime/dds/internal/message_endpoints.h"
 #include "runtime/dds/internal/topics.h"
 #include "runtime/dds/runtime_client.h"
+#include "tests/support/patience.h"
 #include "tests/unit/runtime/dds/fake_link.h"
 #include "tests/unit/runtime/dds/test_runtime_id.h"
 
@@ -21,7 +22,7 @@ using internal::Participant;
 using internal::Profile;
 using FrameWriter = internal::Writer<idl::FramePubSubType>;
 
-constexpr auto kPatience = 300s;
+using support::kPatience;
 constexpr std::uint32_t kOther = service::kProtocolVersion + 1;
 
 template <typename Condition>

@@ -8,6 +8,7 @@
 #include <thread>
 #include <vector>
 
+#include "tests/support/patience.h"
 #include "tests/unit/runtime/dds/test_runtime_id.h"
 
 namespace stepwright::dds {
@@ -15,7 +16,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto kPatience = 300s;
+using support::kPatience;
 
 TEST(PlanChannel, WhenAViewerJoinsLate_ThenItGetsTheNewestDocument) {
   auto publisher = *PlanPublisher::create({51, "supervisor", test_runtime_id()});

@@ -8,6 +8,7 @@
 #include "runtime/host/limits.h"
 #include "runtime/service/digest.h"
 #include "runtime/service/monitor_answers.h"
+#include "tests/support/patience.h"
 #include "tests/unit/runtime/dds/fake_link.h"
 #include "tests/unit/runtime/dds/test_runtime_id.h"
 
@@ -18,7 +19,7 @@ using namespace std::chrono_literals;
 using service::Reply;
 using service::Request;
 
-constexpr auto kPatience = 300s;
+using support::kPatience;
 
 std::unique_ptr<RuntimeClient> client_of(std::uint32_t domain, ClientRole role = ClientRole::Supervisor) {
   auto client = RuntimeClient::connect({domain, "test", test_runtime_id()}, role);

@@ -5,6 +5,7 @@
 #include <atomic>
 
 #include "runtime/dds/runtime_client.h"
+#include "tests/support/patience.h"
 #include "tests/unit/runtime/dds/fake_link.h"
 #include "tests/unit/runtime/dds/test_runtime_id.h"
 
@@ -13,7 +14,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto kPatience = 300s;
+using support::kPatience;
 
 // Counts what reaches the runtime.
 struct Counted {

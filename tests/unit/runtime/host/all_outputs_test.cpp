@@ -16,6 +16,7 @@
 #include <thread>
 #include <utility>
 
+#include "tests/support/patience.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/runtime/host/change_pair.h"
 #include "tests/unit/runtime/host/harness.h"
@@ -136,7 +137,7 @@ class AllOutputs : public testing::Test {
     ASSERT_EQ(done().outcome, Outcome::Done);
   }
   bool wait(const std::function<bool()>& condition) {
-    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(300);
+    const auto deadline = std::chrono::steady_clock::now() + support::kPatience;
     while (std::chrono::steady_clock::now() < deadline) {
       while (runtime_ != nullptr && runtime_->take_event()) {
       }
@@ -259,7 +260,7 @@ TEST_F(AllOutputs, WhenTheDiskIsSlowAtTheEnd_ThenTheFarewellComesBeforeIt) {
     runtime_.reset();
     ended = true;
   });
-  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(300);
+  const auto deadline = std::chrono::steady_clock::now() + support::kPatience;
   while (!plant_.left && std::chrono::steady_clock::now() < deadline) usleep(1'000);
   EXPECT_TRUE(plant_.left);
   EXPECT_EQ(plant_.newest()[0], 0);

@@ -14,9 +14,17 @@
 #include <vector>
 
 #include "runtime/host/host_runtime.h"
+#include "tests/support/patience.h"
 #include "tests/support/step_program.h"
 
 namespace stepwright::host {
+
+// A runtime on the real clock.
+inline HostConfig real_time() {
+  HostConfig config;
+  config.clock = ClockMode::Real;
+  return config;
+}
 
 // Remembers the newest outputs; may be lost; calls `on_read` on the scan thread.
 class FakeDriver final : public image::IoDriver {
@@ -171,7 +179,7 @@ class Harness {
 
   // Waits until `condition` holds; it is asked again whenever the runtime has news, and every millisecond.
   bool wait(const std::function<bool()>& condition) {
-    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(300);
+    const auto deadline = std::chrono::steady_clock::now() + support::kPatience;
     while (std::chrono::steady_clock::now() < deadline) {
       runtime->clear();
       if (condition()) return true;

@@ -9,6 +9,7 @@
 #include "runtime/bytecode/reader/program_info.h"
 #include "runtime/bytecode/reader/read_value.h"
 #include "tests/support/malloc_guard.h"
+#include "tests/support/patience.h"
 #include "tests/unit/runtime/host/change_pair.h"
 #include "tests/unit/runtime/host/harness.h"
 
@@ -273,7 +274,7 @@ TEST(OnlineChange, WhenTheNewProgramTrapsOnTrial_ThenTheOldOneGoesOnAndOutputsWe
     auto runtime = HostRuntime::create(config, driver, nullptr);
     ASSERT_TRUE(runtime);
     const auto wait_for = [&](const std::function<bool()>& condition) {
-      const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(300);
+      const auto deadline = std::chrono::steady_clock::now() + support::kPatience;
       while (std::chrono::steady_clock::now() < deadline) {
         while ((*runtime)->take_completion()) {
         }

@@ -14,12 +14,6 @@
 namespace stepwright::host {
 namespace {
 
-HostConfig preparation_config() {
-  HostConfig config;
-  config.clock = ClockMode::Real;
-  return config;
-}
-
 std::vector<std::byte> program_that_drives(int output) {
   return compiled(R"(
 CONFIGURATION c
@@ -45,7 +39,7 @@ END_PROGRAM
 // held there.
 class Preparing {
  public:
-  Preparing() : harness(preparation_config(), false) {
+  Preparing() : harness(real_time(), false) {
     EXPECT_EQ(harness.load(program_that_drives(17), "first"), Outcome::Done);
     EXPECT_EQ(harness.start(), Outcome::Done);
     EXPECT_TRUE(harness.wait([this] { return harness.driver.output.load() == 17; }));

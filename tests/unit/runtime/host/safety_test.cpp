@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "runtime/host/scan_monitor.h"
+#include "tests/support/patience.h"
 #include "tests/support/test_program.h"
 #include "tests/unit/runtime/host/harness.h"
 
@@ -88,7 +89,7 @@ struct Machine {
   }
 
   bool wait(const std::function<bool()>& condition) {
-    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(300);
+    const auto deadline = std::chrono::steady_clock::now() + support::kPatience;
     while (std::chrono::steady_clock::now() < deadline) {
       while (runtime->take_completion()) {
       }

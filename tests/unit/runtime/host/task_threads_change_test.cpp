@@ -16,12 +16,6 @@ namespace {
 
 using namespace std::chrono_literals;
 
-HostConfig real_time() {
-  HostConfig config;
-  config.clock = ClockMode::Real;
-  return config;
-}
-
 // Two tasks that count; `slow_body` stands behind the count of the slow one, `more` among the variables.
 std::vector<std::byte> two_tasks(const std::string& slow_body, const std::string& more = "") {
   return compiled(R"(

@@ -18,12 +18,6 @@ namespace {
 
 using namespace std::chrono_literals;
 
-HostConfig real_time() {
-  HostConfig config;
-  config.clock = ClockMode::Real;
-  return config;
-}
-
 // A harness whose variables are read by name from the newest image.
 class Tasks {
  public:

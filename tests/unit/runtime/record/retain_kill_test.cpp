@@ -12,6 +12,7 @@
 #include <cstring>
 #include <random>
 
+#include "tests/support/patience.h"
 #include "tests/support/test_program.h"
 #include "tests/unit/runtime/record/retained_machine.h"
 
@@ -93,7 +94,7 @@ TEST(RetainKill, WhenTheProcessIsKilledAtAnyInstant_ThenNoValueIsTornOrOlderThan
     if (child == 0) count_until_killed(loaded, folder.store(), acknowledged);
     // Every other one is killed behind its first acknowledgement, however slow the machine is.
     if (kill_number % 2 == 1) {
-      const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds(300);
+      const auto patience = std::chrono::steady_clock::now() + support::kPatience;
       while (acknowledged.load() < 0 && std::chrono::steady_clock::now() < patience) usleep(100);
     }
     usleep(instant_us(random));

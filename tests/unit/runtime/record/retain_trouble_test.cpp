@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <fstream>
 
+#include "tests/support/patience.h"
 #include "tests/unit/runtime/record/retained_machine.h"
 
 namespace stepwright::record {
@@ -19,7 +20,7 @@ namespace {
 constexpr const char* kNumbers = "VAR RETAIN n : DINT; a : ARRAY[0..9999] OF LINT; END_VAR";
 
 bool notes(RetainedMachine& machine, const char* text, bool wanted = true) {
-  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(300);
+  const auto deadline = std::chrono::steady_clock::now() + support::kPatience;
   while ((machine.retain().note().find(text) != std::string::npos) != wanted) {
     if (std::chrono::steady_clock::now() > deadline) return false;
     std::this_thread::sleep_for(std::chrono::milliseconds(2));

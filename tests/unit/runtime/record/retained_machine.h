@@ -20,6 +20,7 @@
 
 #include "runtime/record/retain_manager.h"
 #include "tests/support/compiled_program.h"
+#include "tests/support/patience.h"
 #include "tests/support/temporary_folder.h"
 
 namespace stepwright::record {
@@ -73,7 +74,7 @@ class RetainedMachine {
 
   // True once the disk has everything that was published; false after a generous time.
   bool settled() {
-    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(300);
+    const auto deadline = std::chrono::steady_clock::now() + support::kPatience;
     while (retain_->committed() < retain_->published()) {
       if (std::chrono::steady_clock::now() > deadline) return false;
       std::this_thread::sleep_for(std::chrono::milliseconds(1));

@@ -18,11 +18,12 @@
 #include "runtime/remote/remote_runtime.h"
 #include "runtime/service/digest.h"
 #include "tests/support/board/faulty_line.h"
+#include "tests/support/patience.h"
 #include "tests/support/step_program.h"
 
 namespace stepwright::remote {
 
-inline constexpr std::chrono::seconds kPatience{300};
+using support::kPatience;
 
 // Counts what is written, and gives as inputs what it is told.
 class TestPlant final : public image::IoDriver {

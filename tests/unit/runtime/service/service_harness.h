@@ -15,11 +15,12 @@
 #include "runtime/image/no_io.h"
 #include "runtime/service/connection.h"
 #include "runtime/service/server.h"
+#include "tests/support/patience.h"
 #include "tests/support/temporary_folder.h"
 
 namespace stepwright::service {
 
-inline constexpr std::chrono::milliseconds kPatience{300'000};
+using support::kPatience;
 
 using support::TemporaryFolder;
 

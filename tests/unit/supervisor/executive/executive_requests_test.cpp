@@ -8,6 +8,7 @@
 #include "supervisor/executive/executive.h"
 #include "tests/support/controller/simulated_controller.h"
 #include "tests/unit/supervisor/executive/bench_fixture.h"
+#include "tests/unit/supervisor/run/asked.h"
 
 namespace stepwright::executive {
 namespace {
@@ -15,12 +16,7 @@ namespace {
 class ExecutiveRequests : public testing::Test {
  protected:
   // The code with which it is refused; empty: it is not.
-  std::string code(const std::string& text) {
-    const auto request = run::Request::parse(text);
-    if (!request) return request.error().front().code;
-    const auto verdict = executive_.obey(*request);
-    return verdict ? std::string() : verdict.error().front().code;
-  }
+  std::string code(const std::string& text) { return run::refusal(executive_, text); }
 
   support::SimulatedController controller_{assemblies::BenchParameters{}};
   Executive executive_{bench_planning(), controller_, ExecutiveOptions(), {}};

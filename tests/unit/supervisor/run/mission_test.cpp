@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tests/support/controller/simulated_controller.h"
+#include "tests/unit/supervisor/run/asked.h"
 #include "tests/unit/supervisor/run/filling_mission.h"
 
 namespace stepwright::run {
@@ -70,11 +71,6 @@ TEST_F(MissionTest, WhenItIsAborted_ThenTheOutputsAreSafeAndTheReasonIsTold) {
   EXPECT_EQ(controller_.stops(), 1);
 }
 
-result::Result<void> ask(Mission& mission, const std::string& text) {
-  const auto request = Request::parse(text);
-  return request ? mission.obey(*request) : tl::unexpected(request.error());
-}
-
 TEST_F(MissionTest, WhenPeopleWantSomethingElse_ThenThatIsPlannedForWithoutAStop) {
   FillingMission* running = nullptr;
   bool asked = false;
@@ -94,7 +90,7 @@ TEST_F(MissionTest, WhenPeopleWantSomethingElse_ThenThatIsPlannedForWithoutAStop
 
 TEST_F(MissionTest, WhenARequestCannotBeMeantOrNotNow_ThenTheCodeTells) {
   FillingMission mission(controller_, {.cell = "bench"}, kCounts);
-  const auto code = [&](const char* text) { return ask(mission, text).error().front().code; };
+  const auto code = [&](const char* text) { return refusal(mission, text); };
   EXPECT_EQ(code(R"_({"request": "order"})_"), "X0003");
   EXPECT_EQ(code(R"_({"request": "level", "counts": "full"})_"), "X0005");
   EXPECT_FALSE(mission.over());

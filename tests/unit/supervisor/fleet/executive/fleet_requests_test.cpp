@@ -6,6 +6,7 @@
 #include <string>
 
 #include "tests/unit/supervisor/fleet/executive/small_hall.h"
+#include "tests/unit/supervisor/run/asked.h"
 
 namespace stepwright::fleet {
 namespace {
@@ -13,12 +14,7 @@ namespace {
 class FleetRequests : public testing::Test {
  protected:
   // The code with which it is refused; empty: it is not.
-  std::string code(const std::string& text) {
-    const auto request = run::Request::parse(text);
-    if (!request) return request.error().front().code;
-    const auto verdict = executive_.obey(*request);
-    return verdict ? std::string() : verdict.error().front().code;
-  }
+  std::string code(const std::string& text) { return run::refusal(executive_, text); }
 
   SmallHall hall_;
   FleetExecutive executive_{hall_.planning(), hall_.controller(), hall_.options(), {}};

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "runtime/modbus/server/line/line_acceptor.h"
+#include "tests/support/patience.h"
 #include "tests/unit/runtime/modbus/server/line/pty.h"
 
 namespace stepwright::modbus::server {
@@ -22,7 +23,7 @@ using testing::IsEmpty;
 using testing::SizeIs;
 
 constexpr milliseconds kRetry{20};
-constexpr int kPatienceMs = 300'000;
+constexpr int kPatienceMs = std::chrono::milliseconds(support::kPatience).count();
 
 LineOptions options_of(const Pty& pty) {
   LineOptions out;

@@ -12,6 +12,7 @@
 #include "runtime/modbus/pdu/crc16.h"
 #include "runtime/modbus/server/line/line_acceptor.h"
 #include "runtime/modbus/server/server.h"
+#include "tests/support/patience.h"
 #include "tests/unit/runtime/modbus/server/line/pty.h"
 #include "tests/unit/runtime/modbus/server/support/table_data.h"
 
@@ -24,7 +25,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::uint8_t kUnit = 17;
 constexpr int kTurns = 50;
-constexpr milliseconds kPatience{300'000};
+using support::kPatience;
 constexpr milliseconds kShort{80};  // longer than the silence that the server notices
 
 Bytes framed(std::uint8_t address, Bytes pdu) {
