@@ -26,7 +26,7 @@
 #include "hmi_web/access/secrets.h"
 #include "hmi_web/access/session_table.h"
 #include "hmi_web/access/user_store.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::access {
 

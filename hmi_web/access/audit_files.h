@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "hmi_web/access/audit_chain.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::access {
 

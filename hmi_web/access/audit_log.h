@@ -25,7 +25,7 @@
 #include <thread>
 
 #include "hmi_web/access/durable_file.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::access {
 

@@ -12,7 +12,7 @@
 
 #include "hmi_web/alarms/state_machine.h"
 #include "runtime/base/strong_id.h"
-#include "runtime/result/diagnostic.h"
+#include "runtime/ground/result/diagnostic.h"
 
 namespace stepwright::alarms {
 

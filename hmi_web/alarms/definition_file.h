@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "hmi_web/alarms/definition.h"
-#include "runtime/result/result.h"
-#include "runtime/settings/toml_document.h"
+#include "runtime/ground/result/result.h"
+#include "runtime/ground/settings/toml_document.h"
 
 namespace stepwright::alarms {
 

@@ -25,7 +25,7 @@
 #include "hmi_web/alarms/condition.h"
 #include "hmi_web/alarms/definition.h"
 #include "hmi_web/alarms/state_machine.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::alarms {
 

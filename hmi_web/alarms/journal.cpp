@@ -8,7 +8,7 @@
 #include "hmi_web/alarms/internal/journal_file.h"
 #include "hmi_web/storage/batch_queue.h"
 #include "hmi_web/storage/codes.h"
-#include "runtime/result/last_barrier.h"
+#include "runtime/ground/result/last_barrier.h"
 
 namespace stepwright::alarms {
 

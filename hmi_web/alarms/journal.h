@@ -23,7 +23,7 @@
 
 #include "hmi_web/alarms/definition.h"
 #include "hmi_web/alarms/engine.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::alarms {
 

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "hmi_web/api/route.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::api {
 

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "runtime/result/diagnostic.h"
+#include "runtime/ground/result/diagnostic.h"
 #include "runtime/service/answer_codes.h"
 
 namespace stepwright::api {

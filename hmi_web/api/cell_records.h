@@ -15,7 +15,7 @@
 #include <string>
 
 #include "hmi_web/api/route.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::api {
 

@@ -30,7 +30,7 @@
 
 #include "hmi_web/access/audit_log.h"
 #include "hmi_web/api/cell_control.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::api {
 

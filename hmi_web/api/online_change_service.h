@@ -28,7 +28,7 @@
 #include "hmi_web/api/cell_change.h"
 #include "hmi_web/change/program_diff.h"
 #include "hmi_web/change/version_store.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::api {
 

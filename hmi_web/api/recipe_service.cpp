@@ -5,7 +5,7 @@
 
 #include "hmi_web/api/cell_codes.h"
 #include "hmi_web/recipes/recipe_check.h"
-#include "runtime/naming/ascii_names.h"
+#include "runtime/ground/naming/ascii_names.h"
 
 namespace stepwright::api {
 namespace {

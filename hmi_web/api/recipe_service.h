@@ -23,7 +23,7 @@
 #include "hmi_web/api/force_service.h"
 #include "hmi_web/recipes/recipe.h"
 #include "hmi_web/recipes/recipe_store.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::api {
 

@@ -17,7 +17,7 @@
 
 #include "hmi_web/access/role.h"
 #include "hmi_web/api/body.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::api {
 

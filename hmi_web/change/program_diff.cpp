@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "runtime/bytecode/reader/program_info.h"
+#include "runtime/ground/naming/ascii_names.h"
 #include "runtime/host/change_problems.h"
-#include "runtime/naming/ascii_names.h"
 
 namespace stepwright::change {
 namespace {

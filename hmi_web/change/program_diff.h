@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "runtime/bytecode/reader/loaded_program.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::change {
 

@@ -22,7 +22,7 @@
 #include <vector>
 
 #include "hmi_web/change/version.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::change {
 

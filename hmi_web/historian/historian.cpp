@@ -8,7 +8,7 @@
 #include "hmi_web/historian/internal/core.h"
 #include "hmi_web/historian/visitors.h"
 #include "hmi_web/storage/codes.h"
-#include "runtime/result/last_barrier.h"
+#include "runtime/ground/result/last_barrier.h"
 
 namespace stepwright::historian {
 namespace {

@@ -29,7 +29,7 @@
 #include "hmi_web/historian/sample.h"
 #include "hmi_web/historian/summary.h"
 #include "hmi_web/historian/suppression.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::historian {
 

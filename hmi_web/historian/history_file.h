@@ -17,7 +17,7 @@
 #include "hmi_web/historian/summary.h"
 #include "hmi_web/storage/database.h"
 #include "hmi_web/storage/file_lock.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::historian {
 

@@ -11,7 +11,7 @@
 #include "hmi_web/historian/open_tags.h"
 #include "hmi_web/historian/sample.h"
 #include "hmi_web/historian/summary.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::historian {
 

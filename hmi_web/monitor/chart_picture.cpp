@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "ladder/graphic/sfc_layout.h"
-#include "runtime/naming/ascii_names.h"
+#include "runtime/ground/naming/ascii_names.h"
 
 namespace stepwright::monitor {
 namespace {

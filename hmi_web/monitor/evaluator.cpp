@@ -3,7 +3,7 @@
 #include "ladder/semantics/common_type.h"
 #include "ladder/semantics/constant_conversion.h"
 #include "ladder/semantics/operator_group.h"
-#include "runtime/naming/ascii_names.h"
+#include "runtime/ground/naming/ascii_names.h"
 
 namespace stepwright::monitor {
 

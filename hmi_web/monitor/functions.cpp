@@ -6,7 +6,7 @@
 #include "hmi_web/monitor/evaluator.h"
 #include "ladder/semantics/common_type.h"
 #include "ladder/semantics/constant_conversion.h"
-#include "runtime/naming/ascii_names.h"
+#include "runtime/ground/naming/ascii_names.h"
 
 namespace stepwright::monitor {
 

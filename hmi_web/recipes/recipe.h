@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "runtime/bytecode/value_type.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::recipes {
 

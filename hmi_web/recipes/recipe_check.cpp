@@ -10,7 +10,7 @@
 
 #include "runtime/bytecode/reader/parse_value.h"
 #include "runtime/bytecode/reader/read_value.h"
-#include "runtime/result/closest.h"
+#include "runtime/ground/result/closest.h"
 
 namespace stepwright::recipes {
 namespace {

@@ -21,7 +21,7 @@
 #include <vector>
 
 #include "hmi_web/recipes/recipe.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::recipes {
 

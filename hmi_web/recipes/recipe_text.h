@@ -13,7 +13,7 @@
 #include <string_view>
 
 #include "hmi_web/recipes/recipe.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::recipes {
 

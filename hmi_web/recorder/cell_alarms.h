@@ -28,7 +28,7 @@
 #include "hmi_web/protocol/synoptic.h"
 #include "hmi_web/server/cell_source.h"
 #include "hmi_web/server/cell_viewer.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::recorder {
 

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "runtime/result/last_barrier.h"
+#include "runtime/ground/result/last_barrier.h"
 
 namespace stepwright::server {
 namespace {

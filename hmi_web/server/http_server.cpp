@@ -18,7 +18,7 @@
 #include "hmi_web/server/internal/viewer_session.h"
 #include "hmi_web/server/internal/wire.h"
 #include "hmi_web/server/pending_connections.h"
-#include "runtime/result/last_barrier.h"
+#include "runtime/ground/result/last_barrier.h"
 
 namespace stepwright::server {
 

@@ -22,7 +22,7 @@
 #include "hmi_web/protocol/asset.h"
 #include "hmi_web/server/feed.h"
 #include "hmi_web/server/request_policy.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::server {
 

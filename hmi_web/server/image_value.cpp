@@ -2,7 +2,7 @@
 
 #include "runtime/bytecode/reader/read_value.h"
 #include "runtime/bytecode/value_type.h"
-#include "runtime/naming/direct_address.h"
+#include "runtime/ground/naming/direct_address.h"
 
 namespace stepwright::server {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "hmi_web/server/image_value.h"
-#include "runtime/naming/ascii_names.h"
+#include "runtime/ground/naming/ascii_names.h"
 
 namespace stepwright::server {
 namespace {

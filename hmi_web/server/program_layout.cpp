@@ -7,7 +7,7 @@
 
 #include "runtime/bytecode/reader/document_text.h"
 #include "runtime/bytecode/value_type.h"
-#include "runtime/naming/ascii_names.h"
+#include "runtime/ground/naming/ascii_names.h"
 
 namespace stepwright::server {
 namespace {

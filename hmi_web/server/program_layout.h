@@ -17,7 +17,7 @@
 
 #include "hmi_web/protocol/program.h"
 #include "runtime/bytecode/reader/program_info.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::server {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "runtime/naming/ascii_names.h"
+#include "runtime/ground/naming/ascii_names.h"
 
 namespace stepwright::server {
 namespace {

@@ -6,7 +6,7 @@
 #include <array>
 #include <string_view>
 
-#include "runtime/result/diagnostic.h"
+#include "runtime/ground/result/diagnostic.h"
 
 namespace stepwright::storage {
 

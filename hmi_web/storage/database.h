@@ -26,7 +26,7 @@
 #include <string_view>
 #include <vector>
 
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 struct sqlite3;
 struct sqlite3_stmt;

@@ -10,7 +10,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::storage {
 

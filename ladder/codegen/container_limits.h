@@ -13,7 +13,7 @@
 #include "ladder/source/source_set.h"
 #include "runtime/bytecode/container_format.h"
 #include "runtime/bytecode/writer/container_writer.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::codegen {
 

@@ -16,7 +16,7 @@
 
 #include "ladder/semantics/model.h"
 #include "ladder/source/source_set.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::codegen {
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "runtime/bytecode/member_bit.h"
-#include "runtime/naming/ascii_names.h"
+#include "runtime/ground/naming/ascii_names.h"
 
 namespace stepwright::codegen {
 

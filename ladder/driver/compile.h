@@ -21,7 +21,7 @@
 #include "ladder/lint/lint.h"
 #include "ladder/source/dialect.h"
 #include "ladder/source/source_set.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::driver {
 

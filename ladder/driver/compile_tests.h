@@ -19,7 +19,7 @@
 #include "ladder/driver/compile.h"
 #include "ladder/semantics/test_case.h"
 #include "runtime/bytecode/value_type.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::driver {
 

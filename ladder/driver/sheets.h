@@ -11,7 +11,7 @@
 
 #include "ladder/driver/compile.h"
 #include "ladder/graphic/sheet.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::driver {
 

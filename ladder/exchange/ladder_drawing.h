@@ -9,7 +9,7 @@
 
 #include "ladder/graphic/diagram.h"
 #include "ladder/graphic/ladder_program.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::exchange {
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "ladder/graphic/project.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::exchange {
 

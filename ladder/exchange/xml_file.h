@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "ladder/graphic/diagram.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::exchange {
 

@@ -19,7 +19,7 @@
 
 #include "ladder/graphic/condition.h"
 #include "runtime/base/strong_id.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::graphic {
 

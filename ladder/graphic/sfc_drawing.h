@@ -17,7 +17,7 @@
 #include <string>
 
 #include "ladder/graphic/sfc_chart.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::graphic {
 

@@ -19,7 +19,7 @@
 #include <cstddef>
 
 #include "ladder/graphic/sfc_chart.h"
-#include "runtime/result/diagnostic.h"
+#include "runtime/ground/result/diagnostic.h"
 
 namespace stepwright::graphic {
 

@@ -1,7 +1,7 @@
 // Names in declarations.
 
 #include "ladder/lint/internal/body_walker.h"
-#include "runtime/naming/ascii_names.h"
+#include "runtime/ground/naming/ascii_names.h"
 
 namespace stepwright::lint::internal {
 

@@ -9,7 +9,7 @@
 
 #include "ladder/graphic/diagram.h"
 #include "ladder/syntax/parser.h"
-#include "runtime/result/diagnostic.h"
+#include "runtime/ground/result/diagnostic.h"
 
 namespace stepwright::lowering {
 

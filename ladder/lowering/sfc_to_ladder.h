@@ -17,7 +17,7 @@
 
 #include "ladder/graphic/project.h"
 #include "ladder/lowering/condition_network.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::lowering {
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "ladder/semantics/internal/configurer.h"
-#include "runtime/naming/ascii_names.h"
+#include "runtime/ground/naming/ascii_names.h"
 
 namespace stepwright::semantics::internal {
 

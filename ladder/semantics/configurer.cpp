@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "ladder/source/suggestion.h"
-#include "runtime/naming/ascii_names.h"
+#include "runtime/ground/naming/ascii_names.h"
 
 namespace stepwright::semantics::internal {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "ladder/semantics/internal/expression_analyzer.h"
-#include "runtime/naming/ascii_names.h"
+#include "runtime/ground/naming/ascii_names.h"
 
 namespace stepwright::semantics::internal {
 

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "ladder/semantics/internal/call_analyzer.h"
-#include "runtime/naming/ascii_names.h"
+#include "runtime/ground/naming/ascii_names.h"
 
 namespace stepwright::semantics::internal {
 

@@ -7,7 +7,7 @@
 #include "ladder/semantics/internal/call_analyzer.h"
 #include "ladder/semantics/internal/configurer.h"
 #include "ladder/source/suggestion.h"
-#include "runtime/naming/ascii_names.h"
+#include "runtime/ground/naming/ascii_names.h"
 
 namespace stepwright::semantics::internal {
 

@@ -5,7 +5,7 @@
 
 #include "ladder/semantics/internal/declarer.h"
 #include "ladder/source/suggestion.h"
-#include "runtime/naming/ascii_names.h"
+#include "runtime/ground/naming/ascii_names.h"
 
 namespace stepwright::semantics::internal {
 

@@ -1,6 +1,6 @@
 #include "ladder/source/name_table.h"
 
-#include "runtime/naming/ascii_names.h"
+#include "runtime/ground/naming/ascii_names.h"
 
 namespace stepwright::source {
 

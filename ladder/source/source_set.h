@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "runtime/base/strong_id.h"
-#include "runtime/result/diagnostic.h"
+#include "runtime/ground/result/diagnostic.h"
 
 namespace stepwright::source {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "ladder/source/name_table.h"
-#include "runtime/result/closest.h"
+#include "runtime/ground/result/closest.h"
 
 namespace stepwright::source {
 

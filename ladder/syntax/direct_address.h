@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "runtime/naming/direct_address.h"
+#include "runtime/ground/naming/direct_address.h"
 
 namespace stepwright::syntax {
 

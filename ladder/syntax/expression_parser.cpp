@@ -6,7 +6,7 @@
 
 #include "ladder/syntax/internal/parser.h"
 #include "ladder/syntax/number.h"
-#include "runtime/naming/ascii_names.h"
+#include "runtime/ground/naming/ascii_names.h"
 
 namespace stepwright::syntax {
 

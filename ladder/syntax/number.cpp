@@ -5,7 +5,7 @@
 #include <limits>
 #include <string>
 
-#include "runtime/naming/ascii_names.h"
+#include "runtime/ground/naming/ascii_names.h"
 
 namespace stepwright::syntax {
 

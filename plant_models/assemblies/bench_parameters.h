@@ -9,7 +9,7 @@
 
 #include "plant_models/assemblies/bench_names.h"
 #include "plant_models/assemblies/level_sensor.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::assemblies {
 

@@ -4,7 +4,7 @@
 // reference point is the middle of the front axle. Defaults: 1.4 x 4.0 m with its forks, turning radius 3.5
 // m, 1.5 m/s; see plant_models/doc/forklift.md.
 
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::assemblies {
 

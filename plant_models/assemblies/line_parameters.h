@@ -15,7 +15,7 @@
 
 #include "plant_models/assemblies/belt_drive.h"
 #include "plant_models/body2d/body_geometry.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::assemblies {
 

@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "plant_models/core/port.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::assemblies {
 

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "runtime/naming/direct_address.h"
+#include "runtime/ground/naming/direct_address.h"
 
 namespace stepwright::bridge {
 namespace {

@@ -16,8 +16,8 @@
 #include <vector>
 
 #include "plant_models/core/plant.h"
+#include "runtime/ground/result/result.h"
 #include "runtime/image/io_driver.h"
-#include "runtime/result/result.h"
 
 namespace stepwright::bridge {
 

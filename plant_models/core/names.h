@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "runtime/naming/ascii_names.h"
+#include "runtime/ground/naming/ascii_names.h"
 
 namespace stepwright::core {
 

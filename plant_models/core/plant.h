@@ -21,7 +21,7 @@
 
 #include "plant_models/core/plant_description.h"
 #include "plant_models/core/port.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::core {
 

@@ -21,7 +21,7 @@
 #include <vector>
 
 #include "plant_models/ode/ode_system.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::ode {
 

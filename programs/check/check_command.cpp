@@ -5,16 +5,16 @@
 #include <tuple>
 #include <utility>
 
+#include "cell/config/state_dir.h"
+#include "cell/missions/mission_kinds.h"
+#include "cell/runtime/cell_io.h"
+#include "cell/runtime/host_options.h"
 #include "hmi_web/alarms/definition_file.h"
 #include "hmi_web/drawing/drawing_file.h"
 #include "hmi_web/recipes/definition_file.h"
 #include "programs/check/check_processes.h"
 #include "programs/check/check_program.h"
-#include "programs/config/state_dir.h"
-#include "programs/missions/mission_kinds.h"
-#include "programs/process/diagnostics_json.h"
-#include "programs/runtime/cell_io.h"
-#include "programs/runtime/host_options.h"
+#include "runtime/ground/process/diagnostics_json.h"
 
 namespace stepwright::check {
 namespace {

@@ -15,8 +15,8 @@
 #include <string>
 #include <vector>
 
-#include "runtime/result/diagnostic.h"
-#include "runtime/result/exit_code.h"
+#include "runtime/ground/result/diagnostic.h"
+#include "runtime/ground/result/exit_code.h"
 
 namespace stepwright::check {
 

@@ -1,7 +1,7 @@
 #include "programs/check/check_processes.h"
 
-#include "programs/gateway/controller_line.h"
-#include "programs/gateway/hand_plan.h"
+#include "cell/gateway/controller_line.h"
+#include "cell/gateway/hand_plan.h"
 #include "runtime/modbus/client/poll/io_client.h"
 #include "runtime/modbus/server/tls/tls_context.h"
 

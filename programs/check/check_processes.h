@@ -8,8 +8,8 @@
 //
 // Nothing is opened but files to read: whether an address or a device is free is known at the start only.
 
-#include "programs/config/cell_config.h"
-#include "runtime/result/diagnostic.h"
+#include "cell/config/cell_config.h"
+#include "runtime/ground/result/diagnostic.h"
 
 namespace stepwright::check {
 

@@ -3,13 +3,13 @@
 #include <span>
 #include <utility>
 
+#include "cell/runtime/boot_program.h"
+#include "cell/runtime/host_options.h"
 #include "programs/check/check_tags.h"
 #include "programs/check/check_wires.h"
-#include "programs/process/files.h"
-#include "programs/runtime/boot_program.h"
-#include "programs/runtime/host_options.h"
 #include "runtime/bytecode/reader/loaded_program.h"
 #include "runtime/bytecode/reader/program_info.h"
+#include "runtime/ground/process/files.h"
 #include "runtime/host/engine_choice.h"
 #include "runtime/host/program_fit.h"
 #include "runtime/modbus/map/build_map.h"

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "programs/config/cell_config.h"
-#include "runtime/result/result.h"
+#include "cell/config/cell_config.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::check {
 

@@ -7,8 +7,8 @@
 // Pure; any thread.
 
 #include "runtime/bytecode/reader/program_info.h"
+#include "runtime/ground/result/diagnostic.h"
 #include "runtime/modbus/client/settings.h"
-#include "runtime/result/diagnostic.h"
 
 namespace stepwright::check {
 

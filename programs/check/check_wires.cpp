@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "cell/runtime/cell_io.h"
 #include "plant_models/bridge/io_address.h"
 #include "programs/check/extent.h"
-#include "programs/runtime/cell_io.h"
 
 namespace stepwright::check {
 namespace {

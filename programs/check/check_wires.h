@@ -6,9 +6,9 @@
 //
 // Pure; any thread.
 
-#include "programs/config/cell_config.h"
+#include "cell/config/cell_config.h"
 #include "runtime/bytecode/reader/program_info.h"
-#include "runtime/result/diagnostic.h"
+#include "runtime/ground/result/diagnostic.h"
 
 namespace stepwright::check {
 

@@ -4,10 +4,10 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
+#include "cell/config/cell_options.h"
 #include "programs/check/check_command.h"
-#include "programs/config/cell_options.h"
-#include "programs/process/command_line.h"
-#include "programs/process/files.h"
+#include "runtime/ground/process/command_line.h"
+#include "runtime/ground/process/files.h"
 
 namespace stepwright::check {
 namespace {

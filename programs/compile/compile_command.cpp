@@ -4,9 +4,9 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 
-#include "programs/process/diagnostics_json.h"
-#include "programs/process/files.h"
-#include "programs/sources/source_files.h"
+#include "ladder/source_files/source_files.h"
+#include "runtime/ground/process/diagnostics_json.h"
+#include "runtime/ground/process/files.h"
 
 namespace stepwright::compile_program {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "programs/sources/source_options.h"
-#include "runtime/result/exit_code.h"
+#include "ladder/source_files/source_options.h"
+#include "runtime/ground/result/exit_code.h"
 
 namespace stepwright::compile_program {
 

@@ -2,10 +2,10 @@
 
 #include <CLI/CLI.hpp>
 
+#include "ladder/source_files/source_options.h"
 #include "programs/compile/compile_command.h"
 #include "programs/compile/explain_command.h"
-#include "programs/process/command_line.h"
-#include "programs/sources/source_options.h"
+#include "runtime/ground/process/command_line.h"
 
 namespace {
 

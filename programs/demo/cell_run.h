@@ -13,8 +13,8 @@
 #include "programs/demo/child_process.h"
 #include "programs/demo/controller_choice.h"
 #include "programs/demo/emulator_line.h"
-#include "runtime/result/exit_code.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/exit_code.h"
+#include "runtime/ground/result/result.h"
 #include "supervisor/run/report.h"
 
 namespace stepwright::demo {

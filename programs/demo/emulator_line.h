@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "programs/demo/child_process.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::demo {
 

@@ -9,12 +9,12 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "programs/config/cell_config.h"
+#include "cell/config/cell_config.h"
 #include "programs/demo/cell_run.h"
 #include "programs/demo/controller_choice.h"
 #include "programs/demo/summary.h"
-#include "programs/process/command_line.h"
-#include "programs/process/files.h"
+#include "runtime/ground/process/command_line.h"
+#include "runtime/ground/process/files.h"
 
 namespace stepwright::demo {
 namespace {

@@ -13,12 +13,12 @@
 #include <variant>
 #include <vector>
 
-#include "programs/config/cell_options.h"
-#include "programs/process/command_line.h"
-#include "programs/process/diagnostics_json.h"
-#include "programs/process/files.h"
+#include "cell/config/cell_options.h"
 #include "runtime/bytecode/writer/document_section.h"
-#include "runtime/result/exit_code.h"
+#include "runtime/ground/process/command_line.h"
+#include "runtime/ground/process/diagnostics_json.h"
+#include "runtime/ground/process/files.h"
+#include "runtime/ground/result/exit_code.h"
 #include "runtime/service/connection.h"
 
 namespace stepwright::download {

@@ -1,13 +1,13 @@
 // stepwright exec IMAGE.swb [--scans N] [--engine vm|native] [--trace VARS] [--csv FILE] [--json FILE]
 
-#include "programs/exec/exec_run.h"
-#include "programs/process/command_line.h"
-#include "programs/process/files.h"
-#include "programs/trace/csv_trace.h"
-#include "programs/trace/names.h"
-#include "programs/trace/value_json.h"
 #include "runtime/bytecode/reader/loaded_program.h"
-#include "runtime/result/exit_code.h"
+#include "runtime/exec/exec_run.h"
+#include "runtime/ground/process/command_line.h"
+#include "runtime/ground/process/files.h"
+#include "runtime/ground/result/exit_code.h"
+#include "runtime/trace/csv_trace.h"
+#include "runtime/trace/names.h"
+#include "runtime/trace/value_json.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>

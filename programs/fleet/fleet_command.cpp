@@ -5,10 +5,10 @@
 #include <cmath>
 #include <cstdio>
 
-#include "programs/fleet/cell_fleet.h"
+#include "cell/fleet/cell_fleet.h"
 #include "programs/fleet/fleet_text.h"
-#include "programs/process/files.h"
-#include "programs/process/interruption.h"
+#include "runtime/ground/process/files.h"
+#include "runtime/ground/process/interruption.h"
 #include "supervisor/fleet/mission/fleet_svg.h"
 #include "supervisor/fleet/mission/problem_reader.h"
 #include "supervisor/fleet/prepare/prepare_fleet.h"

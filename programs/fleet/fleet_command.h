@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/result/exit_code.h"
+#include "runtime/ground/result/exit_code.h"
 #include "supervisor/fleet/schedule/problem.h"
 
 namespace stepwright::fleet {

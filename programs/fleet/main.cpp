@@ -5,7 +5,7 @@
 #include <map>
 
 #include "programs/fleet/fleet_command.h"
-#include "programs/process/command_line.h"
+#include "runtime/ground/process/command_line.h"
 
 namespace {
 

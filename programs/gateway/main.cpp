@@ -8,22 +8,22 @@
 #include <memory>
 #include <string>
 
-#include "programs/config/cell_options.h"
-#include "programs/config/state_dir.h"
-#include "programs/gateway/controller_line.h"
-#include "programs/gateway/follow_plan.h"
-#include "programs/gateway/gateway_metrics.h"
-#include "programs/log/logger.h"
-#include "programs/log/reload_log.h"
-#include "programs/metrics_server/metrics_server.h"
-#include "programs/process/command_line.h"
-#include "programs/process/notify_socket.h"
-#include "programs/process/reload_signal.h"
-#include "programs/process/stop_signal.h"
-#include "programs/runtime/cell_io.h"
-#include "programs/runtime/process_monitor.h"
+#include "cell/config/cell_options.h"
+#include "cell/config/reload_log.h"
+#include "cell/config/state_dir.h"
+#include "cell/gateway/controller_line.h"
+#include "cell/gateway/follow_plan.h"
+#include "cell/gateway/gateway_metrics.h"
+#include "cell/metrics_server/metrics_server.h"
+#include "cell/runtime/cell_io.h"
+#include "cell/runtime/process_monitor.h"
+#include "runtime/ground/log/logger.h"
+#include "runtime/ground/process/command_line.h"
+#include "runtime/ground/process/notify_socket.h"
+#include "runtime/ground/process/reload_signal.h"
+#include "runtime/ground/process/stop_signal.h"
+#include "runtime/ground/result/exit_code.h"
 #include "runtime/remote/remote_runtime.h"
-#include "runtime/result/exit_code.h"
 #include "runtime/service/server.h"
 
 namespace stepwright::gateway {
@@ -80,7 +80,7 @@ int run_by_hand(const config::CellConfig& config, log::Logger& log, const proces
   init.ready("follows the plan on " + (*line)->name());
   const ExitCode code = follow_plan(config, *plan, **line, log, stop, [&](const FollowStatus& status) {
     figures.publish(status, plan->actions.size());
-    if (reload.take()) log::reload_log(running, log, init);
+    if (reload.take()) config::reload_log(running, log, init);
     heartbeat.turn();
   });
   init.stopping();

@@ -17,11 +17,11 @@
 #include <cstring>
 #include <memory>
 
-#include "programs/config/cell_options.h"
-#include "programs/process/command_line.h"
-#include "programs/process/stop_signal.h"
+#include "cell/config/cell_options.h"
+#include "runtime/ground/process/command_line.h"
+#include "runtime/ground/process/stop_signal.h"
+#include "runtime/ground/result/exit_code.h"
 #include "runtime/io_memory/output_guard.h"
-#include "runtime/result/exit_code.h"
 
 namespace stepwright::guard {
 namespace {

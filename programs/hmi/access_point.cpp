@@ -9,9 +9,9 @@
 #include "hmi_web/api/routes.h"
 #include "hmi_web/recipes/definition_file.h"
 #include "hmi_web/storage/codes.h"
-#include "programs/process/command_line.h"
-#include "programs/process/files.h"
-#include "runtime/result/exit_code.h"
+#include "runtime/ground/process/command_line.h"
+#include "runtime/ground/process/files.h"
+#include "runtime/ground/result/exit_code.h"
 
 namespace stepwright::hmi {
 namespace {

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "cell/config/hmi_config.h"
 #include "hmi_web/access/access_control.h"
 #include "hmi_web/access/audit_log.h"
 #include "hmi_web/api/cell_control.h"
@@ -26,9 +27,8 @@
 #include "hmi_web/api/recipe_service.h"
 #include "hmi_web/api/request_guard.h"
 #include "hmi_web/storage/file_lock.h"
-#include "programs/config/hmi_config.h"
-#include "programs/log/logger.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/log/logger.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::hmi {
 

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "programs/sources/source_files.h"
+#include "ladder/source_files/source_files.h"
 
 namespace stepwright::hmi {
 

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "cell/hmi/supervisor_word.h"
 #include "hmi_web/api/cell_codes.h"
 #include "programs/hmi/compile_sources.h"
 #include "programs/hmi/source_cache.h"
-#include "programs/hmi/supervisor_word.h"
 #include "runtime/bytecode/reader/document_text.h"
 #include "runtime/bytecode/writer/document_section.h"
-#include "runtime/result/last_barrier.h"
+#include "runtime/ground/result/last_barrier.h"
 #include "runtime/service/digest.h"
 
 namespace stepwright::hmi {

@@ -12,8 +12,8 @@
 #include <string>
 #include <thread>
 
+#include "cell/config/cell_config.h"
 #include "hmi_web/api/cell_change.h"
-#include "programs/config/cell_config.h"
 #include "programs/hmi/dds_cell_source.h"
 
 namespace stepwright::hmi {

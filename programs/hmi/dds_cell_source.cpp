@@ -2,11 +2,11 @@
 
 #include <utility>
 
-#include "programs/config/dds_options.h"
-#include "programs/hmi/runtime_report.h"
-#include "programs/hmi/sensor_tare.h"
-#include "programs/log/refused_samples.h"
+#include "cell/config/dds_options.h"
+#include "cell/hmi/runtime_report.h"
+#include "cell/hmi/sensor_tare.h"
 #include "runtime/bytecode/reader/document_text.h"
+#include "runtime/ground/log/refused_samples.h"
 #include "runtime/service/digest.h"
 
 namespace stepwright::hmi {

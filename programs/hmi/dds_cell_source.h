@@ -9,13 +9,13 @@
 #include <memory>
 #include <string>
 
+#include "cell/config/cell_config.h"
 #include "hmi_web/server/cell_source.h"
-#include "programs/config/cell_config.h"
 #include "programs/hmi/running_program.h"
-#include "programs/log/logger.h"
 #include "runtime/dds/plan_channel.h"
 #include "runtime/dds/runtime_client.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/log/logger.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::hmi {
 

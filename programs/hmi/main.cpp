@@ -9,27 +9,27 @@
 #include <string>
 #include <thread>
 
+#include "cell/config/cell_options.h"
+#include "cell/config/reload_log.h"
+#include "cell/hmi/plant_picture.h"
 #include "hmi_web/client/client_assets.h"
 #include "hmi_web/drawing/drawing_file.h"
 #include "hmi_web/monitor/cell_monitor.h"
 #include "hmi_web/server/cell_poller.h"
 #include "hmi_web/server/http_server.h"
-#include "programs/config/cell_options.h"
 #include "programs/hmi/access_point.h"
 #include "programs/hmi/dds_cell_change.h"
 #include "programs/hmi/dds_cell_control.h"
 #include "programs/hmi/dds_cell_source.h"
-#include "programs/hmi/plant_picture.h"
 #include "programs/hmi/recording.h"
 #include "programs/hmi/runtime_watch.h"
 #include "programs/hmi/source_cache.h"
-#include "programs/log/logger.h"
-#include "programs/log/reload_log.h"
-#include "programs/process/command_line.h"
-#include "programs/process/notify_socket.h"
-#include "programs/process/reload_signal.h"
-#include "programs/process/stop_signal.h"
-#include "runtime/result/exit_code.h"
+#include "runtime/ground/log/logger.h"
+#include "runtime/ground/process/command_line.h"
+#include "runtime/ground/process/notify_socket.h"
+#include "runtime/ground/process/reload_signal.h"
+#include "runtime/ground/process/stop_signal.h"
+#include "runtime/ground/result/exit_code.h"
 
 namespace stepwright {
 namespace {
@@ -115,7 +115,7 @@ int run(const config::CellConfig& config) {
     init.ready(address);
     process::Heartbeat heartbeat(init);
     while (!stop.wait_for(kTurn)) {
-      if (reload.take()) log::reload_log(running, **log, init);
+      if (reload.take()) config::reload_log(running, **log, init);
       heartbeat.turn();
       (*access)->turn();
       (*log)->tick();

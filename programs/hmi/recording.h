@@ -15,13 +15,13 @@
 #include <shared_mutex>
 #include <string>
 
+#include "cell/config/cell_config.h"
 #include "hmi_web/api/cell_records.h"
 #include "hmi_web/protocol/synoptic.h"
 #include "hmi_web/recorder/cell_recorder.h"
 #include "hmi_web/recorder/record_queries.h"
-#include "programs/config/cell_config.h"
-#include "programs/log/logger.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/log/logger.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::hmi {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "programs/config/dds_options.h"
-#include "programs/hmi/scan_report.h"
-#include "programs/log/refused_samples.h"
+#include "cell/config/dds_options.h"
+#include "cell/hmi/scan_report.h"
+#include "runtime/ground/log/refused_samples.h"
 
 namespace stepwright::hmi {
 

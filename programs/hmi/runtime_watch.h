@@ -9,12 +9,12 @@
 #include <string>
 #include <vector>
 
+#include "cell/config/cell_config.h"
 #include "hmi_web/api/cell_figures.h"
-#include "programs/config/cell_config.h"
-#include "programs/log/logger.h"
-#include "programs/metrics/metrics_text.h"
 #include "runtime/dds/runtime_client.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/log/logger.h"
+#include "runtime/ground/result/result.h"
+#include "runtime/metrics/metrics_text.h"
 
 namespace stepwright::hmi {
 

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "programs/link/device_watch.h"
-#include "programs/log/logger.h"
 #include "runtime/dds/link_endpoint.h"
+#include "runtime/ground/log/logger.h"
 #include "runtime/service/connection.h"
 
 namespace stepwright::link {

@@ -3,9 +3,9 @@
 #include <chrono>
 #include <utility>
 
-#include "programs/device_status/status_socket.h"
-#include "programs/link/device_health.h"
-#include "runtime/result/last_barrier.h"
+#include "cell/device_status/status_socket.h"
+#include "cell/link/device_health.h"
+#include "runtime/ground/result/last_barrier.h"
 
 namespace stepwright::link {
 namespace {

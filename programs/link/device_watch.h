@@ -12,7 +12,7 @@
 #include <thread>
 #include <vector>
 
-#include "programs/config/cell_config.h"
+#include "cell/config/cell_config.h"
 #include "runtime/dds/health.h"
 
 namespace stepwright::link {

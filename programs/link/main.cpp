@@ -4,18 +4,18 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
-#include "programs/config/cell_options.h"
-#include "programs/config/dds_options.h"
+#include "cell/config/cell_options.h"
+#include "cell/config/dds_options.h"
+#include "cell/config/reload_log.h"
 #include "programs/link/bridge.h"
 #include "programs/link/device_watch.h"
-#include "programs/log/logger.h"
-#include "programs/log/refused_samples.h"
-#include "programs/log/reload_log.h"
-#include "programs/process/command_line.h"
-#include "programs/process/notify_socket.h"
-#include "programs/process/reload_signal.h"
-#include "programs/process/stop_signal.h"
-#include "runtime/result/exit_code.h"
+#include "runtime/ground/log/logger.h"
+#include "runtime/ground/log/refused_samples.h"
+#include "runtime/ground/process/command_line.h"
+#include "runtime/ground/process/notify_socket.h"
+#include "runtime/ground/process/reload_signal.h"
+#include "runtime/ground/process/stop_signal.h"
+#include "runtime/ground/result/exit_code.h"
 
 namespace stepwright::link {
 namespace {
@@ -42,7 +42,7 @@ int run(const config::CellConfig& config) {
   process::Heartbeat heartbeat(init);
   while (!stop.came()) {
     bridge.turn(stop.descriptor());
-    if (reload.take()) log::reload_log(running, **log, init);
+    if (reload.take()) config::reload_log(running, **log, init);
     heartbeat.turn();
     (*log)->tick();
   }

@@ -13,23 +13,23 @@
 #include <thread>
 #include <vector>
 
-#include "programs/config/cell_options.h"
-#include "programs/config/state_dir.h"
-#include "programs/device_status/status_socket.h"
-#include "programs/log/logger.h"
-#include "programs/log/reload_log.h"
-#include "programs/metrics_server/metrics_server.h"
-#include "programs/modbus_client/client_metrics.h"
-#include "programs/modbus_client/field_outputs.h"
-#include "programs/modbus_client/status_json.h"
-#include "programs/process/command_line.h"
-#include "programs/process/files.h"
-#include "programs/process/notify_socket.h"
-#include "programs/process/reload_signal.h"
-#include "programs/process/stop_signal.h"
+#include "cell/config/cell_options.h"
+#include "cell/config/reload_log.h"
+#include "cell/config/state_dir.h"
+#include "cell/device_status/status_socket.h"
+#include "cell/metrics_server/metrics_server.h"
+#include "cell/modbus_client/client_metrics.h"
+#include "cell/modbus_client/field_outputs.h"
+#include "cell/modbus_client/status_json.h"
+#include "runtime/ground/log/logger.h"
+#include "runtime/ground/process/command_line.h"
+#include "runtime/ground/process/files.h"
+#include "runtime/ground/process/notify_socket.h"
+#include "runtime/ground/process/reload_signal.h"
+#include "runtime/ground/process/stop_signal.h"
+#include "runtime/ground/result/exit_code.h"
 #include "runtime/io_memory/plant_side.h"
 #include "runtime/modbus/client/poll/io_client.h"
-#include "runtime/result/exit_code.h"
 
 namespace stepwright::modbus_client {
 namespace {
@@ -162,7 +162,7 @@ int run(const config::CellConfig& config) {
     const bool lost = (*client)->lost();
     lost ? (*plant)->lose(inputs) : (*plant)->write_inputs(inputs);
     journal.turn(**client, lost, field.deserted());
-    if (reload.take()) log::reload_log(running, log, init);
+    if (reload.take()) config::reload_log(running, log, init);
     heartbeat.turn();
     log.tick();
   }

@@ -4,20 +4,20 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
-#include "programs/config/cell_options.h"
-#include "programs/log/logger.h"
-#include "programs/log/reload_log.h"
-#include "programs/metrics_server/metrics_server.h"
-#include "programs/modbus_server/acceptors.h"
-#include "programs/modbus_server/server_metrics.h"
-#include "programs/modbus_server/tls_reload.h"
-#include "programs/process/command_line.h"
-#include "programs/process/notify_socket.h"
-#include "programs/process/reload_signal.h"
-#include "programs/process/stop_signal.h"
+#include "cell/config/cell_options.h"
+#include "cell/config/reload_log.h"
+#include "cell/metrics_server/metrics_server.h"
+#include "cell/modbus_server/acceptors.h"
+#include "cell/modbus_server/server_metrics.h"
+#include "cell/modbus_server/tls_reload.h"
+#include "runtime/ground/log/logger.h"
+#include "runtime/ground/process/command_line.h"
+#include "runtime/ground/process/notify_socket.h"
+#include "runtime/ground/process/reload_signal.h"
+#include "runtime/ground/process/stop_signal.h"
+#include "runtime/ground/result/exit_code.h"
 #include "runtime/modbus/server/runtime_data.h"
 #include "runtime/modbus/server/server.h"
-#include "runtime/result/exit_code.h"
 
 namespace stepwright::modbus_server {
 namespace {
@@ -112,14 +112,14 @@ int run(const config::CellConfig& config) {
   if (acceptors->tls != nullptr)
     (*log)->info("tls", "the server's certificate ends " + expiry_text(acceptors->tls->context()));
   init.ready(listens);
-  const log::ReloadPart reloaded = tls_part(acceptors->tls, **log);
+  const config::ReloadPart reloaded = tls_part(acceptors->tls, **log);
   process::Heartbeat heartbeat(init);
   auto next_figures = Clock::now() + kFiguresPeriod;
   while (!stop.came()) {
     (*server)->run_for(kTurn);
     heartbeat.turn();
     status.publish(status_of(**server, **data, acceptors->tls));
-    if (reload.take()) log::reload_log(running, **log, init, reloaded);
+    if (reload.take()) config::reload_log(running, **log, init, reloaded);
     (*log)->tick();
     if (Clock::now() < next_figures) continue;
     next_figures = Clock::now() + kFiguresPeriod;

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "programs/config/cell_config.h"
+#include "cell/config/cell_config.h"
 #include "runtime/bytecode/reader/program_info.h"
 #include "runtime/service/connection.h"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "programs/config/cell_config.h"
+#include "cell/config/cell_config.h"
 
 namespace stepwright::monitor {
 

@@ -6,12 +6,12 @@
 #include "programs/monitor/attach.h"
 #include "programs/monitor/commands.h"
 #include "programs/monitor/report.h"
-#include "programs/process/command_line.h"
-#include "programs/trace/value_json.h"
 #include "runtime/bytecode/reader/read_value.h"
-#include "runtime/result/exit_code.h"
+#include "runtime/ground/process/command_line.h"
+#include "runtime/ground/result/exit_code.h"
 #include "runtime/service/monitor_answers.h"
 #include "runtime/service/program_names.h"
+#include "runtime/trace/value_json.h"
 
 namespace stepwright::monitor {
 namespace {

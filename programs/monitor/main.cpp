@@ -5,9 +5,9 @@
 #include <functional>
 #include <string>
 
-#include "programs/config/cell_options.h"
+#include "cell/config/cell_options.h"
 #include "programs/monitor/commands.h"
-#include "programs/process/command_line.h"
+#include "runtime/ground/process/command_line.h"
 
 namespace stepwright::monitor {
 namespace {

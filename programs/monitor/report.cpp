@@ -3,10 +3,10 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "programs/process/command_line.h"
-#include "programs/process/files.h"
-#include "programs/trace/value_json.h"
-#include "runtime/result/exit_code.h"
+#include "runtime/ground/process/command_line.h"
+#include "runtime/ground/process/files.h"
+#include "runtime/ground/result/exit_code.h"
+#include "runtime/trace/value_json.h"
 
 namespace stepwright::monitor {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "programs/trace/names.h"
 #include "runtime/host/messages.h"
+#include "runtime/trace/names.h"
 
 namespace stepwright::monitor {
 

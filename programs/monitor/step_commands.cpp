@@ -7,9 +7,9 @@
 #include "programs/monitor/attach.h"
 #include "programs/monitor/commands.h"
 #include "programs/monitor/report.h"
-#include "programs/process/command_line.h"
 #include "runtime/bytecode/reader/read_value.h"
-#include "runtime/result/exit_code.h"
+#include "runtime/ground/process/command_line.h"
+#include "runtime/ground/result/exit_code.h"
 
 namespace stepwright::monitor {
 namespace {

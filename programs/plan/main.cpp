@@ -5,7 +5,7 @@
 #include "programs/plan/output.h"
 #include "programs/plan/plan_command.h"
 #include "programs/plan/validate_command.h"
-#include "programs/process/command_line.h"
+#include "runtime/ground/process/command_line.h"
 
 namespace {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "programs/process/files.h"
+#include "runtime/ground/process/files.h"
 
 namespace stepwright::plan {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/result/diagnostic.h"
+#include "runtime/ground/result/diagnostic.h"
 
 namespace stepwright::plan {
 

@@ -8,8 +8,8 @@
 
 #include "programs/plan/output.h"
 #include "programs/plan/progress_line.h"
-#include "programs/process/files.h"
-#include "programs/process/interruption.h"
+#include "runtime/ground/process/files.h"
+#include "runtime/ground/process/interruption.h"
 #include "supervisor/pddl/plan/plan_file.h"
 #include "supervisor/pddl/plan/validate.h"
 #include "supervisor/pddl/planner/solve.h"

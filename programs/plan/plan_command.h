@@ -7,7 +7,7 @@
 #include <string>
 
 #include "programs/plan/plan_picture.h"
-#include "runtime/result/exit_code.h"
+#include "runtime/ground/result/exit_code.h"
 
 namespace stepwright::plan {
 

@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "programs/plan/output.h"
-#include "programs/process/diagnostics_json.h"
+#include "runtime/ground/process/diagnostics_json.h"
 #include "supervisor/pddl/plan/validate.h"
 
 namespace stepwright::plan {

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "runtime/result/exit_code.h"
+#include "runtime/ground/result/exit_code.h"
 
 namespace stepwright::plan {
 

@@ -5,12 +5,12 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
-#include "programs/config/cell_config.h"
-#include "programs/process/command_line.h"
-#include "programs/process/files.h"
+#include "cell/config/cell_config.h"
 #include "programs/registers/register_table.h"
+#include "runtime/ground/process/command_line.h"
+#include "runtime/ground/process/files.h"
+#include "runtime/ground/result/exit_code.h"
 #include "runtime/modbus/map/build_map.h"
-#include "runtime/result/exit_code.h"
 #include "runtime/service/connection.h"
 
 namespace stepwright::registers {

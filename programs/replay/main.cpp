@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "programs/process/command_line.h"
-#include "programs/process/diagnostics_json.h"
-#include "programs/process/files.h"
-#include "programs/replay/replay_run.h"
-#include "programs/trace/value_json.h"
-#include "runtime/result/exit_code.h"
+#include "runtime/ground/process/command_line.h"
+#include "runtime/ground/process/diagnostics_json.h"
+#include "runtime/ground/process/files.h"
+#include "runtime/ground/result/exit_code.h"
+#include "runtime/replay/replay_run.h"
+#include "runtime/trace/value_json.h"
 
 namespace stepwright::replay {
 namespace {

@@ -10,13 +10,13 @@
 #include <vector>
 
 #include "ladder/driver/compile.h"
-#include "programs/process/command_line.h"
-#include "programs/process/files.h"
-#include "programs/scan_test/measurement.h"
 #include "programs/scan_test/report.h"
-#include "programs/scan_test/rung_source.h"
-#include "programs/scan_test/scan_test_svg.h"
-#include "runtime/result/exit_code.h"
+#include "runtime/ground/process/command_line.h"
+#include "runtime/ground/process/files.h"
+#include "runtime/ground/result/exit_code.h"
+#include "runtime/scan_test/measurement.h"
+#include "runtime/scan_test/rung_source.h"
+#include "runtime/scan_test/scan_test_svg.h"
 
 namespace stepwright::scan_test {
 namespace {

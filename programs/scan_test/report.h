@@ -5,7 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "programs/scan_test/measurement.h"
+#include "runtime/scan_test/measurement.h"
 
 namespace stepwright::scan_test {
 

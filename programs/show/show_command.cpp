@@ -10,11 +10,11 @@
 #include "ladder/graphic/identifier.h"
 #include "ladder/print/print.h"
 #include "ladder/source/suggestion.h"
-#include "programs/process/command_line.h"
-#include "programs/process/files.h"
-#include "programs/sources/source_files.h"
-#include "programs/sources/source_options.h"
-#include "runtime/result/exit_code.h"
+#include "ladder/source_files/source_files.h"
+#include "ladder/source_files/source_options.h"
+#include "runtime/ground/process/command_line.h"
+#include "runtime/ground/process/files.h"
+#include "runtime/ground/result/exit_code.h"
 
 namespace stepwright::show {
 

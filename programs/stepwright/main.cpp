@@ -13,8 +13,8 @@
 #include <string_view>
 #include <vector>
 
-#include "runtime/result/exit_code.h"
-#include "runtime/settings/toml_document.h"
+#include "runtime/ground/result/exit_code.h"
+#include "runtime/ground/settings/toml_document.h"
 
 namespace {
 
@@ -62,11 +62,11 @@ constexpr std::array kCommands = {
     Command{"record", "stepwright-monitor", "record everything that decides the scans"},
     Command{"trace", "stepwright-monitor", "write variables as a table, a row for every scan"},
     Command{"replay", "stepwright-replay", "run a recording again and compare every image"},
-    Command{"metrics", "stepwright-attend", "the figures of a runtime in the text form of Prometheus"},
+    Command{"metrics", "stepwright-metrics", "the figures of a runtime in the text form of Prometheus"},
     Command{"modbus-server", "stepwright-modbus-server", "serve the variables of a runtime over Modbus"},
     Command{"registers", "stepwright-registers", "list the Modbus addresses of a program's variables"},
     Command{"vda5050", "stepwright-vda5050", "check messages of VDA 5050 by the rules of the standard"},
-    Command{"reload", "stepwright-attend", "have a runtime read its configuration again"},
+    Command{"reload", "stepwright-metrics", "have a runtime read its configuration again"},
 };
 
 // A command that is started without standard streams must not take a file of its own for one of them.

@@ -13,19 +13,19 @@
 #include <thread>
 #include <vector>
 
-#include "programs/config/cell_config.h"
-#include "programs/config/dds_options.h"
-#include "programs/config/state_dir.h"
-#include "programs/log/logger.h"
-#include "programs/log/refused_samples.h"
-#include "programs/log/reload_log.h"
-#include "programs/missions/mission_kinds.h"
-#include "programs/process/command_line.h"
-#include "programs/process/notify_socket.h"
-#include "programs/process/reload_signal.h"
+#include "cell/config/cell_config.h"
+#include "cell/config/dds_options.h"
+#include "cell/config/reload_log.h"
+#include "cell/config/state_dir.h"
+#include "cell/missions/mission_kinds.h"
 #include "runtime/dds/plan_channel.h"
-#include "runtime/result/exit_code.h"
-#include "runtime/result/last_barrier.h"
+#include "runtime/ground/log/logger.h"
+#include "runtime/ground/log/refused_samples.h"
+#include "runtime/ground/process/command_line.h"
+#include "runtime/ground/process/notify_socket.h"
+#include "runtime/ground/process/reload_signal.h"
+#include "runtime/ground/result/exit_code.h"
+#include "runtime/ground/result/last_barrier.h"
 #include "supervisor/run/dds_controller.h"
 #include "supervisor/run/report.h"
 
@@ -185,7 +185,7 @@ int run_cells(const std::vector<config::CellConfig>& cells, bool once) {
   int exit = to_int(ExitCode::Done);
   for (std::future<int>& each : runs) {
     while (each.wait_for(milliseconds(200)) != std::future_status::ready) {
-      if (reload.take()) log::reload_log(running, log, init);
+      if (reload.take()) config::reload_log(running, log, init);
       log.tick();
     }
     if (exit == 0) exit = each.get();

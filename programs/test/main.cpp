@@ -3,9 +3,9 @@
 
 #include <CLI/CLI.hpp>
 
-#include "programs/process/command_line.h"
-#include "programs/sources/source_options.h"
+#include "ladder/source_files/source_options.h"
 #include "programs/test/test_command.h"
+#include "runtime/ground/process/command_line.h"
 
 int main(int argc, char** argv) {
   using namespace stepwright;

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <iomanip>
 
-#include "programs/sources/source_files.h"
+#include "ladder/source_files/source_files.h"
 #include "programs/test/report.h"
 #include "runtime/base/time_text.h"
 

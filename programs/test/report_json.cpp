@@ -1,7 +1,7 @@
 #include <nlohmann/json.hpp>
 
-#include "programs/process/diagnostics_json.h"
 #include "programs/test/report.h"
+#include "runtime/ground/process/diagnostics_json.h"
 
 namespace stepwright::test_program {
 

@@ -6,9 +6,9 @@
 #include <iostream>
 #include <utility>
 
-#include "programs/process/files.h"
-#include "programs/sources/source_files.h"
+#include "ladder/source_files/source_files.h"
 #include "programs/test/report.h"
+#include "runtime/ground/process/files.h"
 
 namespace stepwright::test_program {
 

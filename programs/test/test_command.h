@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "programs/sources/source_options.h"
+#include "ladder/source_files/source_options.h"
 #include "programs/test/suite_runner.h"
-#include "runtime/result/exit_code.h"
+#include "runtime/ground/result/exit_code.h"
 
 namespace stepwright::test_program {
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "runtime/result/diagnostic.h"
+#include "runtime/ground/result/diagnostic.h"
 
 namespace stepwright::test_program {
 

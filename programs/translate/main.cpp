@@ -5,9 +5,9 @@
 #include <iostream>
 #include <string>
 
-#include "programs/process/command_line.h"
 #include "programs/translate/translate_command.h"
-#include "runtime/result/exit_code.h"
+#include "runtime/ground/process/command_line.h"
+#include "runtime/ground/result/exit_code.h"
 
 namespace {
 

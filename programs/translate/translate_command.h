@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string>
 
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::translate_command {
 

@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "programs/config/dds_options.h"
-#include "programs/log/refused_samples.h"
+#include "cell/config/dds_options.h"
+#include "runtime/ground/log/refused_samples.h"
 #include "runtime/service/digest.h"
 
 namespace stepwright::vda5050_link {

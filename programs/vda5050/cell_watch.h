@@ -13,12 +13,12 @@
 #include <memory>
 #include <string>
 
-#include "programs/config/cell_config.h"
-#include "programs/log/logger.h"
-#include "programs/vda5050/fleet_publisher.h"
+#include "cell/config/cell_config.h"
 #include "runtime/dds/plan_channel.h"
 #include "runtime/dds/runtime_client.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/log/logger.h"
+#include "runtime/ground/result/result.h"
+#include "supervisor/fleet/vda5050/link/fleet_publisher.h"
 
 namespace stepwright::vda5050_link {
 

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "programs/config/cell_options.h"
-#include "programs/process/command_line.h"
-#include "programs/process/files.h"
+#include "cell/config/cell_options.h"
 #include "programs/vda5050/publish_command.h"
+#include "runtime/ground/process/command_line.h"
+#include "runtime/ground/process/files.h"
 #include "supervisor/fleet/vda5050/check_message.h"
 
 namespace {

@@ -7,15 +7,15 @@
 #include <memory>
 #include <utility>
 
-#include "programs/log/logger.h"
-#include "programs/log/reload_log.h"
-#include "programs/process/command_line.h"
-#include "programs/process/notify_socket.h"
-#include "programs/process/reload_signal.h"
-#include "programs/process/stop_signal.h"
+#include "cell/config/reload_log.h"
 #include "programs/vda5050/cell_watch.h"
-#include "programs/vda5050/fleet_publisher.h"
+#include "runtime/ground/log/logger.h"
+#include "runtime/ground/process/command_line.h"
+#include "runtime/ground/process/notify_socket.h"
+#include "runtime/ground/process/reload_signal.h"
+#include "runtime/ground/process/stop_signal.h"
 #include "supervisor/fleet/vda5050/fleet_orders.h"
+#include "supervisor/fleet/vda5050/link/fleet_publisher.h"
 
 namespace stepwright::vda5050_link {
 
@@ -139,7 +139,7 @@ ExitCode run_publish(const config::CellConfig& config, const PublishArguments& a
                    fmt::format("orders of {} vehicles by plan {}", (*publisher)->vehicles(), revision),
                    {{"revision", revision}});
     }
-    if (reload.take()) log::reload_log(running, **log, init);
+    if (reload.take()) config::reload_log(running, **log, init);
     heartbeat.turn();
     (*log)->tick();
   }

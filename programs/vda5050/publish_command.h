@@ -6,10 +6,10 @@
 
 #include <string>
 
-#include "programs/config/cell_config.h"
-#include "programs/vda5050/broker.h"
-#include "programs/vda5050/vehicle_link.h"
-#include "runtime/result/exit_code.h"
+#include "cell/config/cell_config.h"
+#include "runtime/ground/result/exit_code.h"
+#include "supervisor/fleet/vda5050/link/broker.h"
+#include "supervisor/fleet/vda5050/link/vehicle_link.h"
 
 namespace stepwright::vda5050_link {
 

@@ -19,7 +19,7 @@
 
 #include "runtime/dds/health.h"
 #include "runtime/dds/types.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 #include "runtime/service/requests.h"
 
 namespace stepwright::dds {

@@ -19,7 +19,7 @@
 #include <string>
 
 #include "runtime/dds/types.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 #include "runtime/service/link_messages.h"
 
 namespace stepwright::dds {

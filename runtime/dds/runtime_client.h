@@ -28,8 +28,8 @@
 
 #include "runtime/dds/health.h"
 #include "runtime/dds/types.h"
+#include "runtime/ground/result/result.h"
 #include "runtime/image/force_table.h"
-#include "runtime/result/result.h"
 #include "runtime/service/requests.h"
 
 namespace stepwright::dds {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "runtime/ground/result/diagnostic.h"
 #include "runtime/host/messages.h"
-#include "runtime/result/diagnostic.h"
 
 namespace stepwright::dds {
 

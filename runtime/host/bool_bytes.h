@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "runtime/bytecode/program.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::host {
 

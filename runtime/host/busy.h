@@ -2,7 +2,7 @@
 
 // Refusal of a command that is one too many. Pure; any thread.
 
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::host {
 

@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "runtime/bytecode/reader/loaded_program.h"
+#include "runtime/ground/naming/ascii_names.h"
 #include "runtime/host/change_codes.h"
 #include "runtime/host/change_problems.h"
 #include "runtime/host/chart_memory.h"
-#include "runtime/naming/ascii_names.h"
 
 namespace stepwright::host {
 namespace {

@@ -23,6 +23,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/ground/result/result.h"
 #include "runtime/host/address_map.h"
 #include "runtime/host/chart_carry.h"
 #include "runtime/host/chart_situations.h"
@@ -31,7 +32,6 @@
 #include "runtime/host/prepared_program.h"
 #include "runtime/image/force_table.h"
 #include "runtime/record/variable_transfer.h"
-#include "runtime/result/result.h"
 
 namespace stepwright::host {
 

@@ -13,9 +13,9 @@
 #include <string>
 
 #include "runtime/bytecode/program.h"
+#include "runtime/ground/result/result.h"
 #include "runtime/record/state_layout.h"
 #include "runtime/record/variable_transfer.h"
-#include "runtime/result/result.h"
 
 namespace stepwright::host {
 

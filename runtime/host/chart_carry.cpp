@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "runtime/bytecode/reader/loaded_program.h"
+#include "runtime/ground/naming/ascii_names.h"
 #include "runtime/host/chart_memory.h"
 #include "runtime/image/process_image.h"
-#include "runtime/naming/ascii_names.h"
 
 namespace stepwright::host {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "runtime/bytecode/reader/loaded_program.h"
-#include "runtime/naming/ascii_names.h"
+#include "runtime/ground/naming/ascii_names.h"
 
 namespace stepwright::host {
 

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "runtime/bytecode/reader/loaded_program.h"
+#include "runtime/ground/naming/ascii_names.h"
 #include "runtime/image/process_image.h"
-#include "runtime/naming/ascii_names.h"
 
 namespace stepwright::host {
 namespace {

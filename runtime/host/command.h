@@ -8,10 +8,10 @@
 
 #include <cstdint>
 
+#include "runtime/ground/result/diagnostic.h"
 #include "runtime/host/fixed_text.h"
 #include "runtime/host/limits.h"
 #include "runtime/host/messages.h"
-#include "runtime/result/diagnostic.h"
 
 namespace stepwright::record {
 struct Session;

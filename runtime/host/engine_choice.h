@@ -11,7 +11,7 @@
 
 #include "runtime/bytecode/engine.h"
 #include "runtime/bytecode/program.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::host {
 

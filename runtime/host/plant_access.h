@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::host {
 

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "runtime/bytecode/reader/loaded_program.h"
+#include "runtime/ground/result/result.h"
 #include "runtime/host/area_driver.h"
 #include "runtime/host/bool_bytes.h"
 #include "runtime/host/engine_choice.h"
@@ -26,7 +27,6 @@
 #include "runtime/host/task_threads.h"
 #include "runtime/image/process_image.h"
 #include "runtime/record/retained_values.h"
-#include "runtime/result/result.h"
 #include "runtime/scan/scan_cycle.h"
 
 namespace stepwright::host {

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "runtime/bytecode/program.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::host {
 

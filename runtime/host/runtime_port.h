@@ -12,10 +12,10 @@
 #include <string>
 #include <vector>
 
+#include "runtime/ground/result/result.h"
 #include "runtime/host/command.h"
 #include "runtime/host/messages.h"
 #include "runtime/record/recorder.h"
-#include "runtime/result/result.h"
 
 namespace stepwright::host {
 

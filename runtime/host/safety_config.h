@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "runtime/naming/ascii_names.h"
+#include "runtime/ground/naming/ascii_names.h"
 #include "runtime/scan/safe_state.h"
 #include "runtime/scan/task_watchdog.h"
 

@@ -23,8 +23,8 @@
 #include <string_view>
 #include <vector>
 
+#include "runtime/ground/result/result.h"
 #include "runtime/host/messages.h"
-#include "runtime/result/result.h"
 
 namespace stepwright::host {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "runtime/naming/ascii_names.h"
+#include "runtime/ground/naming/ascii_names.h"
 
 namespace stepwright::host {
 namespace {

@@ -16,9 +16,9 @@
 #include <string>
 #include <string_view>
 
+#include "runtime/ground/result/result.h"
 #include "runtime/io_memory/area_format.h"
 #include "runtime/io_memory/twin_block.h"
-#include "runtime/result/result.h"
 
 namespace stepwright::io_memory {
 

@@ -27,9 +27,9 @@
 #include <utility>
 #include <vector>
 
+#include "runtime/ground/result/result.h"
 #include "runtime/record/recording_file.h"
 #include "runtime/record/scan_tap.h"
-#include "runtime/result/result.h"
 #include "runtime/scan/safe_state.h"
 
 namespace stepwright::record {

@@ -18,7 +18,7 @@
 #include <span>
 #include <vector>
 
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::record {
 

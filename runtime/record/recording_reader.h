@@ -22,7 +22,7 @@
 #include <vector>
 
 #include "runtime/base/byte_reader.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::record {
 

@@ -23,8 +23,8 @@
 #include "runtime/bytecode/engine.h"
 #include "runtime/bytecode/reader/loaded_program.h"
 #include "runtime/bytecode/trap.h"
+#include "runtime/ground/result/result.h"
 #include "runtime/image/process_image.h"
-#include "runtime/result/result.h"
 #include "runtime/scan/scan_cycle.h"
 
 namespace stepwright::record {

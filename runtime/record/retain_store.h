@@ -20,8 +20,8 @@
 #include <string>
 #include <vector>
 
+#include "runtime/ground/result/result.h"
 #include "runtime/record/state_layout.h"
-#include "runtime/result/result.h"
 
 namespace stepwright::record {
 

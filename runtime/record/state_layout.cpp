@@ -5,7 +5,7 @@
 
 #include "runtime/base/byte_reader.h"
 #include "runtime/base/hash64.h"
-#include "runtime/naming/ascii_names.h"
+#include "runtime/ground/naming/ascii_names.h"
 
 namespace stepwright::record {
 namespace {

@@ -22,7 +22,7 @@
 #include <vector>
 
 #include "runtime/bytecode/program.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::record {
 

@@ -7,7 +7,7 @@
 
 #include "runtime/bytecode/member_bit.h"
 #include "runtime/bytecode/reader/loaded_program.h"
-#include "runtime/naming/ascii_names.h"
+#include "runtime/ground/naming/ascii_names.h"
 #include "runtime/record/retain_area.h"
 #include "runtime/record/state_layout.h"
 

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <map>
 
-#include "runtime/naming/ascii_names.h"
+#include "runtime/ground/naming/ascii_names.h"
 
 namespace stepwright::record {
 namespace {

@@ -20,9 +20,9 @@
 #include <span>
 #include <string>
 
+#include "runtime/ground/result/result.h"
 #include "runtime/remote/controller_blocks.h"
 #include "runtime/remote/register_line.h"
-#include "runtime/result/result.h"
 
 namespace stepwright::remote {
 

@@ -17,8 +17,8 @@
 #include <string>
 #include <vector>
 
+#include "runtime/ground/result/result.h"
 #include "runtime/remote/register_line.h"
-#include "runtime/result/result.h"
 
 namespace stepwright::remote {
 

@@ -9,9 +9,9 @@
 #include <chrono>
 #include <memory>
 
+#include "runtime/ground/result/result.h"
 #include "runtime/modbus/master/master.h"
 #include "runtime/remote/register_line.h"
-#include "runtime/result/result.h"
 
 namespace stepwright::remote {
 

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "runtime/bytecode/reader/loaded_program.h"
+#include "runtime/ground/result/result.h"
 #include "runtime/host/bool_bytes.h"
 #include "runtime/remote/controller_blocks.h"
-#include "runtime/result/result.h"
 
 namespace stepwright::remote {
 

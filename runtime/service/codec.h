@@ -14,7 +14,7 @@
 #include <span>
 #include <vector>
 
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 #include "runtime/service/messages.h"
 
 namespace stepwright::service {

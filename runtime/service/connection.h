@@ -18,8 +18,8 @@
 #include <span>
 #include <string>
 
+#include "runtime/ground/result/result.h"
 #include "runtime/host/snapshot_memory.h"
-#include "runtime/result/result.h"
 #include "runtime/service/messages.h"
 
 namespace stepwright::service {

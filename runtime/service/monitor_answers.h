@@ -11,9 +11,9 @@
 #include <span>
 #include <vector>
 
+#include "runtime/ground/result/result.h"
 #include "runtime/image/force_table.h"
 #include "runtime/record/recorder.h"
-#include "runtime/result/result.h"
 
 namespace stepwright::service {
 

@@ -18,9 +18,9 @@
 #include <vector>
 
 #include "runtime/bytecode/reader/program_info.h"
+#include "runtime/ground/result/result.h"
 #include "runtime/host/messages.h"
 #include "runtime/image/force_table.h"
-#include "runtime/result/result.h"
 
 namespace stepwright::service {
 

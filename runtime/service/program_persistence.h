@@ -9,7 +9,7 @@
 #include <optional>
 #include <span>
 
-#include "runtime/result/diagnostic.h"
+#include "runtime/ground/result/diagnostic.h"
 
 namespace stepwright::service {
 

@@ -19,8 +19,8 @@
 #include <variant>
 #include <vector>
 
+#include "runtime/ground/result/diagnostic.h"
 #include "runtime/host/messages.h"
-#include "runtime/result/diagnostic.h"
 #include "runtime/service/answer_codes.h"
 
 namespace stepwright::service {

@@ -16,8 +16,8 @@
 #include <memory>
 #include <string>
 
+#include "runtime/ground/result/result.h"
 #include "runtime/host/runtime_port.h"
-#include "runtime/result/result.h"
 #include "runtime/service/program_persistence.h"
 #include "runtime/service/service_observer.h"
 

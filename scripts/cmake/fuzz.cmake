@@ -1,6 +1,6 @@
 # libFuzzer targets: what is fuzzed is compiled again as a whole, by clang and instrumented, beside the project's compiler.
 #
-#   stepwright_fuzzer(fuzz_pddl SOURCES pddl_fuzzer.cpp pddl_run.cpp LIBRARIES runtime/result supervisor/pddl/task LINK fmt)
+#   stepwright_fuzzer(fuzz_pddl SOURCES pddl_fuzzer.cpp pddl_run.cpp LIBRARIES runtime/ground/result supervisor/pddl/task LINK fmt)
 #
 # SOURCES are those of the caller's folder. Of LIBRARIES all sources are compiled, FILES names further ones from the root of
 # the project; both go into an archive, so that what is not reached needs nothing to link with. DEFINES are for all of them.

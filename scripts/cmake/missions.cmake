@@ -1,6 +1,6 @@
-# STEPWRIGHT_MISSIONS: the planners of programs/missions/missions.def, which a new one joins by a line there.
+# STEPWRIGHT_MISSIONS: the planners of cell/missions/missions.def, which a new one joins by a line there.
 
-set(definitions ${PROJECT_SOURCE_DIR}/programs/missions/missions.def)
+set(definitions ${PROJECT_SOURCE_DIR}/cell/missions/missions.def)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${definitions})
 file(STRINGS ${definitions} STEPWRIGHT_MISSIONS REGEX "^STEPWRIGHT_MISSION")
 list(TRANSFORM STEPWRIGHT_MISSIONS REPLACE "^STEPWRIGHT_MISSION\\(([a-z0-9_]+)\\)$" "\\1")

@@ -1,7 +1,7 @@
 # How every target of Stepwright is declared: folder = layer = namespace = target.
 #
 #   stepwright_library(runtime/vm PORTABLE SOURCES interpreter.cpp DEPENDS runtime/bytecode runtime/image)
-#   stepwright_program(stepwright-link SOURCES main.cpp bridge.cpp DEPENDS programs/config runtime/dds)
+#   stepwright_program(stepwright-link SOURCES main.cpp bridge.cpp DEPENDS cell/config runtime/dds)
 #   stepwright_test(runtime/vm SOURCES interpreter_test.cpp)
 
 include(${CMAKE_CURRENT_LIST_DIR}/together.cmake)
@@ -40,8 +40,8 @@ set(STEPWRIGHT_COMPILE_OPTIONS -Wall -Wextra -Wshadow -Wconversion -Wnon-virtual
 # build a good deal shorter (a fifth less than -O1). Benchmarks and the baselines in them are compiled like what they measure.
 set(STEPWRIGHT_LIGHT_OPTIONS $<$<CONFIG:Release>:-Og>)
 string(JOIN "|" STEPWRIGHT_LIGHT_FOLDERS
-  "programs" "hmi_web/(access|alarms|api|client|protocol|recorder|server|storage)" "tests/support" "firmware/link"
-  "ladder/(driver|exchange|print)" "runtime/(dds|mqtt|remote|settings)" "supervisor/(executive|model|run|translate)"
+  "cell" "programs" "hmi_web/(access|alarms|api|client|protocol|recorder|server|storage)" "tests/support" "firmware/link"
+  "ladder/(driver|exchange|print|source_files)" "runtime/(dds|exec|metrics|remote|replay|scan_test|trace)" "runtime/ground/(log|mqtt|process|settings)" "supervisor/(executive|model|run|translate)"
   "supervisor/fleet/(executive|program|report|vda5050)")
 set(STEPWRIGHT_LIGHT_FOLDERS "^(${STEPWRIGHT_LIGHT_FOLDERS})(/|$)")
 

@@ -31,7 +31,7 @@
 #include <utility>
 #include <vector>
 
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 #include "supervisor/executive/classify.h"
 #include "supervisor/executive/device_failures.h"
 #include "supervisor/executive/drift_watch.h"

@@ -16,7 +16,7 @@
 
 #include "ladder/graphic/project.h"
 #include "ladder/source/dialect.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::executive {
 

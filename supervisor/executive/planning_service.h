@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "ladder/source/dialect.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 #include "supervisor/executive/hand_written.h"
 #include "supervisor/model/plan.h"
 #include "supervisor/model/planned_run.h"

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "runtime/result/last_barrier.h"
+#include "runtime/ground/result/last_barrier.h"
 #include "runtime/service/answer_codes.h"
 #include "supervisor/run/internal/record_json.h"
 

@@ -17,7 +17,7 @@
 #include <string>
 #include <thread>
 
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 #include "supervisor/executive/outlook.h"
 #include "supervisor/executive/planning_service.h"
 

@@ -14,8 +14,8 @@
 #include <string>
 #include <vector>
 
+#include "runtime/ground/result/result.h"
 #include "runtime/host/messages.h"
-#include "runtime/result/result.h"
 
 namespace stepwright::run {
 

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "runtime/bytecode/reader/program_info.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::run {
 

@@ -10,7 +10,7 @@
 #include <optional>
 #include <string>
 
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::run {
 

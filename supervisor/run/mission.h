@@ -30,7 +30,7 @@
 #include <span>
 #include <string>
 
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 #include "supervisor/run/cause.h"
 #include "supervisor/run/controller.h"
 #include "supervisor/run/request.h"

@@ -6,8 +6,8 @@
 
 #include <string>
 
+#include "runtime/ground/result/result.h"
 #include "runtime/host/messages.h"
-#include "runtime/result/result.h"
 #include "supervisor/run/run_record.h"
 
 namespace stepwright::run {

@@ -14,8 +14,8 @@
 #include <string>
 #include <vector>
 
-#include "runtime/result/exit_code.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/exit_code.h"
+#include "runtime/ground/result/result.h"
 #include "supervisor/run/incident.h"
 #include "supervisor/translate/progress.h"
 

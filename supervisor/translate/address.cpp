@@ -3,7 +3,7 @@
 #include <array>
 #include <cstddef>
 
-#include "runtime/naming/direct_address.h"
+#include "runtime/ground/naming/direct_address.h"
 
 namespace stepwright::translate {
 

@@ -24,7 +24,7 @@
 #include <utility>
 #include <vector>
 
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 #include "supervisor/model/vocabulary.h"
 #include "supervisor/translate/calibration.h"
 #include "supervisor/translate/pattern.h"

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "ladder/graphic/condition.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 #include "supervisor/model/planned_run.h"
 #include "supervisor/translate/sensor_condition.h"
 

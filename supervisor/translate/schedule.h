@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 #include "supervisor/model/planned_run.h"
 #include "supervisor/translate/binding.h"
 

@@ -25,7 +25,7 @@
 #include <vector>
 
 #include "ladder/graphic/project.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 #include "supervisor/model/planned_run.h"
 #include "supervisor/translate/binding.h"
 #include "supervisor/translate/change.h"

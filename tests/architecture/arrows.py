@@ -13,39 +13,46 @@ import sys
 ARROWS = {
     "runtime/base": [],
     "runtime/bytecode": ["runtime/base"],
-    "runtime/bytecode/writer": ["runtime/bytecode", "runtime/result"],
-    "runtime/bytecode/reader": ["runtime/bytecode", "runtime/result"],
+    "runtime/bytecode/writer": ["runtime/bytecode", "runtime/ground/result"],
+    "runtime/bytecode/reader": ["runtime/bytecode", "runtime/ground/result"],
     "runtime/image": ["runtime/base"],
     "runtime/operations": ["runtime/bytecode"],
     "runtime/vm": ["runtime/operations", "runtime/image"],
-    "runtime/native": ["runtime/operations", "runtime/result"],
+    "runtime/native": ["runtime/operations", "runtime/ground/result"],
     "runtime/scan": ["runtime/vm"],
-    "runtime/io_memory": ["runtime/scan", "runtime/result"],
-    "runtime/naming": [],
-    "runtime/result": ["runtime/naming"],
-    "runtime/settings": ["runtime/result"],
-    "runtime/host": ["runtime/native", "runtime/scan", "runtime/bytecode/reader", "runtime/naming", "runtime/record"],
+    "runtime/io_memory": ["runtime/scan", "runtime/ground/result"],
+    "runtime/ground/naming": [],
+    "runtime/ground/result": ["runtime/ground/naming"],
+    "runtime/ground/settings": ["runtime/ground/result"],
+    "runtime/ground/process": ["runtime/ground/result"],
+    "runtime/ground/log": ["runtime/ground/settings"],
+    "runtime/ground/mqtt": ["runtime/ground/result"],
+    "runtime/host": ["runtime/native", "runtime/scan", "runtime/bytecode/reader", "runtime/ground/naming", "runtime/record"],
     "runtime/record": ["runtime/scan", "runtime/bytecode/reader"],
     "runtime/service": ["runtime/host"],
     "runtime/dds": ["runtime/service"],
-    "runtime/mqtt": ["runtime/result"],
     "runtime/modbus/control": ["runtime/base"],
     "runtime/modbus/line": [],
     "runtime/modbus/pdu": [],
     "runtime/modbus/map": ["runtime/modbus/pdu", "runtime/host"],
     "runtime/modbus/server": ["runtime/modbus/line", "runtime/modbus/map", "runtime/service"],
-    "runtime/modbus/master": ["runtime/modbus/line", "runtime/modbus/pdu", "runtime/result"],
+    "runtime/modbus/master": ["runtime/modbus/line", "runtime/modbus/pdu", "runtime/ground/result"],
     "runtime/modbus/client": ["runtime/modbus/master", "runtime/scan"],
+    "runtime/metrics": ["runtime/host"],
+    "runtime/trace": ["runtime/bytecode/reader", "runtime/ground/process"],
+    "runtime/exec": ["runtime/host", "runtime/trace"],
+    "runtime/replay": ["runtime/host", "runtime/trace"],
+    "runtime/scan_test": ["runtime/host"],
     "runtime/remote": ["runtime/service", "runtime/modbus/control", "runtime/modbus/master"],
     "firmware/decimal": [],
     "firmware/port": [],
     "firmware/storage": ["firmware/port", "runtime/base"],
     "firmware/app": ["firmware/storage", "runtime/scan", "runtime/modbus/pdu", "runtime/modbus/control"],
     "firmware/boards": ["firmware/app", "firmware/decimal"],
-    "firmware/link": ["runtime/result"],
-    "ladder/source": ["runtime/result", "runtime/base"],
+    "firmware/link": ["runtime/ground/result"],
+    "ladder/source": ["runtime/ground/result", "runtime/base"],
     "ladder/syntax": ["ladder/source"],
-    "ladder/graphic": ["runtime/result", "runtime/base"],
+    "ladder/graphic": ["runtime/ground/result", "runtime/base"],
     "ladder/print": ["ladder/graphic", "ladder/syntax"],
     "ladder/semantics": ["ladder/syntax", "runtime/bytecode"],
     "ladder/lint": ["ladder/semantics"],
@@ -53,8 +60,9 @@ ARROWS = {
     "ladder/codegen": ["ladder/semantics", "runtime/bytecode/writer"],
     "ladder/exchange": ["ladder/graphic", "ladder/lowering"],
     "ladder/driver": ["ladder/lowering", "ladder/codegen", "ladder/lint", "ladder/print"],
-    "supervisor/model": ["runtime/base", "runtime/result"],
-    "supervisor/pddl/definition": ["runtime/result"],
+    "ladder/source_files": ["ladder/driver", "ladder/exchange", "runtime/ground/process"],
+    "supervisor/model": ["runtime/base", "runtime/ground/result"],
+    "supervisor/pddl/definition": ["runtime/ground/result"],
     "supervisor/pddl/lifted": ["supervisor/pddl/definition", "supervisor/model"],
     "supervisor/pddl/syntax": ["supervisor/pddl/definition"],
     "supervisor/pddl/semantics": ["supervisor/pddl/lifted", "supervisor/pddl/syntax"],
@@ -76,16 +84,16 @@ ARROWS = {
     "supervisor/pddl/search/improvement": ["supervisor/pddl/search/engines"],
     "supervisor/pddl/search/portfolio": ["supervisor/pddl/search/improvement"],
     "supervisor/pddl/planner": ["supervisor/pddl/plan", "supervisor/pddl/grounding", "supervisor/pddl/search/portfolio"],
-    "supervisor/ltl/regions": ["supervisor/geometry", "runtime/result"],
+    "supervisor/ltl/regions": ["supervisor/geometry", "runtime/ground/result"],
     "supervisor/geometry": [],
-    "supervisor/fleet/map": ["supervisor/geometry", "runtime/result"],
+    "supervisor/fleet/map": ["supervisor/geometry", "runtime/ground/result"],
     "supervisor/fleet/lattice": ["supervisor/fleet/map"],
     "supervisor/fleet/envelope": ["supervisor/fleet/map"],
     "supervisor/fleet/network": ["runtime/base"],
     "supervisor/fleet/schedule": ["supervisor/fleet/network", "supervisor/fleet/envelope"],
-    "supervisor/fleet/control": ["supervisor/geometry", "runtime/result"],
+    "supervisor/fleet/control": ["supervisor/geometry", "runtime/ground/result"],
     "supervisor/fleet/plan": ["supervisor/fleet/lattice", "supervisor/fleet/schedule"],
-    "supervisor/fleet/allocation": ["supervisor/fleet/network", "runtime/result"],
+    "supervisor/fleet/allocation": ["supervisor/fleet/network", "runtime/ground/result"],
     "supervisor/fleet/mission": ["supervisor/fleet/allocation", "supervisor/fleet/plan"],
     "supervisor/fleet/traffic": ["supervisor/fleet/plan", "supervisor/fleet/control"],
     "supervisor/fleet/program": ["supervisor/fleet/plan", "supervisor/fleet/control", "ladder/graphic"],
@@ -93,36 +101,54 @@ ARROWS = {
     "supervisor/fleet/prepare": ["supervisor/fleet/mission", "supervisor/fleet/program", "ladder/driver"],
     "supervisor/fleet/executive": ["supervisor/fleet/prepare", "supervisor/fleet/report", "supervisor/run"],
     "supervisor/fleet/vda5050": ["supervisor/fleet/plan"],
-    "supervisor/translate": ["supervisor/model", "ladder/graphic", "runtime/settings"],
+    "supervisor/fleet/vda5050/link": ["supervisor/fleet/vda5050", "runtime/bytecode/reader", "runtime/ground/mqtt", "runtime/ground/settings"],
+    "supervisor/translate": ["supervisor/model", "ladder/graphic", "runtime/ground/settings"],
     "supervisor/run": ["supervisor/translate", "ladder/graphic", "runtime/bytecode/reader", "runtime/dds", "runtime/record"],
     "supervisor/executive": [
         "supervisor/run", "supervisor/translate", "supervisor/pddl/planner", "ladder/driver", "ladder/exchange", "runtime/bytecode/reader",
     ],
-    "plant_models/core": ["runtime/result", "runtime/base"],
+    "plant_models/core": ["runtime/ground/result", "runtime/base"],
     "plant_models/ode": ["plant_models/core"],
     "plant_models/body2d": ["plant_models/core"],
     "plant_models/assemblies": ["plant_models/ode", "plant_models/body2d"],
     "plant_models/bridge": ["plant_models/core", "runtime/image"],
-    "hmi_web/storage": ["runtime/result"],
+    "hmi_web/storage": ["runtime/ground/result"],
     "hmi_web/historian": ["hmi_web/storage", "runtime/base"],
-    "hmi_web/alarms": ["hmi_web/storage", "runtime/base", "runtime/settings"],
-    "hmi_web/protocol": ["runtime/result"],
+    "hmi_web/alarms": ["hmi_web/storage", "runtime/base", "runtime/ground/settings"],
+    "hmi_web/protocol": ["runtime/ground/result"],
     "hmi_web/client": ["hmi_web/protocol"],
     "hmi_web/recorder": ["hmi_web/alarms", "hmi_web/api", "hmi_web/historian", "hmi_web/server"],
     "hmi_web/server": ["hmi_web/protocol", "runtime/dds", "runtime/bytecode/reader", "supervisor/model"],
-    "hmi_web/access": ["runtime/result"],
-    "hmi_web/recipes": ["hmi_web/access", "runtime/bytecode/reader", "runtime/settings"],
-    "hmi_web/drawing": ["runtime/result"],
+    "hmi_web/access": ["runtime/ground/result"],
+    "hmi_web/recipes": ["hmi_web/access", "runtime/bytecode/reader", "runtime/ground/settings"],
+    "hmi_web/drawing": ["runtime/ground/result"],
     "hmi_web/change": ["hmi_web/access", "runtime/host"],
     "hmi_web/api": ["hmi_web/access", "hmi_web/alarms", "hmi_web/change", "hmi_web/recipes", "runtime/service"],
-    "hmi_web/protocol": ["runtime/result"],
+    "hmi_web/protocol": ["runtime/ground/result"],
     "hmi_web/client": ["hmi_web/protocol"],
     "hmi_web/monitor": ["hmi_web/server", "ladder/graphic", "ladder/semantics"],
     "hmi_web/server": ["hmi_web/api", "hmi_web/protocol", "runtime/dds", "runtime/bytecode/reader", "supervisor/model"],
+    "cell/config": [
+        "cell/missions/table", "runtime/dds", "runtime/ground/log", "runtime/ground/process", "runtime/io_memory", "runtime/modbus/client",
+        "runtime/modbus/server",
+    ],
+    "cell/device_status": ["runtime/ground/result"],
+    "cell/runtime": [
+        "cell/config", "cell/device_status", "plant_models/assemblies", "plant_models/bridge", "runtime/io_memory", "runtime/service", "supervisor/fleet/map",
+    ],
+    "cell/fleet": ["cell/config", "supervisor/fleet/mission", "supervisor/fleet/program"],
+    "cell/gateway": ["cell/runtime", "runtime/metrics", "runtime/remote"],
+    "cell/hmi": ["cell/config", "hmi_web/server", "plant_models/assemblies", "plant_models/bridge", "runtime/dds", "supervisor/fleet/map"],
+    "cell/link": ["runtime/dds"],
+    "cell/metrics_server": ["cell/config", "hmi_web/server", "runtime/metrics"],
+    "cell/modbus_client": ["cell/device_status", "runtime/io_memory", "runtime/metrics", "runtime/modbus/client"],
+    "cell/modbus_server": ["cell/config", "runtime/metrics", "runtime/modbus/server"],
+    "cell/missions/table": ["ladder/source", "runtime/ground/settings"],
+    "cell/missions": ["cell/config", "supervisor/run"],
 }
-# The planners of programs/missions/missions.def that are not named above, with all folders inside of theirs: none
+# The planners of cell/missions/missions.def that are not named above, with all folders inside of theirs: none
 # includes another one.
-MISSIONS = "programs/missions/missions.def"
+MISSIONS = "cell/missions/missions.def"
 OF_A_MISSION = ["supervisor/run", "supervisor/geometry", "supervisor/translate", "ladder/driver", "ladder/exchange", "runtime/bytecode/reader"]
 # Composition roots and tests may include everything; nothing else includes them.
 FREE = ("programs/", "tests/")
@@ -131,11 +157,15 @@ SOURCES = {".h", ".cpp"}
 
 
 def add_missions(root: pathlib.Path) -> None:
-    """An arrow for each planner that has only its line in the list of planners."""
+    """An arrow for each planner that has only its line in the list of planners; what a cell's file knows of each."""
     for name in re.findall(r"^STEPWRIGHT_MISSION\((\w+)\)", (root / MISSIONS).read_text(encoding="utf-8"), re.MULTILINE):
         named = any(folder == f"supervisor/{name}" or folder.startswith(f"supervisor/{name}/") for folder in ARROWS)
         if not named:
             ARROWS[f"supervisor/{name}"] = OF_A_MISSION
+        table, mission = f"cell/missions/{name}/table", f"cell/missions/{name}"
+        ARROWS[table] = ["cell/missions/table"]
+        planners = [folder for folder in ARROWS if folder.startswith("supervisor/")]
+        ARROWS[mission] = ["cell/missions", "cell/fleet", table, *planners]
 
 
 def folder_of(path: str) -> str:
@@ -188,8 +218,8 @@ def broken(root: pathlib.Path) -> list[str]:
                 if not match:
                     continue
                 target = match.group(1)
-                if "/" not in target or not (root / target).exists():
-                    continue  # generated or third party; the compiler judges those
+                if "/" not in target or target == MISSIONS or not (root / target).exists():
+                    continue  # generated, third party, the list of planners; the compiler judges those
                 if target.startswith(FREE) or folder_of(target) not in allowed[folder]:
                     problems.append(f"{path}:{number}: {folder} may not include {target}")
     return problems

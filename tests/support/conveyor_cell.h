@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "cell/config/cell_config.h"
+#include "cell/missions/planning/executive_options.h"
 #include "plant_models/assemblies/sorting_line.h"
-#include "programs/config/cell_config.h"
-#include "programs/missions/planning/executive_options.h"
 #include "supervisor/executive/executive.h"
 #include "tests/support/controller/simulated_controller.h"
 

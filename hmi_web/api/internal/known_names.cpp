@@ -1,6 +1,6 @@
 #include "hmi_web/api/internal/known_names.h"
 
-#include "runtime/result/closest.h"
+#include "runtime/ground/result/closest.h"
 
 namespace stepwright::api {
 namespace {

@@ -17,7 +17,7 @@
 #include <span>
 #include <utility>
 
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::server::internal {
 

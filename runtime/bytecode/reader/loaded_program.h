@@ -13,7 +13,7 @@
 
 #include "runtime/bytecode/program.h"
 #include "runtime/bytecode/trap.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::reader {
 

@@ -7,7 +7,7 @@
 
 #include "runtime/base/number_text.h"
 #include "runtime/base/time_text.h"
-#include "runtime/naming/ascii_names.h"
+#include "runtime/ground/naming/ascii_names.h"
 
 namespace stepwright::reader {
 namespace {

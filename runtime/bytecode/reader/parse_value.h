@@ -12,7 +12,7 @@
 #include <string_view>
 
 #include "runtime/bytecode/reader/program_info.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::reader {
 

@@ -8,7 +8,7 @@
 #include "runtime/bytecode/member_bit.h"
 #include "runtime/bytecode/program.h"
 #include "runtime/bytecode/reader/loaded_program.h"
-#include "runtime/naming/ascii_names.h"
+#include "runtime/ground/naming/ascii_names.h"
 
 namespace stepwright::reader {
 namespace {

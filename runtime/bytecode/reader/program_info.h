@@ -21,7 +21,7 @@
 
 #include "runtime/bytecode/container_view.h"
 #include "runtime/bytecode/value_type.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::reader {
 

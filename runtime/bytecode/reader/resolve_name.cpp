@@ -4,9 +4,9 @@
 #include <array>
 #include <vector>
 
-#include "runtime/naming/ascii_names.h"
-#include "runtime/naming/direct_address.h"
-#include "runtime/result/closest.h"
+#include "runtime/ground/naming/ascii_names.h"
+#include "runtime/ground/naming/direct_address.h"
+#include "runtime/ground/result/closest.h"
 
 namespace stepwright::reader {
 namespace {

@@ -16,7 +16,7 @@
 
 #include "runtime/bytecode/program.h"
 #include "runtime/bytecode/value_type.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::reader {
 

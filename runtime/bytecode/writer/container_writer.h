@@ -8,7 +8,7 @@
 
 #include "runtime/bytecode/verify_result.h"
 #include "runtime/bytecode/writer/container_model.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::writer {
 

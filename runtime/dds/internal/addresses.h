@@ -4,7 +4,7 @@
 // say nothing about a wrong one and just hear nobody.
 
 #include "runtime/dds/types.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::dds::internal {
 

@@ -14,7 +14,7 @@
 #include <variant>
 
 #include "frame_types.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 #include "runtime/service/messages.h"
 
 namespace stepwright::dds::internal {

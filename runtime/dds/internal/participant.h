@@ -28,7 +28,7 @@
 #include "runtime/dds/internal/qos.h"
 #include "runtime/dds/internal/trouble.h"
 #include "runtime/dds/types.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::dds::internal {
 

@@ -2,7 +2,7 @@
 
 // The answer to a request that is for the socket of the runtime only. Pure; any thread.
 
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::dds::internal {
 

@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "runtime/result/diagnostic.h"
+#include "runtime/ground/result/diagnostic.h"
 
 namespace stepwright::modbus::client {
 

@@ -8,9 +8,9 @@
 // Pure; any thread.
 
 #include "runtime/bytecode/reader/program_info.h"
+#include "runtime/ground/result/diagnostic.h"
 #include "runtime/modbus/map/map_config.h"
 #include "runtime/modbus/map/register_map.h"
-#include "runtime/result/diagnostic.h"
 
 namespace stepwright::modbus::map {
 

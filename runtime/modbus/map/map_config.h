@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "runtime/ground/result/diagnostic.h"
 #include "runtime/modbus/map/table.h"
-#include "runtime/result/diagnostic.h"
 
 namespace stepwright::modbus::map {
 

@@ -5,8 +5,8 @@
 #include <string_view>
 
 #include "runtime/bytecode/reader/resolve_name.h"
-#include "runtime/naming/ascii_names.h"
-#include "runtime/naming/direct_address.h"
+#include "runtime/ground/naming/ascii_names.h"
+#include "runtime/ground/naming/direct_address.h"
 
 namespace stepwright::modbus::map {
 namespace {

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "runtime/bytecode/reader/program_info.h"
+#include "runtime/ground/result/result.h"
 #include "runtime/modbus/map/map_config.h"
 #include "runtime/modbus/map/segment.h"
-#include "runtime/result/result.h"
 
 namespace stepwright::modbus::map {
 

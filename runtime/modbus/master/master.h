@@ -25,9 +25,9 @@
 #include <memory>
 #include <span>
 
+#include "runtime/ground/result/result.h"
 #include "runtime/modbus/master/endpoint.h"
 #include "runtime/modbus/master/outcome.h"
-#include "runtime/result/result.h"
 
 namespace stepwright::modbus::master {
 

@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <string>
 
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::modbus::master {
 

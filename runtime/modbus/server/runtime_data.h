@@ -20,9 +20,9 @@
 #include <string>
 #include <vector>
 
+#include "runtime/ground/result/result.h"
 #include "runtime/modbus/map/map_config.h"
 #include "runtime/modbus/server/process_data.h"
-#include "runtime/result/result.h"
 
 namespace stepwright::modbus::server {
 

@@ -19,11 +19,11 @@
 #include <string>
 #include <vector>
 
+#include "runtime/ground/result/result.h"
 #include "runtime/modbus/server/options.h"
 #include "runtime/modbus/server/process_data.h"
 #include "runtime/modbus/server/session.h"
 #include "runtime/modbus/server/transport.h"
-#include "runtime/result/result.h"
 
 namespace stepwright::modbus::server {
 

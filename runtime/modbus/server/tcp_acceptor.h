@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
+#include "runtime/ground/result/result.h"
 #include "runtime/modbus/server/ip_range.h"
 #include "runtime/modbus/server/transport.h"
-#include "runtime/result/result.h"
 
 namespace stepwright::modbus::server {
 

@@ -10,7 +10,7 @@
 #include <list>
 #include <vector>
 
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 #include "runtime/service/requests.h"
 
 namespace stepwright::service::internal {

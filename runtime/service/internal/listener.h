@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <string>
 
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 #include "runtime/service/internal/descriptor.h"
 
 namespace stepwright::service::internal {

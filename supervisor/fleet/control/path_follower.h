@@ -17,7 +17,7 @@
 #include <span>
 #include <vector>
 
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 #include "supervisor/fleet/control/predictive_controller.h"
 #include "supervisor/fleet/control/speed_plan.h"
 #include "supervisor/geometry/path.h"

@@ -28,7 +28,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 #include "supervisor/fleet/envelope/time_bounds.h"
 #include "supervisor/fleet/envelope/trajectory_envelope.h"
 #include "supervisor/fleet/map/occupancy_grid.h"

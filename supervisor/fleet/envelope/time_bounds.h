@@ -8,7 +8,7 @@
 #include <chrono>
 #include <string_view>
 
-#include "runtime/result/diagnostic.h"
+#include "runtime/ground/result/diagnostic.h"
 #include "supervisor/fleet/envelope/trajectory_envelope.h"
 
 namespace stepwright::fleet {

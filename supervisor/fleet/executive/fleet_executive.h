@@ -28,7 +28,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 #include "supervisor/fleet/executive/fleet_document.h"
 #include "supervisor/fleet/executive/fleet_follow.h"
 #include "supervisor/fleet/executive/fleet_planning.h"

@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 #include "supervisor/fleet/executive/fleet_ledger.h"
 #include "supervisor/fleet/executive/fleet_planning.h"
 #include "supervisor/fleet/executive/fleet_request.h"

@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 #include "supervisor/fleet/mission/mission_problem.h"
 #include "supervisor/fleet/plan/fleet_plan.h"
 

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 #include "supervisor/fleet/executive/fleet_ledger.h"
 #include "supervisor/fleet/prepare/prepare_fleet.h"
 

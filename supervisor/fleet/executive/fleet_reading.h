@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "runtime/bytecode/reader/program_info.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 #include "supervisor/fleet/program/fleet_program.h"
 #include "supervisor/geometry/point.h"
 

@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 #include "supervisor/fleet/lattice/primitive_set.h"
 
 namespace stepwright::fleet {

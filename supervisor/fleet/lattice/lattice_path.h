@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-#include "runtime/result/diagnostic.h"
+#include "runtime/ground/result/diagnostic.h"
 #include "supervisor/fleet/lattice/motion_primitive.h"
 
 namespace stepwright::fleet {

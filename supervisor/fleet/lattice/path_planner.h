@@ -18,7 +18,7 @@
 #include <span>
 #include <vector>
 
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 #include "supervisor/fleet/lattice/approaches.h"
 #include "supervisor/fleet/lattice/cost_to_go.h"
 #include "supervisor/fleet/lattice/heuristic_table.h"

@@ -11,7 +11,7 @@
 
 #include <string_view>
 
-#include "runtime/result/diagnostic.h"
+#include "runtime/ground/result/diagnostic.h"
 #include "supervisor/geometry/convex_polygon.h"
 
 namespace stepwright::fleet {

@@ -11,7 +11,7 @@
 
 #include <filesystem>
 
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 #include "supervisor/fleet/map/occupancy_grid.h"
 
 namespace stepwright::fleet {

@@ -21,7 +21,7 @@
 #include <tuple>
 #include <vector>
 
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 #include "supervisor/fleet/lattice/path_planner.h"
 
 namespace stepwright::fleet {

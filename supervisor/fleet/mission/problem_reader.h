@@ -13,7 +13,7 @@
 #include <filesystem>
 #include <string_view>
 
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 #include "supervisor/fleet/mission/mission_problem.h"
 
 namespace stepwright::fleet {

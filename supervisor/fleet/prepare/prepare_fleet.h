@@ -14,7 +14,7 @@
 #include <optional>
 #include <vector>
 
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 #include "supervisor/fleet/mission/plan_fleet.h"
 #include "supervisor/fleet/prepare/reserve.h"
 #include "supervisor/fleet/program/fleet_program.h"

@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "ladder/graphic/project.h"
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 #include "supervisor/fleet/plan/fleet_plan.h"
 #include "supervisor/fleet/program/terminals.h"
 #include "supervisor/fleet/program/wait_places.h"

@@ -12,7 +12,7 @@
 #include <string>
 #include <string_view>
 
-#include "runtime/result/diagnostic.h"
+#include "runtime/ground/result/diagnostic.h"
 
 namespace stepwright::fleet {
 

@@ -15,7 +15,7 @@
 #include <string_view>
 #include <vector>
 
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 #include "supervisor/fleet/schedule/problem.h"
 
 namespace stepwright::fleet {

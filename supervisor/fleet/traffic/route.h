@@ -17,7 +17,7 @@
 #include <span>
 #include <vector>
 
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 #include "supervisor/fleet/control/drive_limits.h"
 #include "supervisor/fleet/plan/fleet_plan.h"
 

@@ -25,7 +25,7 @@
 #include <span>
 #include <vector>
 
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 #include "supervisor/fleet/control/speed_plan.h"
 #include "supervisor/fleet/schedule/retiming.h"
 #include "supervisor/fleet/traffic/internal/lane.h"

@@ -29,7 +29,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 #include "supervisor/fleet/plan/fleet_plan.h"
 #include "supervisor/fleet/vda5050/order.h"
 #include "supervisor/fleet/vda5050/route.h"

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 #include "supervisor/fleet/vda5050/order.h"
 #include "supervisor/fleet/vda5050/state.h"
 

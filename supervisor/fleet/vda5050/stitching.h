@@ -9,7 +9,7 @@
 
 #include <string>
 
-#include "runtime/result/diagnostic.h"
+#include "runtime/ground/result/diagnostic.h"
 #include "supervisor/fleet/vda5050/order.h"
 
 namespace stepwright::fleet::vda5050 {

@@ -13,7 +13,7 @@
 #include <string>
 #include <string_view>
 
-#include "runtime/result/diagnostic.h"
+#include "runtime/ground/result/diagnostic.h"
 
 namespace stepwright::fleet::vda5050 {
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 #include "supervisor/ltl/regions/region_map.h"
 
 namespace stepwright::ltl {

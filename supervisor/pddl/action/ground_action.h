@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 #include "supervisor/model/plan.h"
 #include "supervisor/pddl/definition/numeric_kinds.h"
 #include "supervisor/pddl/task/task.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "runtime/result/closest.h"
+#include "runtime/ground/result/closest.h"
 
 namespace stepwright::pddl {
 namespace {

@@ -4,7 +4,7 @@
 #include <cctype>
 #include <cstdio>
 
-#include "runtime/naming/ascii_names.h"
+#include "runtime/ground/naming/ascii_names.h"
 
 namespace stepwright::pddl {
 

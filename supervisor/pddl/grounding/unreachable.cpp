@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "runtime/result/diagnostic.h"
+#include "runtime/ground/result/diagnostic.h"
 #include "supervisor/pddl/definition/text.h"
 #include "supervisor/pddl/lifted/lifted_state.h"
 

@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 #include "supervisor/pddl/definition/ast.h"
 #include "supervisor/pddl/definition/state.h"
 

@@ -7,7 +7,7 @@
 //   auto run = describe_run(task, plan);
 //   translate::translate(*run, binding, options);
 
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 #include "supervisor/model/planned_run.h"
 #include "supervisor/pddl/task/task.h"
 

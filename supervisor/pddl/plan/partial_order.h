@@ -10,7 +10,7 @@
 #include <functional>
 #include <vector>
 
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 #include "supervisor/model/plan.h"
 #include "supervisor/pddl/task/task.h"
 

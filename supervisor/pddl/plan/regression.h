@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 #include "supervisor/model/plan.h"
 #include "supervisor/pddl/task/task.h"
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 #include "supervisor/pddl/plan/plan_file.h"
 #include "supervisor/pddl/plan/simulate.h"
 

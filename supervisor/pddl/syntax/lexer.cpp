@@ -3,7 +3,7 @@
 #include <cctype>
 #include <charconv>
 
-#include "runtime/naming/ascii_names.h"
+#include "runtime/ground/naming/ascii_names.h"
 #include "supervisor/pddl/definition/numeric.h"
 
 namespace stepwright::pddl {

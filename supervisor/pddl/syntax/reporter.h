@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/result/diagnostic.h"
+#include "runtime/ground/result/diagnostic.h"
 #include "supervisor/pddl/definition/ast.h"
 
 namespace stepwright::pddl {

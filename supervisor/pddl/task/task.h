@@ -16,7 +16,7 @@
 #include <string_view>
 #include <vector>
 
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 #include "supervisor/pddl/definition/state.h"
 
 namespace stepwright::pddl {

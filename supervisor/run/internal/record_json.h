@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 #include "supervisor/run/run_record.h"
 
 namespace stepwright::run::internal {

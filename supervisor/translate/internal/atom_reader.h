@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "runtime/settings/toml_document.h"
+#include "runtime/ground/settings/toml_document.h"
 #include "supervisor/model/vocabulary.h"
 #include "supervisor/translate/binding.h"
 

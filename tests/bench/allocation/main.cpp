@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/result/exit_code.h"
+#include "runtime/ground/result/exit_code.h"
 #include "supervisor/fleet/allocation/allocate.h"
 #include "tests/bench/allocation/baselines.h"
 #include "tests/support/fleet/allocation_checker.h"

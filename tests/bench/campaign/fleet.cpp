@@ -11,9 +11,9 @@
 #include <thread>
 #include <utility>
 
+#include "cell/missions/fleet/fleet_executive_options.h"
+#include "cell/runtime/fleet_plant.h"
 #include "plant_models/assemblies/fleet_floor.h"
-#include "programs/missions/fleet/fleet_executive_options.h"
-#include "programs/runtime/fleet_plant.h"
 #include "supervisor/fleet/executive/fleet_executive.h"
 #include "tests/bench/campaign/spread.h"
 

@@ -15,9 +15,9 @@
 #include <string>
 #include <thread>
 
-#include "programs/process/command_line.h"
-#include "programs/process/files.h"
-#include "programs/process/interruption.h"
+#include "runtime/ground/process/command_line.h"
+#include "runtime/ground/process/files.h"
+#include "runtime/ground/process/interruption.h"
 #include "tests/bench/campaign/campaign.h"
 #include "tests/bench/campaign/fleet.h"
 #include "tests/bench/campaign/line.h"

@@ -12,8 +12,8 @@
 
 #include "ladder/driver/compile.h"
 #include "runtime/bytecode/reader/loaded_program.h"
+#include "runtime/ground/result/exit_code.h"
 #include "runtime/native/native_engine.h"
-#include "runtime/result/exit_code.h"
 #include "tests/support/long_sources.h"
 #include "tests/support/pou_library.h"
 

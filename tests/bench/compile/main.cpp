@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "ladder/driver/compile.h"
-#include "runtime/result/exit_code.h"
+#include "runtime/ground/result/exit_code.h"
 #include "tests/bench/compile/curve.h"
 #include "tests/bench/compile/rungs.h"
 #include "tests/support/long_sources.h"

@@ -20,7 +20,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/result/exit_code.h"
+#include "runtime/ground/result/exit_code.h"
 #include "supervisor/fleet/schedule/problem_file.h"
 #include "tests/bench/fleet/figure.h"
 #include "tests/bench/fleet/goals.h"

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/result/exit_code.h"
+#include "runtime/ground/result/exit_code.h"
 #include "supervisor/pddl/grounding/grounder.h"
 #include "tests/bench/grounding/enumerating_grounder.h"
 #include "tests/bench/grounding/measure.h"

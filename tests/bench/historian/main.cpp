@@ -20,7 +20,7 @@
 #include <vector>
 
 #include "hmi_web/historian/historian.h"
-#include "runtime/result/exit_code.h"
+#include "runtime/ground/result/exit_code.h"
 #include "tests/bench/historian/alarms.h"
 #include "tests/bench/historian/baselines.h"
 #include "tests/bench/historian/signals.h"

@@ -16,7 +16,7 @@
 #include <thread>
 #include <vector>
 
-#include "runtime/result/exit_code.h"
+#include "runtime/ground/result/exit_code.h"
 #include "tests/bench/lattice/circle_envelopes.h"
 #include "tests/bench/lattice/plain_search.h"
 #include "tests/support/fleet/floor_maps.h"

@@ -14,7 +14,7 @@
 
 #include "plant_models/assemblies/sorting_line.h"
 #include "plant_models/core/counter_random.h"
-#include "runtime/result/exit_code.h"
+#include "runtime/ground/result/exit_code.h"
 #include "tests/bench/line/plain_box2d.h"
 
 namespace stepwright::bench {

@@ -10,8 +10,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "programs/process/files.h"
-#include "runtime/result/exit_code.h"
+#include "runtime/ground/process/files.h"
+#include "runtime/ground/result/exit_code.h"
 #include "tests/bench/planner/report/curve_svg.h"
 #include "tests/bench/planner/report/table.h"
 #include "tests/bench/planner/scale.h"

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 #include "tests/bench/planner/settings.h"
 
 namespace stepwright::bench {

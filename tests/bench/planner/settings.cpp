@@ -2,8 +2,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "programs/process/command_line.h"
-#include "runtime/result/exit_code.h"
+#include "runtime/ground/process/command_line.h"
+#include "runtime/ground/result/exit_code.h"
 
 namespace stepwright::bench {
 namespace {

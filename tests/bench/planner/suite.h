@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 #include "tests/bench/planner/report/best_known.h"
 #include "tests/bench/planner/settings.h"
 

@@ -16,7 +16,7 @@
 
 #include "plant_models/assemblies/tank_bench.h"
 #include "plant_models/bridge/plant_driver.h"
-#include "runtime/result/exit_code.h"
+#include "runtime/ground/result/exit_code.h"
 #include "tests/bench/plant/bench_job.h"
 #include "tests/bench/plant/bench_rk4.h"
 

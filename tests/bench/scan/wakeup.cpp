@@ -6,9 +6,9 @@
 #include <string>
 
 #include "ladder/driver/compile.h"
-#include "programs/scan_test/measurement.h"
-#include "programs/scan_test/rung_source.h"
 #include "runtime/host/task_status.h"
+#include "runtime/scan_test/measurement.h"
+#include "runtime/scan_test/rung_source.h"
 
 namespace stepwright::bench {
 namespace {

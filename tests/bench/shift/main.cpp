@@ -23,7 +23,7 @@
 #include <thread>
 #include <vector>
 
-#include "runtime/result/exit_code.h"
+#include "runtime/ground/result/exit_code.h"
 #include "tests/bench/shift/report.h"
 
 namespace stepwright::bench::shift {

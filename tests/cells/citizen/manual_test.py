@@ -42,7 +42,7 @@ class Manual(unittest.TestCase):
         self.assertEqual(sorted(re.findall(r"(?m)^\.TP\n\.BI?R? ([a-z0-9-]+)", section)), sorted(commands()))
 
     def test_every_exit_code_is_told(self):
-        codes = re.findall(r" = (\d),", (SOURCES / "runtime/result/exit_code.h").read_text(encoding="utf-8"))
+        codes = re.findall(r" = (\d),", (SOURCES / "runtime/ground/result/exit_code.h").read_text(encoding="utf-8"))
         page = PAGE.read_text(encoding="utf-8")
         for code in codes:
             self.assertIn(f"\n.TP\n.B {code}\n", page)

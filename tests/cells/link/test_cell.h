@@ -13,7 +13,7 @@
 #include <optional>
 #include <string>
 
-#include "programs/config/cell_config.h"
+#include "cell/config/cell_config.h"
 #include "runtime/dds/runtime_client.h"
 #include "runtime/service/connection.h"
 #include "tests/support/temporary_folder.h"

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "runtime/ground/result/result.h"
 #include "runtime/modbus/master/master.h"
-#include "runtime/result/result.h"
 
 namespace {
 

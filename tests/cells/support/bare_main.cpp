@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <cstdio>
 
-#include "programs/scan_test/bare_loop.h"
 #include "runtime/host/real_time.h"
+#include "runtime/scan_test/bare_loop.h"
 
 int main() {
   constexpr std::int64_t kIntervalNs = 1'000'000;

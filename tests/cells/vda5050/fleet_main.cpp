@@ -16,9 +16,9 @@
 #include <thread>
 #include <vector>
 
+#include "cell/config/cell_config.h"
+#include "cell/config/dds_options.h"
 #include "ladder/driver/compile.h"
-#include "programs/config/cell_config.h"
-#include "programs/config/dds_options.h"
 #include "runtime/dds/plan_channel.h"
 #include "runtime/dds/runtime_client.h"
 #include "supervisor/fleet/map/map_file.h"

@@ -14,7 +14,7 @@
 #include <set>
 #include <string>
 
-#include "programs/vda5050/fleet_link.h"
+#include "supervisor/fleet/vda5050/link/fleet_link.h"
 #include "tests/support/vda5050/made_missions.h"
 
 int main(int argc, char** argv) {

@@ -15,10 +15,10 @@
 #include <span>
 #include <vector>
 
+#include "runtime/ground/result/result.h"
 #include "runtime/modbus/client/poll/connection_worker.h"
 #include "runtime/modbus/client/poll/status.h"
 #include "runtime/modbus/client/settings.h"
-#include "runtime/result/result.h"
 
 namespace stepwright::modbus::client {
 

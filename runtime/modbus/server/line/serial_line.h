@@ -16,8 +16,8 @@
 #include <string>
 #include <vector>
 
+#include "runtime/ground/result/result.h"
 #include "runtime/modbus/server/transport.h"
-#include "runtime/result/result.h"
 
 namespace stepwright::modbus::server {
 

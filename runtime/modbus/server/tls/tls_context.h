@@ -14,7 +14,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::modbus::server {
 

@@ -9,7 +9,7 @@
 #include <set>
 #include <vector>
 
-#include "runtime/result/closest.h"
+#include "runtime/ground/result/closest.h"
 
 namespace stepwright::fleet::internal {
 

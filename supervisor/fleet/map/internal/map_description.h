@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 #include "supervisor/geometry/point.h"
 
 namespace stepwright::fleet::internal {

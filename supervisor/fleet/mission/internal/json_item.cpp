@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "runtime/result/closest.h"
+#include "runtime/ground/result/closest.h"
 #include "supervisor/fleet/schedule/json_place.h"
 
 namespace stepwright::fleet::internal {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "runtime/result/closest.h"
+#include "runtime/ground/result/closest.h"
 
 namespace stepwright::fleet::internal {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "runtime/result/closest.h"
+#include "runtime/ground/result/closest.h"
 #include "supervisor/fleet/vda5050/header.h"
 
 namespace stepwright::fleet::vda5050 {

@@ -14,7 +14,7 @@
 #include <string>
 #include <string_view>
 
-#include "runtime/result/diagnostic.h"
+#include "runtime/ground/result/diagnostic.h"
 #include "supervisor/fleet/vda5050/topic.h"
 
 namespace stepwright::fleet::vda5050 {

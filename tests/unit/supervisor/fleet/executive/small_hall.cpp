@@ -9,9 +9,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "cell/missions/fleet/fleet_executive_options.h"
+#include "cell/runtime/fleet_plant.h"
 #include "plant_models/assemblies/fleet_floor.h"
-#include "programs/missions/fleet/fleet_executive_options.h"
-#include "programs/runtime/fleet_plant.h"
 
 namespace stepwright::fleet {
 namespace {

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "programs/config/cell_config.h"
+#include "cell/config/cell_config.h"
 #include "supervisor/fleet/executive/fleet_executive.h"
 #include "tests/support/controller/simulated_controller.h"
 #include "tests/support/temporary_folder.h"

@@ -1,0 +1,76 @@
+#include "cell/config/hmi_config.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace stepwright::config {
+
+bool is_loopback(const std::string& host) {
+  const bool numbers = host.find_first_not_of("0123456789.") == std::string::npos;
+  return host == "localhost" || host == "::1" || (numbers && host.starts_with("127."));
+}
+
+namespace {
+
+// A host name, or an IPv4 or IPv6 address without brackets. Neither scheme nor port belongs to it.
+bool is_host_name(const std::string& name) {
+  const bool address = std::ranges::count(name, ':') > 1;
+  const auto fits = [&](unsigned char c) {
+    return std::isalnum(c) != 0 || c == '.' || c == '-' || (address && c == ':');
+  };
+  return !name.empty() && name.size() <= 253 && std::ranges::all_of(name, fits);
+}
+
+void check_page_names(const settings::TomlTable& hmi, const HmiConfig& config) {
+  for (const std::string& name : config.names) {
+    if (is_host_name(name)) continue;
+    hmi.report("names", "'" + name + "' cannot be the name of a host",
+               "a name or an address as it stands in the browser, without scheme and port: \"line.plant\"",
+               "0470");
+  }
+  const bool all_addresses = config.host == "0.0.0.0" || config.host == "::";
+  if (all_addresses && config.names.empty()) {
+    hmi.report("host", "at all addresses of a machine the server does not know what browsers call it",
+               "names = [\"line.plant\", \"10.0.0.5\"]: other names are refused", "0470");
+  }
+}
+
+}  // namespace
+
+HmiConfig read_hmi(const settings::TomlTable& hmi, const std::filesystem::path& folder,
+                   const std::filesystem::path& state_dir) {
+  HmiConfig config;
+  const auto path = [&](const char* key) {
+    const std::string text = hmi.text(key, {});
+    return text.empty() ? std::filesystem::path() : folder / text;
+  };
+  config.host = hmi.text("host", config.host);
+  config.names = hmi.texts("names");
+  config.port = static_cast<std::uint16_t>(hmi.integer("port", config.port, {0, 65'535}));
+  config.metrics_of = hmi.texts("metrics_of");
+  config.anonymous_viewer = hmi.choice("anonymous", "none", {"none", "viewer"}) == "viewer";
+  config.certificate = path("tls_certificate");
+  config.key = path("tls_key");
+  config.access_dir = path("access_dir");
+  if (config.access_dir.empty()) config.access_dir = state_dir / "access";
+  config.recipes = path("recipes");
+  config.recipes_dir = path("recipes_dir");
+  config.programs_dir = path("programs_dir");
+  if (config.programs_dir.empty()) config.programs_dir = state_dir / "programs";
+  config.drawing = path("drawing");
+  if (config.recipes_dir.empty()) config.recipes_dir = state_dir / "recipes";
+  config.idle = std::chrono::minutes(hmi.integer("idle_minutes", 30, {1, 24 * 60}));
+  config.session = std::chrono::hours(hmi.integer("session_hours", 12, {1, 24 * 7}));
+  if (config.certificate.empty() != config.key.empty()) {
+    hmi.report(config.key.empty() ? "tls_certificate" : "tls_key", "TLS needs a certificate and its key",
+               "set both, tls_certificate and tls_key", "0469");
+  }
+  if (!is_loopback(config.host) && config.certificate.empty()) {
+    hmi.report("host", "beyond this machine the page is served over TLS only",
+               "set tls_certificate and tls_key, or leave host at 127.0.0.1", "0468");
+  }
+  check_page_names(hmi, config);
+  return config;
+}
+
+}  // namespace stepwright::config

@@ -1,0 +1,58 @@
+#pragma once
+
+// The page of a cell: [hmi] of its configuration.
+//
+//   [hmi]
+//   host = "127.0.0.1"            # beyond loopback: only with TLS and once an administrator has been claimed
+//   names = ["line.plant"]        # what browsers may call it beside `host`; needed with 0.0.0.0 and ::
+//   port = 8080                   # 0: any free one
+//   anonymous = "none"            # "viewer": whoever is at this machine may look without logging in
+//   tls_certificate = "page.pem"  # a chain in PEM form, and its key
+//   tls_key = "page.key"
+//   access_dir = "access"         # users, audit trail; default: in the state folder
+//   idle_minutes = 30             # without any request: logged out
+//   session_hours = 12            # logged out in any case
+//   recipes = "recipes.toml"      # beside this file: the tags that recipes set (hmi_web/doc/recipes.md)
+//   recipes_dir = "recipes"       # the recipes themselves; default: in the state folder
+//   programs_dir = "programs"     # programs that can be brought back (hmi_web/doc/change.md); likewise
+//   drawing = "plant.svg"         # the plant's picture, drawn by hand (hmi_web/doc/drawings.md)
+//
+// Pure.
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "runtime/ground/settings/toml_document.h"
+
+namespace stepwright::config {
+
+struct HmiConfig {
+  std::string host = "127.0.0.1";
+  std::vector<std::string> names;  // of the Host header, without a port
+  std::uint16_t port = 8080;
+  std::vector<std::string>
+      metrics_of;                 // runtimes of the domain beside the cell's own whose figures /metrics gives
+  bool anonymous_viewer = false;  // at this machine only
+  std::filesystem::path certificate;  // empty: no TLS
+  std::filesystem::path key;
+  std::filesystem::path access_dir;
+  std::filesystem::path recipes;  // the file of definitions; empty: there are no recipes
+  std::filesystem::path recipes_dir;
+  std::filesystem::path programs_dir;
+  std::filesystem::path drawing;  // empty: the picture is made from the plant's description
+  std::chrono::minutes idle{30};
+  std::chrono::hours session{12};
+};
+
+// "localhost", 127.x.y.z, ::1.
+bool is_loopback(const std::string& host);
+
+// Errors are reported to the document: C0003, C0004, C0468 (a host beyond loopback without TLS), C0469 (half
+// of what TLS needs), C0470 (names that are none, or missing).
+HmiConfig read_hmi(const settings::TomlTable& hmi, const std::filesystem::path& folder,
+                   const std::filesystem::path& state_dir);
+
+}  // namespace stepwright::config

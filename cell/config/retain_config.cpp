@@ -1,0 +1,30 @@
+#include "cell/config/retain_config.h"
+
+#include <string>
+
+#include "runtime/ground/settings/toml_document.h"
+
+namespace stepwright::config {
+
+void read_retain(const settings::TomlTable& root, const std::filesystem::path& folder,
+                 const std::filesystem::path& state_dir, RetainSection& retain, BootSection& boot) {
+  const settings::TomlTable table = root.table("retain");
+  const std::string file = table.text("file", "retain.store");
+  if (!file.empty()) retain.file = state_dir / file;
+  retain.period =
+      std::chrono::milliseconds(table.integer("period_ms", retain.period.count(), {1, 3'600'000}));
+  const std::string policy = table.choice("policy", "carry", {"carry", "initialise", "refuse"});
+  retain.policy = policy == "initialise" ? RetainPolicy::Initialise
+                  : policy == "refuse"   ? RetainPolicy::Refuse
+                                         : RetainPolicy::Carry;
+  const settings::TomlTable runtime = root.table("runtime");
+  const std::string program = runtime.text("program", {});
+  if (!program.empty()) boot.program = folder / program;
+  boot.autostart = runtime.boolean("autostart", boot.autostart);
+  if (runtime.boolean("boot", false)) boot.keep = state_dir / "boot.swb";
+  if (boot.autostart && boot.program.empty() && boot.keep.empty()) {
+    runtime.report("autostart", "there is nothing to start", "name a program, or set boot = true");
+  }
+}
+
+}  // namespace stepwright::config

@@ -1,0 +1,46 @@
+#pragma once
+
+// I/O of a cell's runtime: its simulated plant with the driver wired to it, shared memory, or nothing.
+//
+// Threads: the service's, but for driver and plant: from the creation of the HostRuntime on those belong to
+// it (image::IoDriver, host::PlantAccess).
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "cell/config/cell_config.h"
+#include "plant_models/bridge/plant_driver.h"
+#include "runtime/ground/result/result.h"
+#include "runtime/host/plant_access.h"
+#include "runtime/image/io_driver.h"
+#include "runtime/io_memory/memory_driver.h"
+
+namespace stepwright::cell_runtime {
+
+class CellIo {
+ public:
+  virtual ~CellIo() = default;
+  virtual image::IoDriver& driver() = 0;
+  // Null without a simulated plant.
+  virtual host::PlantAccess* plant() = 0;
+  // A guard process watches the outputs.
+  virtual bool guarded() const { return false; }
+  // The guard that is there.
+  virtual io_memory::GuardFigures guard() const { return {}; }
+  // A runtime other than this one drives the outputs.
+  virtual std::optional<io_memory::ProcessMark> other_runtime() const { return std::nullopt; }
+  // True if the process behind the I/O is there. Always true where it cannot be missing.
+  virtual bool alive() const { return true; }
+
+  // Fails with what is wrong in [plant], its ports and its scheduled faults (C0301 to C0331).
+  [[nodiscard]] static result::Result<std::unique_ptr<CellIo>> create(const config::CellConfig& config);
+};
+
+// The wires of the cell's plant: its own, or those that a tank bench has by default.
+std::vector<bridge::PortWire> plant_wires(const config::CellConfig& config);
+
+// Everything that create() would refuse, found without leaving a trace: nothing is opened or kept.
+result::Diagnostics check_cell_io(const config::CellConfig& config);
+
+}  // namespace stepwright::cell_runtime

@@ -1,0 +1,97 @@
+#include "runtime/ground/process/files.h"
+
+#include <unistd.h>
+
+#include <cctype>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+namespace stepwright::process {
+namespace {
+
+namespace fs = std::filesystem;
+
+result::Diagnostics unwritten(const std::string& path, const std::string& why) {
+  return {{"E0002",
+           result::Severity::Error,
+           {path, 0, 0},
+           "the file cannot be written: " + why,
+           "its folder must exist and take a new file"}};
+}
+
+// "-" is standard output.
+std::string place_of(const std::string& path) {
+  return path == "-" ? "/dev/stdout" : path;
+}
+
+bool write_to(const fs::path& path, std::string_view bytes, std::ios::openmode mode) {
+  errno = 0;
+  std::ofstream file(path, std::ios::binary | mode);
+  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  return static_cast<bool>(file.flush());
+}
+
+// Where the bytes belong: behind a link, so that the link stays one.
+fs::path behind_links(const std::string& path) {
+  std::error_code error;
+  const fs::path real = fs::canonical(path, error);
+  return error ? fs::path(path) : real;
+}
+
+}  // namespace
+
+bool is_stream(const std::string& path) {
+  if (path == "-" || path.starts_with("/dev/") || path.starts_with("/proc/")) return true;
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
+result::Result<std::string> read_file(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file || std::filesystem::is_directory(path))
+    return result::fail("E0001", {path, 0, 0}, "cannot read the file");
+  return std::string{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+result::Diagnostics write_file(const std::string& given, std::string_view bytes) {
+  const std::string path = place_of(given);
+  if (is_stream(path)) {
+    if (write_to(path, bytes, std::ios::app)) return {};
+    return unwritten(path, std::strerror(errno));
+  }
+  const fs::path place = behind_links(path);
+  const fs::path partial = place.string() + ".part";
+  const bool written = write_to(partial, bytes, std::ios::trunc);
+  std::string why = std::strerror(errno);
+  std::error_code failed;
+  if (written) fs::rename(partial, place, failed);
+  if (written && !failed) return {};
+  if (failed) why = failed.message();
+  std::remove(partial.c_str());
+  return unwritten(path, why);
+}
+
+result::Diagnostics check_writable(const std::string& given) {
+  const std::string path = place_of(given);
+  std::error_code error;
+  if (fs::is_directory(path, error)) return unwritten(path, "it is a folder");
+  if (is_stream(path)) {
+    return access(path.c_str(), W_OK) == 0 ? result::Diagnostics{} : unwritten(path, std::strerror(errno));
+  }
+  const fs::path folder = behind_links(path).parent_path();
+  if (access(folder.empty() ? "." : folder.c_str(), W_OK) == 0) return {};
+  return unwritten(path, "its folder: " + std::string(std::strerror(errno)));
+}
+
+bool is_xml(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension == ".xml";
+}
+
+}  // namespace stepwright::process

@@ -1,0 +1,30 @@
+#pragma once
+
+// Files that commands read and write whole. What they write to the name "-" goes to standard output.
+
+#include <string>
+#include <string_view>
+
+#include "runtime/ground/result/result.h"
+
+namespace stepwright::process {
+
+// Fails with E0001.
+[[nodiscard]] result::Result<std::string> read_file(const std::string& path);
+
+// A device or a pipe: it takes bytes as they come and must not be replaced by a file. /dev/stdout is one even
+// where it leads to a file, which others write to as well.
+bool is_stream(const std::string& path);
+
+// Written beside its place and moved there, so that nobody meets half a file. A device or a pipe is written
+// to as it is, and a link stays a link. Returns E0002 or nothing.
+[[nodiscard]] result::Diagnostics write_file(const std::string& path, std::string_view bytes);
+
+// Whether `write_file` may succeed, so that a long command fails before its work and not after it. Returns
+// E0002 or nothing.
+[[nodiscard]] result::Diagnostics check_writable(const std::string& path);
+
+// ".xml" in any case: a PLCopen project.
+bool is_xml(const std::string& path);
+
+}  // namespace stepwright::process

@@ -1,0 +1,432 @@
+#include "runtime/ground/settings/toml_document.h"
+
+#define TOML_ENABLE_FORMATTERS 0
+#include <toml++/toml.h>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "runtime/ground/settings/key_parts.h"
+
+namespace stepwright::settings {
+
+struct TomlDocument::State {
+  std::string file;
+  std::string code;
+  toml::table root;
+  result::Diagnostics problems;
+  std::map<std::string, std::string> origins;                       // dotted key -> the override that set it
+  std::map<const void*, std::set<std::string, std::less<>>> asked;  // table -> keys that were read
+
+  result::Location place(const toml::source_region& source) const {
+    return {file, source.begin.line, source.begin.column};
+  }
+  // What came from an override stands in no line of the file.
+  result::Location place(const std::string& path, const toml::source_region& source) const {
+    const auto found = origins.find(path);
+    return found != origins.end() ? result::Location{found->second, 0, 0} : place(source);
+  }
+  void add(const char* number, result::Location where, std::string message, std::string hint) {
+    problems.push_back(
+        {code + number, result::Severity::Error, std::move(where), std::move(message), std::move(hint)});
+  }
+  void report_unknown(const toml::table& table, const std::string& path);
+};
+
+namespace {
+
+// What reads it may have others wait.
+constexpr std::size_t kMostBytes = 1u << 20;
+
+const toml::table* as_table(const void* node) {
+  return static_cast<const toml::table*>(node);
+}
+const toml::node* as_node(const void* node) {
+  return static_cast<const toml::node*>(node);
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+}  // namespace
+
+namespace {
+
+tl::unexpected<result::Diagnostics> not_an_override(const std::string& code, const std::string& dotted_key,
+                                                    const std::string& value) {
+  return result::fail(code + "0001", {"--set " + dotted_key + "=" + value, 0, 0},
+                      "this is not KEY=VALUE with a dotted key", "for example --set plant.seed=7");
+}
+
+// Everything in `source` wins over what `target` has; tables are merged key by key.
+void merge(const toml::table& source, toml::table& target) {
+  for (const auto& [key, value] : source) {
+    const toml::table* inner = value.as_table();
+    if (inner == nullptr) {
+      target.insert_or_assign(key, value);
+      continue;
+    }
+    const toml::node* present = target.get(key);
+    if (present == nullptr || !present->is_table()) target.insert_or_assign(key, toml::table{});
+    merge(*inner, *target.get(key)->as_table());
+  }
+}
+
+}  // namespace
+
+TomlDocument::TomlDocument() : state_(std::make_unique<State>()) {}
+TomlDocument::~TomlDocument() = default;
+
+result::Result<std::unique_ptr<TomlDocument>> TomlDocument::load(const std::filesystem::path& file,
+                                                                 std::string code) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) {
+    return result::fail(code + "0001", {file.string(), 0, 0}, "there is no such file",
+                        "check the path; it is taken from the current directory");
+  }
+  if (::access(file.c_str(), R_OK) != 0) {
+    return result::fail(code + "0001", {file.string(), 0, 0},
+                        std::string("the file cannot be read: ") + std::strerror(errno));
+  }
+  // Of a file that somebody goes on writing to, no more is read either.
+  std::string text(kMostBytes + 1, '\0');
+  std::ifstream in(file, std::ios::binary);
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(in.gcount()));
+  return parse(text, file.string(), std::move(code));
+}
+
+result::Result<std::unique_ptr<TomlDocument>> TomlDocument::parse(std::string_view text, std::string file,
+                                                                  std::string code) {
+  std::unique_ptr<TomlDocument> document(new TomlDocument());
+  document->state_->file = std::move(file);
+  document->state_->code = code;
+  if (text.size() > kMostBytes) {
+    return result::fail(code + "0001", {document->state_->file, 0, 0},
+                        "there is more than " + std::to_string(kMostBytes >> 20) + " MiB of it",
+                        "settings are a few kB: is this the file that was meant?");
+  }
+  if (const auto deep = too_deep_key(text)) {
+    return result::fail(code + "0001", {document->state_->file, deep->line, deep->column},
+                        "a key has more than " + std::to_string(kMostKeyParts) + " parts",
+                        "no setting is so deep: is a dot a slip?");
+  }
+  try {
+    document->state_->root = toml::parse(text);
+  } catch (const toml::parse_error& problem) {
+    return result::fail(code + "0001", document->state_->place(problem.source()),
+                        std::string(problem.description()), "the text is not valid TOML");
+  }
+  return document;
+}
+
+result::Result<void> TomlDocument::override_value(const std::string& dotted_key, const std::string& value) {
+  toml::table parsed;
+  const std::string origin = "--set " + dotted_key + "=" + value;
+  if (too_deep_key(dotted_key + " = " + value)) return not_an_override(state_->code, dotted_key, value);
+  try {
+    parsed = toml::parse(dotted_key + " = " + value);
+  } catch (const toml::parse_error&) {
+    try {
+      parsed = toml::parse(dotted_key + " = \"" + value + "\"");
+    } catch (const toml::parse_error&) {
+      return not_an_override(state_->code, dotted_key, value);
+    }
+  }
+  // A key that begins a comment, or a value that begins another line.
+  if (parsed.size() != 1) return not_an_override(state_->code, dotted_key, value);
+  merge(parsed, state_->root);
+  state_->origins[dotted_key] = origin;
+  return {};
+}
+
+TomlTable TomlDocument::root() {
+  return {this, &state_->root, ""};
+}
+
+namespace {
+
+// Words that differ where the values differ; nobody reads them as TOML.
+std::string scalar_text(const toml::node& node) {
+  std::ostringstream text;
+  text.precision(17);
+  if (const auto words = node.value_exact<std::string>()) {
+    text << '"' << *words << '"';
+  } else if (const auto whole = node.value_exact<std::int64_t>()) {
+    text << *whole;
+  } else if (const auto number = node.value_exact<double>()) {
+    text << *number;
+  } else if (const auto truth = node.value_exact<bool>()) {
+    text << (*truth ? "true" : "false");
+  } else if (const auto date = node.value_exact<toml::date>()) {
+    text << *date;
+  } else if (const auto time = node.value_exact<toml::time>()) {
+    text << *time;
+  } else if (const auto instant = node.value_exact<toml::date_time>()) {
+    text << *instant;
+  }
+  return text.str();
+}
+
+template <typename Place>
+void collect(const toml::node& node, const std::string& path, const Place& place, SettingTexts& texts) {
+  if (const toml::table* table = node.as_table()) {
+    const std::string prefix = path.empty() ? "" : path + ".";
+    for (const auto& [key, value] : *table) collect(value, prefix + std::string(key.str()), place, texts);
+  } else if (const toml::array* array = node.as_array()) {
+    for (std::size_t i = 0; i < array->size(); ++i) {
+      collect(*array->get(i), path + "[" + std::to_string(i) + "]", place, texts);
+    }
+  } else {
+    texts[path] = {scalar_text(node), place(path, node.source())};
+  }
+}
+
+}  // namespace
+
+SettingTexts TomlDocument::values() const {
+  SettingTexts texts;
+  collect(
+      state_->root, "",
+      [this](const std::string& path, const toml::source_region& source) {
+        return state_->place(path, source);
+      },
+      texts);
+  return texts;
+}
+
+void TomlDocument::State::report_unknown(const toml::table& table, const std::string& path) {
+  const auto known = asked.find(&table);
+  std::vector<std::string> names;
+  if (known != asked.end()) names.assign(known->second.begin(), known->second.end());
+  for (const auto& [key, node] : table) {
+    const std::string name(key.str());
+    if (std::find(names.begin(), names.end(), name) == names.end()) {
+      const std::string meant = closest(name, names);
+      std::string hint = meant.empty() ? "known here: " + joined(names) : "did you mean '" + meant + "'?";
+      add("0002", place(path + name, key.source()), "unknown key '" + path + name + "'", std::move(hint));
+    } else if (const toml::table* inner = node.as_table(); inner != nullptr && asked.count(inner) != 0) {
+      report_unknown(*inner, path + name + ".");
+    } else if (const toml::array* array = node.as_array()) {
+      for (const toml::node& element : *array) {
+        const toml::table* row = element.as_table();
+        if (row != nullptr && asked.count(row) != 0) report_unknown(*row, path + name + ".");
+      }
+    }
+  }
+}
+
+result::Diagnostics TomlDocument::finish() {
+  state_->report_unknown(state_->root, "");
+  return std::move(state_->problems);
+}
+
+TomlTable::TomlTable(TomlDocument* document, const void* node, std::string path)
+    : document_(document), node_(node), path_(std::move(path)) {
+  if (node_ != nullptr) document_->state_->asked[node_];
+}
+
+const void* TomlTable::find(std::string_view key) const {
+  if (node_ == nullptr) return nullptr;
+  document_->state_->asked[node_].emplace(key);
+  return as_table(node_)->get(key);
+}
+
+bool TomlTable::has(std::string_view key) const {
+  return node_ != nullptr && as_table(node_)->get(key) != nullptr;
+}
+
+bool TomlTable::has_table(std::string_view key) const {
+  return has(key) && as_table(node_)->get(key)->is_table();
+}
+
+void TomlTable::wrong_type(std::string_view key, const char* expected) const {
+  document_->state_->add("0003", where(key), "'" + path_ + std::string(key) + "' must be " + expected, "");
+}
+
+double TomlTable::ranged(std::string_view key, double value, Range range, double fallback) const {
+  if (value >= range.low && value <= range.high) return value;
+  std::ostringstream hint;
+  hint << "it must lie between " << range.low << " and " << range.high;
+  document_->state_->add("0004", where(key), "'" + path_ + std::string(key) + "' is out of range",
+                         hint.str());
+  return fallback;
+}
+
+std::string TomlTable::text(std::string_view key, std::string fallback) const {
+  const toml::node* node = as_node(find(key));
+  if (node == nullptr) return fallback;
+  if (const auto value = node->value_exact<std::string>()) return *value;
+  wrong_type(key, "a string");
+  return fallback;
+}
+
+double TomlTable::number(std::string_view key, double fallback, Range range) const {
+  const toml::node* node = as_node(find(key));
+  if (node == nullptr) return fallback;
+  if (!node->is_number()) {
+    wrong_type(key, "a number");
+    return fallback;
+  }
+  return ranged(key, *node->value<double>(), range, fallback);
+}
+
+std::int64_t TomlTable::integer(std::string_view key, std::int64_t fallback, Range range) const {
+  const toml::node* node = as_node(find(key));
+  if (node == nullptr) return fallback;
+  if (!node->is_integer()) {
+    wrong_type(key, "a whole number");
+    return fallback;
+  }
+  const std::int64_t value = *node->value<std::int64_t>();
+  const double checked = ranged(key, static_cast<double>(value), range, static_cast<double>(fallback));
+  return checked == static_cast<double>(value) ? value : fallback;
+}
+
+bool TomlTable::boolean(std::string_view key, bool fallback) const {
+  const toml::node* node = as_node(find(key));
+  if (node == nullptr) return fallback;
+  if (const auto value = node->value_exact<bool>()) return *value;
+  wrong_type(key, "true or false");
+  return fallback;
+}
+
+std::string TomlTable::choice(std::string_view key, std::string fallback,
+                              const std::vector<std::string>& choices) const {
+  const std::string value = text(key, fallback);
+  if (std::find(choices.begin(), choices.end(), value) != choices.end()) return value;
+  const std::string meant = closest(value, choices);
+  report(key, "'" + value + "' is not a choice for '" + path_ + std::string(key) + "'",
+         meant.empty() ? "one of: " + joined(choices) : "did you mean '" + meant + "'?");
+  return fallback;
+}
+
+std::vector<std::string> TomlTable::texts(std::string_view key) const {
+  const toml::node* node = as_node(find(key));
+  std::vector<std::string> values;
+  if (node == nullptr) return values;
+  const toml::array* array = node->as_array();
+  if (array == nullptr || !(array->empty() || array->is_homogeneous<std::string>())) {
+    wrong_type(key, "an array of strings");
+    return values;
+  }
+  for (const toml::node& element : *array) values.push_back(*element.value_exact<std::string>());
+  return values;
+}
+
+namespace {
+
+// False if `node` is no array of numbers.
+bool read_numbers(const toml::node& node, std::vector<double>& values) {
+  const toml::array* array = node.as_array();
+  if (array == nullptr) return false;
+  for (const toml::node& element : *array) {
+    if (!element.is_number()) return false;
+    values.push_back(*element.value<double>());
+  }
+  return true;
+}
+
+}  // namespace
+
+std::vector<double> TomlTable::numbers(std::string_view key) const {
+  const toml::node* node = as_node(find(key));
+  std::vector<double> values;
+  if (node != nullptr && !read_numbers(*node, values)) {
+    wrong_type(key, "an array of numbers");
+    values.clear();
+  }
+  return values;
+}
+
+std::vector<std::vector<double>> TomlTable::number_rows(std::string_view key, std::size_t width) const {
+  const toml::node* node = as_node(find(key));
+  std::vector<std::vector<double>> rows;
+  if (node == nullptr) return rows;
+  const toml::array* array = node->as_array();
+  bool good = array != nullptr;
+  for (std::size_t i = 0; good && i < array->size(); ++i) {
+    rows.emplace_back();
+    good = read_numbers(*array->get(i), rows.back()) && rows.back().size() == width;
+  }
+  if (good) return rows;
+  wrong_type(key, ("an array of arrays of " + std::to_string(width) + " numbers").c_str());
+  return {};
+}
+
+std::string TomlTable::required_text(std::string_view key) const {
+  if (find(key) == nullptr) {
+    document_->state_->add("0005", where(), "'" + path_ + std::string(key) + "' is missing", "");
+    return {};
+  }
+  return text(key, {});
+}
+
+double TomlTable::required_number(std::string_view key, Range range) const {
+  if (find(key) == nullptr) {
+    document_->state_->add("0005", where(), "'" + path_ + std::string(key) + "' is missing", "");
+    return 0.0;
+  }
+  return number(key, 0.0, range);
+}
+
+TomlTable TomlTable::table(std::string_view key) const {
+  const std::string path = path_ + std::string(key) + ".";
+  const toml::node* node = as_node(find(key));
+  if (node == nullptr) return {document_, nullptr, path};
+  if (const toml::table* inner = node->as_table()) return {document_, inner, path};
+  wrong_type(key, "a table");
+  return {document_, nullptr, path};
+}
+
+std::vector<TomlTable> TomlTable::tables(std::string_view key) const {
+  std::vector<TomlTable> rows;
+  const toml::node* node = as_node(find(key));
+  if (node == nullptr) return rows;
+  const toml::array* array = node->as_array();
+  if (array == nullptr || !(array->empty() || array->is_array_of_tables())) {
+    wrong_type(key, "an array of tables");
+    return rows;
+  }
+  for (const toml::node& element : *array) {
+    rows.push_back(TomlTable(document_, element.as_table(), path_ + std::string(key) + "."));
+  }
+  return rows;
+}
+
+std::vector<std::string> TomlTable::keys() const {
+  std::vector<std::pair<std::pair<std::uint32_t, std::uint32_t>, std::string>> found;
+  if (node_ != nullptr) {
+    for (const auto& [key, node] : *as_table(node_)) {
+      found.push_back({{key.source().begin.line, key.source().begin.column}, std::string(key.str())});
+    }
+  }
+  std::sort(found.begin(), found.end());
+  std::vector<std::string> names;
+  for (auto& entry : found) names.push_back(std::move(entry.second));
+  return names;
+}
+
+result::Location TomlTable::where(std::string_view key) const {
+  if (node_ == nullptr) return {document_->state_->file, 0, 0};
+  const toml::node* node = key.empty() ? nullptr : as_table(node_)->get(key);
+  return document_->state_->place(path_ + std::string(key),
+                                  node != nullptr ? node->source() : as_table(node_)->source());
+}
+
+void TomlTable::report(std::string_view key, std::string message, std::string hint,
+                       const char* number) const {
+  document_->state_->add(number, where(key), std::move(message), std::move(hint));
+}
+
+}  // namespace stepwright::settings

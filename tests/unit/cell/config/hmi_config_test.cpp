@@ -1,0 +1,77 @@
+#include "cell/config/hmi_config.h"
+
+#include <gtest/gtest.h>
+
+namespace stepwright::config {
+namespace {
+
+struct Read {
+  HmiConfig config;
+  std::string codes;
+};
+
+Read read(const std::string& text) {
+  auto document = settings::TomlDocument::parse("[hmi]\n" + text, "cell.toml");
+  EXPECT_TRUE(document) << text;
+  Read read;
+  read.config = read_hmi((*document)->root().table("hmi"), "/cell", "/state");
+  for (const auto& problem : (*document)->finish())
+    read.codes += (read.codes.empty() ? "" : " ") + problem.code;
+  return read;
+}
+
+TEST(HmiConfig, WhenNothingIsSaid_ThenNobodyLooksAndNobodyElseReachesIt) {
+  const Read plain = read("");
+  EXPECT_EQ(plain.codes, "");
+  EXPECT_EQ(plain.config.host, "127.0.0.1");
+  EXPECT_FALSE(plain.config.anonymous_viewer);
+  EXPECT_EQ(plain.config.access_dir, "/state/access");
+  EXPECT_EQ(plain.config.recipes, "") << "no recipes unless somebody says which tags they set";
+  EXPECT_EQ(plain.config.recipes_dir, "/state/recipes");
+  EXPECT_EQ(plain.config.idle, std::chrono::minutes(30));
+}
+
+TEST(HmiConfig, WhenFilesAreNamed_ThenFromTheFolderOfTheConfiguration) {
+  const Read all = read(
+      "host = \"line.plant\"\ntls_certificate = \"a.pem\"\ntls_key = \"/k/a.key\"\naccess_dir = \"who\"\n"
+      "recipes = \"r.toml\"\nrecipes_dir = \"r\"\n");
+  EXPECT_EQ(all.codes, "");
+  EXPECT_EQ(all.config.certificate, "/cell/a.pem");
+  EXPECT_EQ(all.config.key, "/k/a.key");
+  EXPECT_EQ(all.config.access_dir, "/cell/who");
+  EXPECT_EQ(all.config.recipes, "/cell/r.toml");
+  EXPECT_EQ(all.config.recipes_dir, "/cell/r");
+}
+
+TEST(HmiConfig, WhenItIsServedBeyondThisMachineWithoutTls_ThenItIsRefused) {
+  for (const char* host : {"10.0.0.5", "line.plant", "127.evil.example"})
+    EXPECT_EQ(read("host = \"" + std::string(host) + "\"\n").codes, "C0468") << host;
+  for (const char* host : {"localhost", "127.0.0.1", "127.1.2.3", "::1"})
+    EXPECT_EQ(read("host = \"" + std::string(host) + "\"\n").codes, "") << host;
+}
+
+TEST(HmiConfig, WhenItListensAtAllAddresses_ThenItHasToKnowItsNames) {
+  const std::string tls = "tls_certificate = \"a.pem\"\ntls_key = \"a.key\"\n";
+  for (const char* host : {"0.0.0.0", "::"}) {
+    const std::string lines = tls + "host = \"" + host + "\"\n";
+    EXPECT_EQ(read(lines).codes, "C0470") << host;
+    const Read named = read(lines + "names = [\"line.plant\", \"10.0.0.5\", \"fe80::1\"]\n");
+    EXPECT_EQ(named.codes, "") << host;
+    EXPECT_EQ(named.config.names, (std::vector<std::string>{"line.plant", "10.0.0.5", "fe80::1"}));
+  }
+}
+
+TEST(HmiConfig, WhenANameIsNone_ThenItIsRefused) {
+  for (const char* name : {"", "line.plant:8080", "https://line.plant", "line plant", "[::1]", "a/b"})
+    EXPECT_EQ(read("names = [\"" + std::string(name) + "\"]\n").codes, "C0470") << name;
+}
+
+TEST(HmiConfig, WhenSomethingIsWrong_ThenItsCodeIsTold) {
+  EXPECT_EQ(read("tls_key = \"a.key\"\n").codes, "C0469");
+  EXPECT_EQ(read("tls_certificate = \"a.pem\"\n").codes, "C0469");
+  EXPECT_NE(read("anonymous = \"operator\"\n").codes, "");
+  EXPECT_EQ(read("idle_minutes = 0\n").codes, "C0004");
+}
+
+}  // namespace
+}  // namespace stepwright::config

@@ -1,0 +1,76 @@
+#include "runtime/ground/process/files.h"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "tests/support/temporary_folder.h"
+
+namespace stepwright::process {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(Files, WhenAFileIsWritten_ThenTheOldOneIsReplacedAndNothingElseLeft) {
+  const support::TemporaryFolder folder;
+  const std::string file = folder / "report.json";
+  ASSERT_TRUE(write_file(file, "old and longer").empty());
+  ASSERT_TRUE(write_file(file, "new").empty());
+  EXPECT_EQ(read_file(file).value(), "new");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 1);
+}
+
+TEST(Files, WhenTheNameIsALink_ThenItStaysOneAndItsTargetIsReplaced) {
+  const support::TemporaryFolder folder;
+  std::ofstream(folder / "target") << "old";
+  fs::create_symlink("target", folder / "link");
+  ASSERT_TRUE(write_file(folder / "link", "new").empty());
+  EXPECT_TRUE(fs::is_symlink(folder / "link"));
+  EXPECT_EQ(read_file(folder / "target").value(), "new");
+}
+
+TEST(Files, WhenTheNameIsAPipe_ThenItIsWrittenToAndStaysOne) {
+  const support::TemporaryFolder folder;
+  const std::string pipe = folder / "pipe";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const int reader = open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
+  ASSERT_GE(reader, 0);
+  EXPECT_TRUE(check_writable(pipe).empty());
+  EXPECT_TRUE(write_file(pipe, "bytes").empty());
+  std::string taken(16, '\0');
+  const ssize_t size = read(reader, taken.data(), taken.size());
+  close(reader);
+  EXPECT_EQ(taken.substr(0, static_cast<std::size_t>(std::max<ssize_t>(size, 0))), "bytes");
+  EXPECT_TRUE(fs::is_fifo(pipe));
+}
+
+TEST(Files, WhenAFileCannotBeWritten_ThenE0002SaysWhyBeforeAndAfter) {
+  const support::TemporaryFolder folder;
+  for (const std::string& path : {(folder / "none/file").string(), folder.path().string()}) {
+    for (const result::Diagnostics& refused : {check_writable(path), write_file(path, "text")}) {
+      ASSERT_EQ(refused.size(), 1u) << path;
+      EXPECT_EQ(refused[0].code, "E0002");
+      EXPECT_EQ(refused[0].where.file, path);
+      EXPECT_FALSE(refused[0].hint.empty());
+    }
+  }
+  EXPECT_TRUE(check_writable(folder / "new").empty());
+  EXPECT_TRUE(check_writable("new in the current folder").empty());
+  EXPECT_TRUE(fs::is_empty(folder.path()));
+}
+
+TEST(Files, WhenADeviceIsFull_ThenE0002) {
+  const result::Diagnostics refused = write_file("/dev/full", "text");
+  ASSERT_EQ(refused.size(), 1u);
+  EXPECT_NE(refused[0].message.find("No space"), std::string::npos);
+  EXPECT_TRUE(fs::is_character_file("/dev/full"));
+}
+
+}  // namespace
+}  // namespace stepwright::process
