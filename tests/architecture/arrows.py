@@ -225,9 +225,18 @@ def broken(root: pathlib.Path) -> list[str]:
     return problems
 
 
+def libraries_in_programs(root: pathlib.Path) -> list[str]:
+    """Processes read options, put parts together and run; what knows something is a library of another folder (ADR 13)."""
+    return [
+        f"{file.relative_to(root)}: a library in programs/"
+        for file in sorted((root / "programs").rglob("CMakeLists.txt")) if "stepwright_library(" in file.read_text(encoding="utf-8")
+    ]
+
+
 def main() -> int:
-    add_missions(pathlib.Path(sys.argv[1]))
-    problems = cycles() + broken(pathlib.Path(sys.argv[1]))
+    root = pathlib.Path(sys.argv[1])
+    add_missions(root)
+    problems = cycles() + broken(root) + libraries_in_programs(root)
     print("\n".join(problems) or "all includes follow the arrows")
     return 1 if problems else 0
 
