@@ -57,9 +57,9 @@ io_memory::Judgement judgement_of(const config::CellConfig& config) {
 }
 
 // Keeps the plant's state after each of its steps.
-class KeptDriver final : public image::IoDriver {
+class RetainedPlantDriver final : public image::IoDriver {
  public:
-  KeptDriver(bridge::PlantDriver driver, const core::Plant& plant, PlantMemory& memory)
+  RetainedPlantDriver(bridge::PlantDriver driver, const core::Plant& plant, PlantMemory& memory)
       : driver_(std::move(driver)), plant_(plant), memory_(memory), kept_(plant.kept_size()) {}
 
   image::IoStatus read_inputs(std::int64_t now_ns, std::span<std::byte> inputs) override {
@@ -90,7 +90,7 @@ class PlantIo final : public CellIo, private host::PlantAccess {
     auto driver = bridge::PlantDriver::create(*plant_, plant_wires(config),
                                               {config.image.input_bytes, config.image.output_bytes});
     if (!driver) return result::forward(driver);
-    driver_ = std::make_unique<KeptDriver>(std::move(*driver), *plant_, *memory_);
+    driver_ = std::make_unique<RetainedPlantDriver>(std::move(*driver), *plant_, *memory_);
     return {};
   }
 
@@ -109,7 +109,7 @@ class PlantIo final : public CellIo, private host::PlantAccess {
   std::unique_ptr<core::Plant> plant_;
   std::unique_ptr<PlantMemory> memory_;
   std::vector<std::string> names_;
-  std::unique_ptr<KeptDriver> driver_;
+  std::unique_ptr<RetainedPlantDriver> driver_;
 };
 
 using Kept = std::optional<std::vector<double>>;

@@ -18,7 +18,7 @@ const Field kShelfMinutes{.name = "minutes",
                           .most = 10'080,
                           .description = "after which it is shown again by itself; the alarm may allow less"};
 
-struct Deed {
+struct AlarmCommand {
   const char* path;
   const char* name;
   const char* event;  // of alarms::AlarmEvent
@@ -27,8 +27,8 @@ struct Deed {
   Shape body;
 };
 
-const std::vector<Deed>& deeds() {
-  static const std::vector<Deed> kDeeds = {
+const std::vector<AlarmCommand>& alarm_commands() {
+  static const std::vector<AlarmCommand> kCommands = {
       {"/api/alarms/acknowledge",
        "alarm.acknowledge",
        "acknowledge",
@@ -78,7 +78,7 @@ const std::vector<Deed>& deeds() {
        "Back in service",
        {"AlarmReturn", {kAlarmName, kAlarmComment}}},
   };
-  return kDeeds;
+  return kCommands;
 }
 
 Answer done(const result::Result<AlarmChange>& change, const AlarmAction& action) {
@@ -97,13 +97,13 @@ Answer done(const result::Result<AlarmChange>& change, const AlarmAction& action
   return answer;
 }
 
-Route alarm_row(CellRecords* records, const Deed& deed) {
-  Route route = acting_row("POST", deed.path, deed.name, deed.summary,
+Route alarm_row(CellRecords* records, const AlarmCommand& command) {
+  Route route = acting_row("POST", command.path, command.name, command.summary,
                            R"({"type": "object", "required": ["name", "state"],
   "properties": {"name": {"type": "string"}, "state": {"type": "string"}}})");
-  route.least = deed.least;
-  route.body = deed.body;
-  route.handler = [records, event = std::string(deed.event)](const Call& call) {
+  route.least = command.least;
+  route.body = command.body;
+  route.handler = [records, event = std::string(command.event)](const Call& call) {
     if (records == nullptr) return no_records();
     AlarmAction action;
     action.alarm = call.body.text("name");
@@ -120,7 +120,7 @@ Route alarm_row(CellRecords* records, const Deed& deed) {
 
 std::vector<Route> alarm_routes(const Services& services) {
   std::vector<Route> rows;
-  for (const Deed& deed : deeds()) rows.push_back(alarm_row(services.records, deed));
+  for (const AlarmCommand& command : alarm_commands()) rows.push_back(alarm_row(services.records, command));
   return rows;
 }
 

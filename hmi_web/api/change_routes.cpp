@@ -259,10 +259,10 @@ Answer changed(OnlineChangeService& service, const Call& call) {
   return answer;
 }
 
-template <typename Deed>
-Route with(OnlineChangeService* service, Route route, Deed deed) {
+template <typename Handler>
+Route with(OnlineChangeService* service, Route route, Handler handler) {
   route.least = Role::Engineer;
-  return with_service(service, std::move(route), no_change, std::move(deed));
+  return with_service(service, std::move(route), no_change, std::move(handler));
 }
 
 }  // namespace

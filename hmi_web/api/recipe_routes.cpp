@@ -142,9 +142,9 @@ Answer changed(const result::Result<RecipeChange>& done, const std::string& name
   return answer;
 }
 
-template <typename Deed>
-Route with(RecipeService* service, Route route, Deed deed) {
-  return with_service(service, std::move(route), no_recipes, std::move(deed));
+template <typename Handler>
+Route with(RecipeService* service, Route route, Handler handler) {
+  return with_service(service, std::move(route), no_recipes, std::move(handler));
 }
 
 Route acting(Route route, Role least, Lane lane, Shape body = {}) {

@@ -1,5 +1,6 @@
 #include <nlohmann/json.hpp>
 
+#include "hmi_web/access/codes.h"
 #include "hmi_web/api/routes.h"
 
 namespace stepwright::api {
@@ -115,7 +116,8 @@ Route revoke_row(access::AccessControl* control) {
   Route route = row("DELETE", "/api/sessions/{id}", "session.revoke", "Ends somebody's session");
   route.handler = [control](const Call& call) {
     const std::string& id = call.parameter("id");
-    if (!control->sessions().close_id(id)) return refused(404, "H0024", "there is no such session");
+    if (!control->sessions().close_id(id))
+      return refused(404, access::kNoSuchSession, "there is no such session");
     return changed(*control, {}, id, "", "");
   };
   return route;

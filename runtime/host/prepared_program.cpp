@@ -3,7 +3,7 @@
 #include <system_error>
 #include <utility>
 
-#include "runtime/host/memory_room.h"
+#include "runtime/host/memory_limit.h"
 #include "runtime/host/program_fit.h"
 
 namespace stepwright::host {

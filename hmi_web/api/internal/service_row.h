@@ -8,11 +8,11 @@
 
 namespace stepwright::api {
 
-// `route`, answered by `deed` at the service, and by `absent` where there is none.
-template <typename Service, typename Deed>
-Route with_service(Service* service, Route route, Answer (*absent)(), Deed deed) {
-  route.handler = [service, absent, deed = std::move(deed)](const Call& call) {
-    return service == nullptr ? absent() : deed(*service, call);
+// `route`, answered by `handler` at the service, and by `absent` where there is none.
+template <typename Service, typename Handler>
+Route with_service(Service* service, Route route, Answer (*absent)(), Handler handler) {
+  route.handler = [service, absent, handler = std::move(handler)](const Call& call) {
+    return service == nullptr ? absent() : handler(*service, call);
   };
   return route;
 }

@@ -1,4 +1,4 @@
-#include "runtime/host/memory_room.h"
+#include "runtime/host/memory_limit.h"
 
 #include <gtest/gtest.h>
 
@@ -27,29 +27,29 @@ class System {
   support::TemporaryFolder folder_;
 };
 
-TEST(MemoryRoom, WhenTheOuterGroupIsTighter_ThenItsRestIsTheRoom) {
+TEST(MemoryLimit, WhenTheOuterGroupIsTighter_ThenItsRestIsTheRoom) {
   System system;
   system.write("groups/outer/inner/memory.max", "max\n");
   system.write("groups/outer/memory.max", std::to_string(256 * kMb));
   system.write("groups/outer/memory.current", std::to_string(100 * kMb));
   system.write("groups/outer/memory.stat", "anon 1\ninactive_file " + std::to_string(30 * kMb) +
                                                "\nactive_file " + std::to_string(10 * kMb) + "\n");
-  const auto room = memory_room(0, system.sources());
+  const auto room = memory_limit(0, system.sources());
   ASSERT_TRUE(room);
   EXPECT_EQ(room->limit_bytes, 256 * kMb);
   EXPECT_EQ(room->free_bytes, 196 * kMb) << "pages of files can be taken back";
 }
 
-TEST(MemoryRoom, WhenTheConfigurationIsTighter_ThenItCounts) {
+TEST(MemoryLimit, WhenTheConfigurationIsTighter_ThenItCounts) {
   System system;
   system.write("groups/outer/inner/memory.max", std::to_string(256 * kMb));
   system.write("groups/outer/inner/memory.current", std::to_string(2 * kMb));
-  const auto room = memory_room(10 * kMb, system.sources());
+  const auto room = memory_limit(10 * kMb, system.sources());
   ASSERT_TRUE(room);
   EXPECT_EQ(room->free_bytes, 8 * kMb);
 }
 
-TEST(MemoryRoom, WhenMoreIsNeededThanThereIs_ThenTheRefusalNamesBothFigures) {
+TEST(MemoryLimit, WhenMoreIsNeededThanThereIs_ThenTheRefusalNamesBothFigures) {
   System system;
   system.write("groups/outer/inner/memory.max", std::to_string(64 * kMb));
   system.write("groups/outer/inner/memory.current", std::to_string(44 * kMb));
@@ -63,7 +63,7 @@ TEST(MemoryRoom, WhenMoreIsNeededThanThereIs_ThenTheRefusalNamesBothFigures) {
   EXPECT_NE(text.find("20 MB are free"), std::string::npos) << text;
 }
 
-TEST(MemoryRoom, WhenAProgramHasMoreThreadsOrCode_ThenItTakesMore) {
+TEST(MemoryLimit, WhenAProgramHasMoreThreadsOrCode_ThenItTakesMore) {
   const MemoryNeed small{.code_bytes = 1u << 20, .image_bytes = 1u << 16};
   MemoryNeed more = small;
   more.threads = 8;

@@ -30,7 +30,7 @@ struct MemoryNeed {
 // The most that it takes at any instant. Measured, not derived: an upper bound with something to spare.
 std::uint64_t needed_bytes(const MemoryNeed& need);
 
-struct MemoryRoom {
+struct MemoryLimit {
   std::uint64_t limit_bytes = 0;
   std::uint64_t free_bytes = 0;
   std::string what;  // whose limit it is
@@ -43,7 +43,7 @@ struct MemorySources {
 };
 
 // The tightest limit; none: nothing limits the process. `own_limit_bytes` 0: no limit of its own.
-std::optional<MemoryRoom> memory_room(std::size_t own_limit_bytes, const MemorySources& sources = {});
+std::optional<MemoryLimit> memory_limit(std::size_t own_limit_bytes, const MemorySources& sources = {});
 
 // Fails with R0076.
 [[nodiscard]] result::Result<void> check_memory(const MemoryNeed& need, std::size_t own_limit_bytes,

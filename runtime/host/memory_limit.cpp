@@ -1,4 +1,4 @@
-#include "runtime/host/memory_room.h"
+#include "runtime/host/memory_limit.h"
 
 #include <sys/resource.h>
 
@@ -60,10 +60,10 @@ class Tightest {
     rlimit limit{};
     if (getrlimit(resource, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY) add(limit.rlim_cur, used, what);
   }
-  std::optional<MemoryRoom> take() { return std::move(room_); }
+  std::optional<MemoryLimit> take() { return std::move(room_); }
 
  private:
-  std::optional<MemoryRoom> room_;
+  std::optional<MemoryLimit> room_;
 };
 
 // What the kernel can take back at any time, the pages of files, does not count.
@@ -103,7 +103,7 @@ std::uint64_t needed_bytes(const MemoryNeed& need) {
   return kOnce + code + images + events + need.threads * kOfAThread;
 }
 
-std::optional<MemoryRoom> memory_room(std::size_t own_limit_bytes, const MemorySources& sources) {
+std::optional<MemoryLimit> memory_limit(std::size_t own_limit_bytes, const MemorySources& sources) {
   constexpr std::uint64_t kKb = 1024;
   const auto status = entries_of(sources.process / "status");
   const auto kilobytes = [&](const char* name) { return value_of(status, name) * kKb; };
@@ -121,7 +121,7 @@ std::optional<MemoryRoom> memory_room(std::size_t own_limit_bytes, const MemoryS
 
 result::Result<void> check_memory(const MemoryNeed& need, std::size_t own_limit_bytes,
                                   const MemorySources& sources) {
-  const auto room = memory_room(own_limit_bytes, sources);
+  const auto room = memory_limit(own_limit_bytes, sources);
   const std::uint64_t needed = needed_bytes(need);
   if (!room || needed <= room->free_bytes) return {};
   return result::fail("R0076", {"download", 0, 0},
