@@ -2,7 +2,8 @@
 """clang-tidy, as .clang-tidy says, over C++ files of the tree, each with the include folders and definitions of its target.
 
     tidy.py --root FOLDER --build FOLDER PATH...      every .cpp file below the paths
-    tidy.py --root FOLDER --build FOLDER --changed    what a change touches (tests/support/changed_files.py), the newest MOST of it
+    tidy.py --root FOLDER --build FOLDER --changed    the lines that a change has written (tests/support/changed_files.py), in the
+                                                      newest MOST files of it; findings of other lines are left alone
 
 Prints what it finds and exits with 1; a file takes five seconds or so. The tree is written for g++: a file that clang cannot
 read (its concepts do not take every range of g++'s library) is named and left alone.
@@ -19,7 +20,7 @@ import sys
 from concurrent.futures import ThreadPoolExecutor
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
-from changed_files import changed_files  # noqa: E402
+from changed_files import changed_files, changed_lines  # noqa: E402
 
 # As many as two processors look at in a minute.
 MOST = 12
@@ -54,8 +55,9 @@ def flags_of(name: str, flags: dict[str, list[str]], root: pathlib.Path) -> list
     return ["-std=c++20", f"-I{root}"]
 
 
-def tidy(name: str, flags: dict[str, list[str]], root: pathlib.Path) -> str:
-    done = subprocess.run(["clang-tidy", "--quiet", name, "--", *flags_of(name, flags, root)],
+def tidy(name: str, flags: dict[str, list[str]], root: pathlib.Path, lines: list[dict] | None) -> str:
+    only = [] if lines is None else ["--line-filter=" + json.dumps(lines)]
+    done = subprocess.run(["clang-tidy", "--quiet", *only, name, "--", *flags_of(name, flags, root)],
                           cwd=root, capture_output=True, text=True)
     return done.stdout.strip() if done.returncode else ""
 
@@ -78,14 +80,21 @@ def main() -> int:
     if names is None:
         print("git tells of no commit before this one: nothing to compare with")
         return 0
-    names = [name for name in names if name.endswith(".cpp") and not ELSEWHERE.search(name)]
+    names = [name for name in names if name.endswith((".cpp", ".h"))]
+    lines = None
+    if arguments.changed:
+        written = {name: pieces for name in names if (pieces := changed_lines(root, name))}
+        names = [name for name in written if name.endswith(".cpp") and not ELSEWHERE.search(name)]
+        lines = [{"name": name, "lines": pieces} for name, pieces in written.items()]
+    else:
+        names = [name for name in names if name.endswith(".cpp") and not ELSEWHERE.search(name)]
     chosen = names[:MOST] if arguments.changed else names
     if not arguments.changed and not chosen:
         print("no C++ file there")
         return 2
     flags = flags_by_folder(root, arguments.build.resolve())
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        found = [each for each in pool.map(lambda name: (name, tidy(name, flags, root)), chosen) if each[1]]
+        found = [each for each in pool.map(lambda name: (name, tidy(name, flags, root, lines)), chosen) if each[1]]
     unread = [name for name, text in found if UNREAD in text]
     problems = [text for name, text in found if name not in unread]
     print("\n".join([*problems, *(f"{name}: clang cannot read it" for name in unread)]))

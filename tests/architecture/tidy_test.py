@@ -10,7 +10,7 @@ import unittest
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "support"))
-from changed_files import changed_files  # noqa: E402
+from changed_files import changed_files, changed_lines  # noqa: E402
 
 FAULT = "#include <vector>\nbool f(const std::vector<int>& x) { return x.size() == 0; }\n"
 SOUND = "#include <vector>\nbool f(const std::vector<int>& x) { return x.empty(); }\n"
@@ -76,6 +76,23 @@ class Repository(unittest.TestCase):
         for number in range(12):
             self.commit(f"{number}.cpp", SOUND)
         self.assertEqual(changed_files(self.root), [f"{number}.cpp" for number in range(11, 1, -1)])
+
+    def test_lines_of_a_file_that_moved_are_those_that_are_new_in_it(self) -> None:
+        text = "".join(f"int f{number}();\n" for number in range(40))
+        self.commit("here.h", text)
+        os.environ["STEPWRIGHT_BASE"] = self.git("rev-parse", "HEAD")
+        self.git("mv", "here.h", "there.h")
+        self.commit("there.h", '#include "x.h"\n' + text.replace("f7()", "g7()\nint h7()") + "int last();\n")
+        self.assertEqual(changed_lines(self.root, "there.h"), [(9, 10), (43, 43)])
+        (self.root / "new.h").write_text("int a();\nint b();\n", encoding="utf-8")
+        self.assertEqual(changed_lines(self.root, "new.h"), [(1, 2)])
+
+    def test_an_old_fault_in_a_file_that_changed_is_left_alone(self) -> None:
+        os.environ["STEPWRIGHT_BASE"] = self.git("rev-parse", "HEAD~0")
+        self.commit("old.cpp", FAULT + "int more();\n")
+        done = self.tidy("--changed")
+        self.assertEqual((done.returncode, done.stdout.strip().splitlines()[-1]),
+                         (0, "1 files of 1 that changed, the newest first: 0 with findings"), done.stdout)
 
     def test_a_fault_in_what_changed_is_found_and_an_old_one_when_asked_for(self) -> None:
         self.commit("new.cpp", SOUND)

@@ -1,7 +1,9 @@
-"""Which files of the tree a change touches, as git tells it: for tests that look more closely at what is new."""
+"""Which files and lines of the tree a change touches, as git tells it: for tests that look more closely at what is new."""
 
+import functools
 import os
 import pathlib
+import re
 import subprocess
 
 # How many commits count as new on the main branch itself.
@@ -42,3 +44,43 @@ def changed_files(root: pathlib.Path) -> list[str] | None:
     names += _git(root, "diff", "--name-only", "HEAD") or []
     names += _git(root, "log", "--first-parent", "-m", "--format=", "--name-only", f"{base}..HEAD") or []
     return [name for name in dict.fromkeys(names) if name and (root / name).is_file()]
+
+
+@functools.lru_cache(maxsize=1)
+def _diffs(root: pathlib.Path, base: str) -> dict[str, list[str]]:
+    """What changed, by file: one question, so that git follows files that have moved."""
+    files: dict[str, list[str]] = {}
+    lines: list[str] = []
+    for line in _git(root, "diff", "-U0", "-M", base) or []:
+        if line.startswith("+++ b/"):
+            lines = files.setdefault(line[len("+++ b/"):], [])
+        elif line.startswith("diff --git"):
+            lines = []
+        else:
+            lines.append(line)
+    return files
+
+
+HUNK = re.compile(r"^@@ -\S+ \+(?P<first>\d+)(,(?P<count>\d+))? @@")
+
+
+def changed_lines(root: pathlib.Path, name: str) -> list[tuple[int, int]]:
+    """The lines of a file, first and last of each piece, that the change has written; lines that include a header do not
+    count, since a header that moves changes them everywhere. All of a file that git does not know yet."""
+    base = base_commit(root)
+    if base is None or _git(root, "ls-files", "--error-unmatch", name) is None:
+        return [(1, len((root / name).read_text(encoding="utf-8").splitlines()))]
+    pieces: list[tuple[int, int]] = []
+    number = 0
+    # With the history of names: of a file that has moved only what is new in it.
+    for line in _diffs(root, base).get(name, []):
+        if hunk := HUNK.match(line):
+            number = int(hunk["first"])
+        elif line.startswith("+") and not line.startswith("+++"):
+            if not line[1:].lstrip().startswith("#include"):
+                if pieces and pieces[-1][1] == number - 1:
+                    pieces[-1] = (pieces[-1][0], number)
+                else:
+                    pieces.append((number, number))
+            number += 1
+    return pieces
