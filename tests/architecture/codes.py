@@ -9,7 +9,7 @@ import pathlib
 import re
 import sys
 
-FOLDERS = ["runtime", "supervisor", "ladder", "plant_models", "programs", "firmware", "hmi_web"]
+FOLDERS = ["runtime", "supervisor", "ladder", "plant_models", "cell", "programs", "firmware", "hmi_web"]
 SUFFIXES = {".h", ".cpp", ".ts", ".svelte"}
 BEGIN = r"""["'][A-Z]{1,2}[0-9]{2,4}"""
 CODE = BEGIN + r"""["']"""
