@@ -33,7 +33,8 @@ void collect(const fs::path& folder, std::set<std::string>& codes) {
 
 TEST_F(ExplainCommand, WhenACodeStandsInASource_ThenItIsKnown) {
   std::set<std::string> used;
-  for (const char* folder : {"ladder", "runtime", "supervisor", "plant_models", "cell", "programs", "hmi_web"})
+  for (const char* folder :
+       {"ladder", "runtime", "supervisor", "plant_models", "cell", "programs", "hmi_web"})
     collect(fs::path(STEPWRIGHT_SOURCE_DIR) / folder, used);
   ASSERT_GT(used.size(), 300u);
   used.erase("T0000");  // a timer of an Omron controller
