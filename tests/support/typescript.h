@@ -20,7 +20,7 @@ using Members = std::map<std::string, std::string>;  // type by name; of an opti
 using Interfaces = std::map<std::string, Members>;
 
 inline Interfaces read_interfaces(const std::string& file) {
-  static const std::regex kBegin(R"(^export interface (\w+)( extends (\w+))? \{$)");
+  static const std::regex kBegin(R"(^export interface (\w+)( extends (Partial<)?(\w+)>?)? \{$)");
   static const std::regex kMember(R"(^  (\w+\??): ([^;]+);.*$)");
   Interfaces found;
   Members* open = nullptr;
@@ -29,7 +29,8 @@ inline Interfaces read_interfaces(const std::string& file) {
   for (std::string line; std::getline(in, line);) {
     if (std::regex_match(line, match, kBegin)) {
       open = &found[match[1].str()];
-      if (match[3].matched) *open = found[match[3].str()];
+      for (const auto& [name, member] : found[match[4].str()])
+        (*open)[match[3].matched && !name.ends_with('?') ? name + "?" : name] = member;
     } else if (line == "}") {
       open = nullptr;
     } else if (open != nullptr && std::regex_match(line, match, kMember)) {

@@ -185,5 +185,42 @@ TEST(PageFields, WhenThePlantIsDescribed_ThenThePageKnowsExactlyItsMembers) {
   EXPECT_EQ(support::difference(hello, page, "HelloMessage"), "");
 }
 
+TEST(PageFields, WhenOnlyDifferencesAreWritten_ThenThePageKnowsExactlyTheirMembers) {
+  const FollowedRuntime runtime = followed();
+  server::Observation seen;
+  seen.report = report_of(*runtime.status);
+  protocol::LiveState live;
+  protocol::CellState state = server::CellViewer(std::vector<server::PointSources>{}).view(seen).state;
+  live.take(state, 1, true);
+  state.figures.overruns += 1;
+  state.active_steps.push_back(3);
+  live.take(state, 2, false);
+  const auto page = support::read_interfaces(STEPWRIGHT_SOURCE_DIR "/hmi_web/client/src/lib/protocol.ts");
+  ASSERT_TRUE(page.contains("DeltaMessage"));
+  const json delta = json::parse(live.message({1, protocol::TagChoice::everything(), 7}));
+  EXPECT_EQ(support::difference(delta, page, "DeltaMessage"), "");
+  EXPECT_EQ(delta["type"], "delta");
+  EXPECT_TRUE(delta.contains("figures") && delta.contains("steps")) << delta;
+}
+
+TEST(PageFields, WhenTheProgramIsDescribed_ThenThePageKnowsExactlyItsMembers) {
+  const protocol::Program program{.digest = "00",
+                                  .charts = {{"main", 1, 1}},
+                                  .steps = {{"s0", "idle", true}},
+                                  .transitions = {{"t0", {0}, {0}, "go"}},
+                                  .tags = {{"main.go", "BOOL", "%IX0.0"}}};
+  const auto page = support::read_interfaces(STEPWRIGHT_SOURCE_DIR "/hmi_web/client/src/lib/protocol.ts");
+  // The number of the program is put in front of what is written once.
+  const json message = json::parse(protocol::with_revision(protocol::program_message(program, {{0}}), 3));
+  EXPECT_EQ(support::difference(message, page, "ProgramMessage"), "");
+}
+
+TEST(PageFields, WhenTrendsAreWritten_ThenThePageKnowsExactlyTheirMembers) {
+  const std::vector<protocol::TrendRow> rows(1);
+  const auto page = support::read_interfaces(STEPWRIGHT_SOURCE_DIR "/hmi_web/client/src/lib/protocol.ts");
+  const json message = json::parse(protocol::trend_message(rows, {.run = 1, .first = 2, .restart = true}));
+  EXPECT_EQ(support::difference(message, page, "TrendMessage"), "");
+}
+
 }  // namespace
 }  // namespace stepwright::hmi
