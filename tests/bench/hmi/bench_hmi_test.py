@@ -13,7 +13,7 @@ BENCH = pathlib.Path(os.environ["STEPWRIGHT_BIN_DIR"]) / "bench_hmi"
 
 class BenchHmi(unittest.TestCase):
     def bench(self, *options: str) -> subprocess.CompletedProcess:
-        return subprocess.run([BENCH, *options], capture_output=True, text=True, timeout=280, check=False)
+        return subprocess.run([BENCH, *options], capture_output=True, text=True, check=False)
 
     def test_every_change_is_painted_and_all_figures_are_there(self) -> None:
         with tempfile.TemporaryDirectory() as name:

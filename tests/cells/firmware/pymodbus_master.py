@@ -5,7 +5,7 @@ import sys
 from pymodbus.client import ModbusSerialClient
 from pymodbus.register_read_message import ReadWriteMultipleRegistersRequest
 
-client = ModbusSerialClient(sys.argv[1], baudrate=115200, timeout=2)
+client = ModbusSerialClient(sys.argv[1], baudrate=115200, timeout=60)
 problems = []
 
 

@@ -48,7 +48,7 @@ class FleetCommand(unittest.TestCase):
 
     def fleet(self, problem: str, *options: str) -> subprocess.CompletedProcess:
         return subprocess.run([STEPWRIGHT, "fleet", self.folder / problem, "--cache", self.cache, *options],
-                              capture_output=True, text=True, timeout=200, check=False)
+                              capture_output=True, text=True, check=False)
 
     def report(self, problem: str, *options: str) -> dict:
         file = self.folder / "report.json"

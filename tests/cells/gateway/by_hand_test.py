@@ -94,7 +94,7 @@ class ByHand(unittest.TestCase):
     def test_every_action_is_granted_and_the_goal_is_reached(self):
         self.start_plc()
         gateway = self.start("gateway", "gateway.toml", "follows the plan")
-        self.assertEqual(gateway.wait(timeout=60), 0, self.said("gateway"))
+        self.assertEqual(gateway.wait(timeout=PATIENCE_S), 0, self.said("gateway"))
         said = self.said("gateway")
         for action in self.actions:
             granted = said.index(f"action {action['number']} {action['action']} is granted")
@@ -114,7 +114,7 @@ class ByHand(unittest.TestCase):
         self.assertIn("nothing is granted any more", self.said("gateway"))
         self.assertNotIn("the plan is done", self.said("gateway"))
         again = self.start("gateway", "gateway.toml", "follows the plan")
-        self.assertEqual(again.wait(timeout=60), 0, self.said("gateway"))
+        self.assertEqual(again.wait(timeout=PATIENCE_S), 0, self.said("gateway"))
         self.assertIn("the plan is done", self.said("gateway"))
 
     def test_a_table_that_is_none_is_refused(self):

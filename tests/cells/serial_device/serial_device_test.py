@@ -172,7 +172,7 @@ class SerialDevice(unittest.TestCase):
         termios.tcflush(end, termios.TCIOFLUSH)
         os.close(end)
         done = subprocess.run(["mbpoll", "-m", "rtu", "-b", "38400", "-P", "even", "-a", "17", "-0", "-r", "0", "-t", "4", "-1",
-                               "-o", "0.5", self.lines[name].slave], capture_output=True, text=True, timeout=20, check=False)
+                               "-o", "0.5", self.lines[name].slave], capture_output=True, text=True, check=False)
         found = re.search(r"\[0\]:\s+(-?\d+)", done.stdout)
         return int(found.group(1)) if found else None
 

@@ -75,7 +75,7 @@ class Process:
         if self.running():
             self.send(number)
             try:
-                self.wait(10)
+                self.wait(PATIENCE_S)
             except subprocess.TimeoutExpired:
                 self.process.kill()
         code = self.process.wait()
