@@ -43,7 +43,7 @@ AccessControl::AccessControl(std::unique_ptr<UserStore> users, const AccessOptio
 
 result::Result<std::unique_ptr<AccessControl>> AccessControl::open(const std::filesystem::path& folder,
                                                                    const AccessOptions& options,
-                                                                   Clock clock) {
+                                                                   const Clock& clock) {
   if (auto made = make_private_folder(folder); !made) return result::forward(made);
   auto users = UserStore::open(folder / "users.json");
   if (!users) return result::forward(users);

@@ -53,7 +53,7 @@ class AccessControl {
  public:
   // Makes the folder. Fails as UserStore::open.
   [[nodiscard]] static result::Result<std::unique_ptr<AccessControl>> open(
-      const std::filesystem::path& folder, const AccessOptions& options, Clock clock);
+      const std::filesystem::path& folder, const AccessOptions& options, const Clock& clock);
 
   // While nobody has claimed the administrator; a new one after each start.
   std::optional<std::string> setup_token() const;
