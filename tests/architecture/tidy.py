@@ -23,7 +23,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 from changed_files import changed_files, changed_lines  # noqa: E402
 
 # As many as two processors look at in half a minute.
-MOST = 6
+MOST = 4
 # Compiled for a board by its own compiler, or for libFuzzer: no target here has their flags.
 ELSEWHERE = re.compile(r"firmware/boards/|tests/fuzz/.*_fuzzer\.cpp$")
 # What clang says where it is at its end, in place of a finding.
