@@ -23,8 +23,9 @@ Mission::Mission(Controller& controller, MissionOptions options, Observer observ
 }
 
 RunRecord Mission::run() {
+  ended_ = false;
   for (bool going = begin(); going;) going = act_on(follow());
-  enter(Stage::Over);
+  if (!ended_) enter(Stage::Over);
   return record_;
 }
 
@@ -100,6 +101,11 @@ Decision Mission::stopped(const host::StepEvent& event) {
 void Mission::set_phase(Phase phase, std::string message) {
   record_.phase = phase;
   record_.message = std::move(message);
+  // Before anybody hears of it: what is asked from then on is asked of a run that is over.
+  if (phase == Phase::Done || phase == Phase::Safe) {
+    ended_ = true;
+    enter(Stage::Over);
+  }
   publish(/*now=*/true);
 }
 

@@ -196,6 +196,7 @@ class Mission {
 
   const MissionOptions options_;
   const Observer observer_;
+  bool ended_ = false;     // this run has told its end, and somebody may have started another one since
   int silent_rounds_ = 0;  // without news and without that status
   std::optional<std::chrono::steady_clock::time_point> working_since_;  // on a decision
 };

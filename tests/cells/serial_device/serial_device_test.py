@@ -50,7 +50,7 @@ mode = "real"
 input_bytes = 8
 output_bytes = 8
 [guard]
-timeout_ms = 2000
+timeout_ms = 60000
 """
 CLIENT = CELL + """\
 [io]
@@ -59,14 +59,14 @@ kind = "modbus"
 program = "/cell/press.swb"
 autostart = true
 [modbus.client]
-silence_ms = 2000
+silence_ms = 60000
 [modbus.lines."DEVICE"]
 SETTINGS
 [[modbus.device]]
 name = "plc"
 line = "DEVICE"
-timeout_ms = 400
-loss_after_ms = 1500
+timeout_ms = 20000
+loss_after_ms = 60000
 [[modbus.device.group]]
 period_ms = 50
 tags = [

@@ -226,6 +226,23 @@ TEST(ExecutiveStart, WhenARunHasReachedItsGoal_ThenAnotherOneBeginsWhereThePlant
   EXPECT_FALSE(bench.controller.any_output());
 }
 
+TEST(ExecutiveStart, WhenARunTellsItsEnd_ThenItIsOverForWhoeverHearsOfIt) {
+  StartedBench bench;
+  std::string aborted = "not asked";
+  std::string started = "not asked";
+  bench.on_news = [&](const run::RunRecord& now) {
+    if (now.phase != run::Phase::Done || aborted != "not asked") return;
+    aborted = code(bench.executive->obey(*run::Request::parse(R"({"request": "abort"})")));
+    started = code(bench.executive->request_start("(and (is-at v1 a2) (= (level a1) 6))"));
+  };
+  ASSERT_EQ(bench.executive->run().phase, run::Phase::Done);
+  EXPECT_EQ(aborted, "X0008");
+  EXPECT_EQ(started, "");
+  EXPECT_TRUE(bench.executive->wait_start(std::chrono::milliseconds(0)));
+  EXPECT_EQ(bench.run().phase, run::Phase::Done);
+  EXPECT_NEAR(bench.controller.plant_value("level_a1_percent"), 60.0, 2.0);
+}
+
 TEST(ExecutiveStart, WhenTheGoalIsMetAlready_ThenTheNextRunEndsAtOnce) {
   StartedBench bench;
   ASSERT_EQ(bench.run().phase, run::Phase::Done);
