@@ -1,0 +1,52 @@
+#pragma once
+
+// The tokens of a HOA text. Private to this library. Thread rule: one thread at a time.
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "runtime/result/result.h"
+
+namespace stepwright::ltl {
+
+enum class HoaTokenKind : std::uint8_t { Header, Word, Alias, Number, Text, Sign, Body, End, Abort, Nothing };
+
+struct HoaToken {
+  HoaTokenKind kind = HoaTokenKind::Nothing;
+  std::string text;  // of a header without its colon, of an alias without its @
+  std::uint32_t number = 0;
+  std::uint32_t line = 1, column = 1;
+};
+
+class HoaScanner {
+ public:
+  HoaScanner(std::string_view text, std::string file);
+
+  const HoaToken& peek() const { return _token; }
+  HoaToken take();  // peek(), and on to the next
+  bool sees(char sign) const;
+  bool accept(char sign);
+
+  // The first error counts; after it there is Nothing left to read.
+  void fail(const char* code, const HoaToken& at, std::string message, std::string hint);
+  void fail_here(const std::string& wanted);
+  bool failed() const { return _error.has_value(); }
+  const result::Diagnostics& error() const { return *_error; }
+
+ private:
+  void step();
+  void skip_blanks();
+  void scan();
+  void scan_text();
+  void scan_word();
+
+  std::string_view _text;
+  std::string _file;
+  std::size_t _at = 0;
+  std::uint32_t _line = 1, _column = 1;
+  HoaToken _token;
+  std::optional<result::Diagnostics> _error;
+};
+
+}  // namespace stepwright::ltl

@@ -1,0 +1,263 @@
+#include "supervisor/ltl/syntax/parser.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace stepwright::ltl {
+
+namespace {
+
+constexpr std::array<std::pair<const char*, Pattern>, 3> kOfOne = {
+    {{"absent", Pattern::Absence}, {"exists", Pattern::Existence}, {"holds", Pattern::Universality}}};
+
+}  // namespace
+
+// One nesting more as long as it lives.
+class Parser::Level {
+ public:
+  explicit Level(Parser& parser) : _parser(parser) {
+    if (++_parser._depth <= _parser._limits.nesting) return;
+    const std::string bound = std::to_string(_parser._limits.nesting);
+    _parser.fail("L0004", _parser.peek().at,
+                 "more than " + bound + " operators and parentheses in each other",
+                 "write a list with & or | in place of nested operators");
+  }
+  ~Level() { --_parser._depth; }
+  Level(const Level&) = delete;
+  Level& operator=(const Level&) = delete;
+
+ private:
+  Parser& _parser;
+};
+
+Parser::Parser(std::vector<Token> tokens, std::string file, std::vector<std::string> propositions,
+               const TextLimits& limits)
+    : _tokens(std::move(tokens)), _file(std::move(file)), _limits(limits) {
+  _tree.propositions = std::move(propositions);
+}
+
+result::Result<SyntaxTree> Parser::run() {
+  _tree.root = sentences();
+  if (peek().kind != TokenKind::End) fail_here("an operator or the end", "each ( needs its )");
+  if (_error) return tl::unexpected<result::Diagnostics>(std::move(*_error));
+  return std::move(_tree);
+}
+
+bool Parser::sees(std::string_view text) const {
+  const Token& token = peek();
+  return token.kind != TokenKind::Quoted && token.kind != TokenKind::End && token.text == text;
+}
+
+bool Parser::accept(std::string_view text) {
+  if (!sees(text)) return false;
+  ++_at;
+  return true;
+}
+
+void Parser::expect(std::string_view text, const char* hint) {
+  if (!accept(text)) fail_here("'" + std::string(text) + "'", hint);
+}
+
+void Parser::fail(const char* code, Place at, std::string message, std::string hint) {
+  if (_error) return;
+  _error = result::fail(code, {_file, at.line, at.column}, std::move(message), std::move(hint)).value();
+}
+
+void Parser::fail_here(const std::string& wanted, std::string hint) {
+  const Token& token = peek();
+  const std::string seen = token.kind == TokenKind::End ? "the end of the text" : "'" + token.text + "'";
+  fail("L0002", token.at, "here should stand " + wanted + ", not " + seen, std::move(hint));
+}
+
+SyntaxId Parser::add(Operator op, std::vector<SyntaxId> children, Place at) {
+  if (op != Operator::Name && ++_operators > _limits.operators) {
+    fail("L0005", at, "more than " + std::to_string(_limits.operators) + " operators",
+         "divide the formula, each part with an automaton of its own");
+  }
+  _temporal.resize(_tree.nodes.size(), true);  // those of patterns
+  bool temporal =
+      op == Operator::Next || op == Operator::Eventually || op == Operator::Always || op >= Operator::Until;
+  for (const SyntaxId each : children) temporal = temporal || _temporal[each];
+  _temporal.push_back(temporal);
+  return _tree.add(op, std::move(children), at);
+}
+
+SyntaxId Parser::name(const Token& token) {
+  const auto known = std::ranges::find(_tree.propositions, token.text);
+  const auto number = static_cast<std::uint32_t>(known - _tree.propositions.begin());
+  if (known == _tree.propositions.end()) {
+    if (number == _limits.propositions) {
+      fail("L0006", token.at, "more than " + std::to_string(_limits.propositions) + " propositions",
+           "divide the formula, or give what is always named together one name");
+      return 0;
+    }
+    _tree.propositions.push_back(token.text);
+  }
+  const SyntaxId node = add(Operator::Name, {}, token.at);
+  _tree.nodes[node].proposition = number;
+  return node;
+}
+
+// One nesting more for an operator's right side.
+SyntaxId Parser::deeper(SyntaxId (Parser::*part)()) {
+  const Level level(*this);
+  return (this->*part)();
+}
+
+SyntaxId Parser::sentences() {
+  const Place at = peek().at;
+  std::vector<SyntaxId> parts = {sentence()};
+  while (accept(",")) parts.push_back(sentence());
+  return parts.size() == 1 ? parts.front() : add(Operator::And, std::move(parts), at);
+}
+
+SyntaxId Parser::sentence() {
+  if (sees("globally") || sees("before") || sees("after") || sees("between")) return pattern(scope(), true);
+  return pattern({}, false);
+}
+
+Scope Parser::scope() {
+  Scope scope;
+  if (accept("before")) {
+    scope.kind = ScopeKind::Before;
+    scope.end = unary();
+  } else if (accept("after")) {
+    scope.kind = ScopeKind::After;
+    scope.begin = unary();
+    if (accept("until")) {
+      scope.kind = ScopeKind::AfterUntil;
+      scope.end = unary();
+    }
+  } else if (accept("between")) {
+    scope.kind = ScopeKind::Between;
+    scope.begin = unary();
+    expect("and", "between q and r: ...");
+    scope.end = unary();
+  } else {
+    accept("globally");
+  }
+  expect(":", "a scope ends in a colon: 'after q: absent p'; formulas of several words stand in parentheses");
+  return scope;
+}
+
+SyntaxId Parser::pattern(const Scope& scope, bool scoped) {
+  const Place at = peek().at;
+  for (const auto& [word, kind] : kOfOne) {
+    if (!accept(word)) continue;
+    const SyntaxId subject = implication();
+    return _error ? 0 : add_pattern(_tree, kind, scope, subject, subject, at);
+  }
+  const SyntaxId first = implication();
+  if (accept("precedes")) {
+    const SyntaxId subject = implication();
+    return _error ? 0 : add_pattern(_tree, Pattern::Precedence, scope, subject, first, at);
+  }
+  if (accept("responds")) {
+    if (peek().kind == TokenKind::Word && peek().text == "to") ++_at;
+    const SyntaxId subject = implication();
+    return _error ? 0 : add_pattern(_tree, Pattern::Response, scope, subject, first, at);
+  }
+  if (scoped) fail_here("a pattern", "absent p; exists p; holds p; s precedes p; s responds to p");
+  return first;
+}
+
+SyntaxId Parser::implication() {
+  const SyntaxId left = exclusive();
+  const Place at = peek().at;
+  if (accept("->") || accept("implies"))
+    return add(Operator::Implies, {left, deeper(&Parser::implication)}, at);
+  if (accept("<->") || accept("iff")) return add(Operator::Iff, {left, deeper(&Parser::implication)}, at);
+  return left;
+}
+
+SyntaxId Parser::exclusive() {
+  SyntaxId left = several(Operator::Or);
+  for (Place at = peek().at; accept("xor"); at = peek().at)
+    left = add(Operator::Xor, {left, several(Operator::Or)}, at);
+  return left;
+}
+
+SyntaxId Parser::several(Operator op) {
+  const bool is_or = op == Operator::Or;
+  const auto operand = [&] { return is_or ? several(Operator::And) : temporal(); };
+  std::vector<SyntaxId> parts = {operand()};
+  const Place at = peek().at;
+  while (accept(is_or ? "|" : "&") || accept(is_or ? "or" : "and")) parts.push_back(operand());
+  return parts.size() == 1 ? parts.front() : add(op, std::move(parts), at);
+}
+
+SyntaxId Parser::temporal() {
+  const SyntaxId left = unary();
+  const Place at = peek().at;
+  if (accept("U") || accept("until")) return add(Operator::Until, {left, deeper(&Parser::temporal)}, at);
+  if (accept("W") || accept("unless")) return add(Operator::WeakUntil, {left, deeper(&Parser::temporal)}, at);
+  if (accept("R") || accept("release")) return add(Operator::Release, {left, deeper(&Parser::temporal)}, at);
+  if (accept("M")) return add(Operator::StrongRelease, {left, deeper(&Parser::temporal)}, at);
+  if (accept("before")) return before(left, deeper(&Parser::temporal), at);
+  if (accept("then")) return then(left, deeper(&Parser::temporal), at);
+  return left;
+}
+
+SyntaxId Parser::unary() {
+  const Level level(*this);
+  const Place at = peek().at;
+  if (accept("!") || accept("not")) return add(Operator::Not, {unary()}, at);
+  if (accept("X") || accept("next")) return add(Operator::Next, {unary()}, at);
+  if (accept("F") || accept("eventually") || accept("visit")) return add(Operator::Eventually, {unary()}, at);
+  if (accept("G") || accept("always")) return add(Operator::Always, {unary()}, at);
+  if (accept("never") || accept("avoid")) {
+    const SyntaxId no = add(Operator::Not, {unary()}, at);
+    if (accept("before")) return add(Operator::WeakUntil, {no, unary()}, at);
+    return add(Operator::Always, {no}, at);
+  }
+  return primary();
+}
+
+SyntaxId Parser::primary() {
+  const Token token = peek();
+  if (accept("(")) {
+    const SyntaxId inner = sentences();
+    expect(")", "each ( needs its )");
+    return inner;
+  }
+  if (accept("true") || accept("1")) return add(Operator::True, {}, token.at);
+  if (accept("false") || accept("0")) return add(Operator::False, {}, token.at);
+  if (token.kind == TokenKind::Quoted || (token.kind == TokenKind::Word && !is_reserved(token.text))) {
+    ++_at;
+    return name(token);
+  }
+  fail_here("a proposition or a formula", "a name that is a word of the language stands in quotes");
+  return 0;
+}
+
+// What `visit a` or `a` asks to be reached: a. Others are left as they are.
+SyntaxId Parser::visited(SyntaxId node) const {
+  if (_error || _tree.nodes[node].op != Operator::Eventually) return node;
+  return _tree.nodes[node].children.front();
+}
+
+// Nodes that the parser did not add itself are those of patterns.
+bool Parser::speaks_of_later(SyntaxId node) const {
+  return node >= _temporal.size() || _temporal[node];
+}
+
+SyntaxId Parser::before(SyntaxId first, SyntaxId later, Place at) {
+  if (_error) return 0;
+  const SyntaxId no = add(Operator::Not, {visited(later)}, at);
+  return add(Operator::Until, {no, visited(first)}, at);
+}
+
+SyntaxId Parser::then(SyntaxId first, SyntaxId later, Place at) {
+  if (_error) return 0;
+  const SyntaxId reached = visited(first);
+  if (speaks_of_later(reached)) {
+    fail("L0007", at, "before 'then' stands one visit, not '" + to_text(_tree, first, 60) + "'",
+         "name what is reached first: 'visit a then (visit b and visit c)'");
+    return 0;
+  }
+  if (!speaks_of_later(later)) later = add(Operator::Eventually, {later}, at);
+  return add(Operator::Eventually, {add(Operator::And, {reached, later}, at)}, at);
+}
+
+}  // namespace stepwright::ltl

@@ -1,0 +1,61 @@
+#pragma once
+
+// From tokens to a tree. Grammar and binding: supervisor/doc/ltl.md. Private to this library.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "supervisor/ltl/syntax/formula.h"
+#include "supervisor/ltl/syntax/lexer.h"
+#include "supervisor/ltl/syntax/patterns.h"
+
+namespace stepwright::ltl {
+
+class Parser {
+ public:
+  Parser(std::vector<Token> tokens, std::string file, std::vector<std::string> propositions,
+         const TextLimits& limits);
+
+  [[nodiscard]] result::Result<SyntaxTree> run();
+
+ private:
+  class Level;
+
+  // After an error every look at the text sees its end, so that all loops come to theirs.
+  const Token& peek() const { return _error ? _tokens.back() : _tokens[_at]; }
+  bool sees(std::string_view text) const;
+  bool accept(std::string_view text);
+  void expect(std::string_view text, const char* hint);
+  void fail(const char* code, Place at, std::string message, std::string hint);
+  void fail_here(const std::string& wanted, std::string hint);
+
+  SyntaxId add(Operator op, std::vector<SyntaxId> children, Place at);
+  SyntaxId name(const Token& token);
+
+  SyntaxId deeper(SyntaxId (Parser::*part)());
+  SyntaxId sentences();
+  SyntaxId sentence();
+  Scope scope();
+  SyntaxId pattern(const Scope& scope, bool scoped);  // scoped: a formula alone is not enough
+  SyntaxId implication();
+  SyntaxId exclusive();
+  SyntaxId several(Operator op);
+  SyntaxId temporal();
+  SyntaxId unary();
+  SyntaxId primary();
+  SyntaxId before(SyntaxId first, SyntaxId later, Place at);
+  SyntaxId then(SyntaxId first, SyntaxId later, Place at);
+  SyntaxId visited(SyntaxId node) const;
+  bool speaks_of_later(SyntaxId node) const;
+
+  std::vector<Token> _tokens;
+  std::string _file;
+  TextLimits _limits;
+  std::size_t _at = 0, _depth = 0, _operators = 0;
+  std::optional<result::Diagnostics> _error;
+  SyntaxTree _tree;
+  std::vector<bool> _temporal;  // of each node: whether it speaks of later letters
+};
+
+}  // namespace stepwright::ltl
