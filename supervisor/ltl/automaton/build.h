@@ -8,7 +8,7 @@
 
 #include <string>
 
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 #include "supervisor/ltl/automaton/automaton.h"
 #include "supervisor/ltl/syntax/formula.h"
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 #include "supervisor/ltl/automaton/automaton.h"
 
 namespace stepwright::ltl {

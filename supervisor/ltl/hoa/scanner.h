@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::ltl {
 

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 #include "supervisor/ltl/formula/terms.h"
 #include "supervisor/ltl/syntax/syntax_tree.h"
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "runtime/result/result.h"
+#include "runtime/ground/result/result.h"
 #include "supervisor/ltl/syntax/syntax_tree.h"
 
 namespace stepwright::ltl {
