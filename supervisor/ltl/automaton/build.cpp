@@ -116,7 +116,8 @@ result::Result<Monitor> monitor_automaton(const Formula& formula, const BuildOpt
     if (!answers) {
       return result::fail("L0015", place(formula, file, formula.tree.root),
                           "whether the rest can still be satisfied takes more than " +
-                              std::to_string(options.most_nodes) + " steps, or has more than 64 'until'",
+                              std::to_string(options.most_nodes) +
+                              " steps, more than 64 'until' or more than 2000 obligations",
                           "raise the bound, or watch the parts of the formula one by one");
     }
     const auto middle = answers->begin() + static_cast<std::ptrdiff_t>(answers->size() / 2);

@@ -1,14 +1,14 @@
 #pragma once
 
 // Binary decision diagrams, reduced and shared: equal functions are equal numbers. Variables are tested in
-// the order of their levels, the smallest first. There is a bound on the nodes; beyond it every answer is
-// false, and exhausted() says that none of them counts.
+// the order of their levels, the smallest first. There is a bound on the nodes, and on the steps of one
+// answer; beyond it every answer is false, and exhausted() says that none of them counts.
 //
 // Source: R. Bryant, Graph-Based Algorithms for Boolean Function Manipulation, IEEE Trans. Computers 35(8),
 // 1986. Thread rule: one thread at a time.
 
 #include <cstdint>
-#include <unordered_map>
+#include <optional>
 #include <vector>
 
 namespace stepwright::ltl {
@@ -28,34 +28,48 @@ class Diagram {
   Node either(Node a, Node b) { return choose(a, kTrue, b); }
   Node choose(Node condition, Node then, Node otherwise);
 
-  // Requires a level above those of both parts.
+  // Requires a level above those of both parts. Numbers grow: parts have smaller ones than the whole.
   Node make(std::uint32_t level, Node low, Node high);
 
-  std::uint32_t level(Node node) const { return _nodes[node].level; }
-  Node low(Node node) const { return _nodes[node].low; }    // where the variable is false
-  Node high(Node node) const { return _nodes[node].high; }  // where it is true
+  std::uint32_t level(Node node) const { return nodes_[node].level; }
+  Node low(Node node) const { return nodes_[node].low; }    // where the variable is false
+  Node high(Node node) const { return nodes_[node].high; }  // where it is true
 
-  bool exhausted() const { return _exhausted; }
+  bool exhausted() const { return exhausted_; }
 
  private:
-  struct Triple {
+  struct Inner {
     std::uint32_t level = kNoLevel;
     Node low = 0, high = 0;
-    bool operator==(const Triple&) const = default;
+    bool operator==(const Inner&) const = default;
   };
-  struct Hash {
-    std::size_t operator()(const Triple& t) const {
-      std::uint64_t hash = (std::uint64_t{t.low} << 32 | t.high) * 0x9E3779B97F4A7C15u;
-      hash ^= (hash >> 32) + t.level * 0xC2B2AE3D27D4EB4Fu;
-      return hash * 0x9E3779B97F4A7C15u >> 7;
-    }
+  struct Question {
+    Node condition = 0, otherwise = 0, then = 0;
+    bool operator==(const Question&) const = default;
+  };
+  struct Open {
+    Question question;
+    std::uint32_t top = 0;
+    std::optional<Node> low;  // the answer where the variable of `top` is false
+  };
+  struct Answer {
+    Question asked;
+    Node answer = kFalse;
   };
 
-  std::size_t _most;
-  bool _exhausted = false;
-  std::vector<Triple> _nodes;
-  std::unordered_map<Triple, Node, Hash> _unique;
-  std::unordered_map<Triple, Node, Hash> _chosen;  // condition, otherwise, then
+  // The answer that needs no look at parts, or that was given before; else the question as simple as it gets.
+  std::optional<Node> at_once(Question& asked);
+  void grow();
+  std::size_t slot_of(const Inner& inner) const;
+  Answer& answer_of(const Question& asked);
+  Question part(const Question& of, std::uint32_t top, bool value) const;
+
+  std::size_t most_;
+  bool exhausted_ = false;
+  std::vector<Inner> nodes_;
+  std::vector<Node> slots_;      // of nodes by their hash; kFalse is a free one
+  std::vector<Answer> answers_;  // by the hash of the question; a newer one takes the place of an older one
+  std::vector<Open> open_;       // of choose()
 };
 
 }  // namespace stepwright::ltl

@@ -13,7 +13,8 @@
 
 namespace stepwright::ltl {
 
-// In the order of `states`. Nothing, if more than `most_edges` edges or 64 Untils would be needed.
+// In the order of `states`. Nothing, if more than `most_edges` edges, 64 Untils, or 2,000 obligations at once
+// would be needed.
 std::optional<std::vector<bool>> satisfiable(Progression& progression,
                                              const std::vector<Progression::State>& states,
                                              std::size_t most_edges);

@@ -17,11 +17,11 @@ class Exploration {
 
   // False when a bound was met.
   bool run();
-  bool too_many_states() const { return _states.size() > _options.most_states; }
+  bool too_many_states() const { return states_.size() > options_.most_states; }
 
-  const std::vector<Progression::State>& states() const { return _states; }
-  Guards& guards() { return _guards; }
-  const std::vector<Guard>& edges() const { return _edges; }
+  const std::vector<Progression::State>& states() const { return states_; }
+  Guards& guards() { return guards_; }
+  const std::vector<Guard>& edges() const { return edges_; }
 
   // By allowed letters.
   Reach reach() const;
@@ -31,15 +31,15 @@ class Exploration {
   Guard guard(Diagram::Node node);
   Guard guard_of_single_letters(Progression::State state);
 
-  Progression& _progression;
-  const BuildOptions& _options;
-  Progression::State _forbidden = Diagram::kFalse;  // what follows a letter that is not allowed
-  bool _restricted = false;
-  std::vector<Progression::State> _states;
-  std::unordered_map<Progression::State, std::uint32_t> _numbers;
-  Guards _guards;
-  std::unordered_map<Diagram::Node, Guard> _known;
-  std::vector<Guard> _edges;
+  Progression& progression_;
+  const BuildOptions& options_;
+  Progression::State forbidden_ = Diagram::kFalse;  // what follows a letter that is not allowed
+  bool restricted_ = false;
+  std::vector<Progression::State> states_;
+  std::unordered_map<Progression::State, std::uint32_t> numbers_;
+  Guards guards_;
+  std::unordered_map<Diagram::Node, Guard> known_;
+  std::vector<Guard> edges_;
 };
 
 }  // namespace stepwright::ltl

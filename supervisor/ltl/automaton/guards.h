@@ -38,13 +38,13 @@ class Guards {
  public:
   Guard make(std::uint32_t proposition, Guard low, Guard high);
 
-  const std::vector<GuardNode>& nodes() const { return _nodes; }
+  const std::vector<GuardNode>& nodes() const { return nodes_; }
   std::uint32_t next(Guard from, Letter letter) const;
 
   // Adds each state that the guard leads to, once, in the order of low before high.
   void collect(Guard from, std::vector<std::uint32_t>& states) const;
 
-  bool operator==(const Guards& other) const { return _nodes == other._nodes; }
+  bool operator==(const Guards& other) const { return nodes_ == other.nodes_; }
 
  private:
   struct Hash {
@@ -53,22 +53,22 @@ class Guards {
              (n.proposition * 0xC2B2AE3D27D4EB4Fu);
     }
   };
-  std::vector<GuardNode> _nodes;
-  std::unordered_map<GuardNode, Guard, Hash> _unique;
+  std::vector<GuardNode> nodes_;
+  std::unordered_map<GuardNode, Guard, Hash> unique_;
 };
 
 // A guard with other states at its ends, written into other guards.
 class GuardRewriter {
  public:
   GuardRewriter(const Guards& from, Guards& to, const std::vector<std::uint32_t>& states)
-      : _from(from), _to(to), _states(states) {}
+      : from_(from), to_(to), states_(states) {}
   Guard operator()(Guard guard);
 
  private:
-  const Guards& _from;
-  Guards& _to;
-  const std::vector<std::uint32_t>& _states;
-  std::unordered_map<Guard, Guard> _done;
+  const Guards& from_;
+  Guards& to_;
+  const std::vector<std::uint32_t>& states_;
+  std::unordered_map<Guard, Guard> done_;
 };
 
 }  // namespace stepwright::ltl

@@ -1,5 +1,6 @@
 #include <deque>
 #include <map>
+#include <tuple>
 #include <utility>
 
 #include "supervisor/ltl/automaton/automaton.h"
@@ -8,12 +9,52 @@ namespace stepwright::ltl {
 
 namespace {
 
+using Distances = std::vector<std::uint32_t>;
+
+// Transitions from each state to the nearest one of a verdict; kNever where there is none.
+Distances distances_to(const Automaton& automaton, Verdict verdict) {
+  std::vector<std::vector<std::uint32_t>> before(automaton.size());
+  std::deque<std::uint32_t> open;
+  Distances distances(automaton.size(), Automaton::kNever);
+  for (std::uint32_t state = 0; state < automaton.size(); ++state) {
+    std::vector<std::uint32_t> after;
+    automaton.guards.collect(automaton.edges[state], after);
+    for (const std::uint32_t each : after) before[each].push_back(state);
+    if (automaton.verdicts[state] != verdict) continue;
+    distances[state] = 0;
+    open.push_back(state);
+  }
+  while (!open.empty()) {
+    const std::uint32_t state = open.front();
+    open.pop_front();
+    for (const std::uint32_t each : before[state]) {
+      if (distances[each] != Automaton::kNever || automaton.verdicts[each] != Verdict::Undecided) continue;
+      distances[each] = distances[state] + 1;
+      open.push_back(each);
+    }
+  }
+  return distances;
+}
+
+// Verdicts with their distances: what is the same of all states of a class, and a good beginning. Long chains
+// of states need no more rounds than this.
+std::vector<std::uint32_t> first_classes(const Automaton& automaton) {
+  const Distances good = distances_to(automaton, Verdict::True),
+                  bad = distances_to(automaton, Verdict::False);
+  std::map<std::tuple<Verdict, std::uint32_t, std::uint32_t>, std::uint32_t> numbers;
+  std::vector<std::uint32_t> classes;
+  for (std::size_t k = 0; k < automaton.size(); ++k) {
+    const auto next = static_cast<std::uint32_t>(numbers.size());
+    classes.push_back(
+        numbers.emplace(std::tuple{automaton.verdicts[k], good[k], bad[k]}, next).first->second);
+  }
+  return classes;
+}
+
 // E. Moore's refinement: two states stay together while their edges lead to the same classes. Edges are
 // compared as shared diagrams, so a round costs as much as there are nodes, not as there are letters.
 std::vector<std::uint32_t> classes_of(const Automaton& automaton) {
-  std::vector<std::uint32_t> classes(automaton.size());
-  for (std::size_t k = 0; k < classes.size(); ++k)
-    classes[k] = static_cast<std::uint32_t>(automaton.verdicts[k]);
+  std::vector<std::uint32_t> classes = first_classes(automaton);
   for (std::size_t before = 0;;) {
     Guards merged;
     GuardRewriter rewrite(automaton.guards, merged, classes);
@@ -29,29 +70,6 @@ std::vector<std::uint32_t> classes_of(const Automaton& automaton) {
     classes = std::move(finer);
     if (numbers.size() == before) return classes;
     before = numbers.size();
-  }
-}
-
-void fill_distances(Automaton& automaton) {
-  std::vector<std::vector<std::uint32_t>> before(automaton.size());
-  std::deque<std::uint32_t> open;
-  automaton.distance.assign(automaton.size(), Automaton::kNever);
-  for (std::uint32_t state = 0; state < automaton.size(); ++state) {
-    std::vector<std::uint32_t> after;
-    automaton.guards.collect(automaton.edges[state], after);
-    for (const std::uint32_t each : after) before[each].push_back(state);
-    if (!automaton.accepting(state)) continue;
-    automaton.distance[state] = 0;
-    open.push_back(state);
-  }
-  while (!open.empty()) {
-    const std::uint32_t state = open.front();
-    open.pop_front();
-    for (const std::uint32_t each : before[state]) {
-      if (automaton.distance[each] != Automaton::kNever) continue;
-      automaton.distance[each] = automaton.distance[state] + 1;
-      open.push_back(each);
-    }
   }
 }
 
@@ -90,7 +108,7 @@ Automaton minimised(const Automaton& automaton) {
     small.edges.push_back(small.verdicts[k] == Verdict::Undecided ? renumber(automaton.edges[members[k]])
                                                                   : guard_of_state(k));
   }
-  fill_distances(small);
+  small.distance = distances_to(small, Verdict::True);
   return small;
 }
 

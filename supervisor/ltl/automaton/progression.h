@@ -15,6 +15,7 @@
 //   state = task.next(state, letter);
 //   if (task.verdict(state) == Verdict::True) ...  // and !task.exhausted()
 
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -31,33 +32,34 @@ class Progression {
 
   Progression(Terms terms, Term formula, std::size_t propositions, std::size_t most_nodes = kMostNodes);
 
-  State start() const { return _start; }
+  State start() const { return start_; }
   State next(State state, Letter letter);
   static Verdict verdict(State state);
 
   // The states after each letter in one diagram: its upper levels ask for propositions (level = number), what
   // hangs below them are the states.
   Diagram::Node successors(State state);
-  bool is_state(Diagram::Node node) const { return _diagram.level(node) >= _propositions; }
+  bool is_state(Diagram::Node node) const { return diagram_.level(node) >= propositions_; }
 
   // The state that is satisfied by exactly the words that do not satisfy this one.
   State dual(State state);
 
-  // The obligation that a node of a state asks for, and what it becomes with a letter.
-  Term obligation(Diagram::Node node) const {
-    return _diagram.level(node) - static_cast<std::uint32_t>(_propositions);
-  }
-  Diagram::Node change(Term obligation) const { return _change[obligation]; }
-  Diagram::Node unchanged(Term obligation) { return variable(obligation); }
+  // The obligation that a node of a state asks for, and what it becomes with a letter: as a diagram of
+  // propositions and obligations.
+  Term obligation(Diagram::Node node) const { return obligations_[diagram_.level(node) - propositions_]; }
+  Diagram::Node change(Term obligation);
+  Diagram::Node unchanged(Term obligation) { return shape_[obligation]; }
 
   // True when the bound on nodes was met: no answer since then counts.
-  bool exhausted() const { return _diagram.exhausted(); }
+  bool exhausted() const { return diagram_.exhausted(); }
 
-  const Terms& terms() const { return _terms; }
-  Diagram& diagram() { return _diagram; }
-  std::size_t propositions() const { return _propositions; }
+  const Terms& terms() const { return terms_; }
+  Diagram& diagram() { return diagram_; }
+  std::size_t propositions() const { return propositions_; }
 
  private:
+  static constexpr Diagram::Node kUnknown = 0xFFFFFFFF;
+
   struct Step {
     State state;
     Letter letter;
@@ -69,23 +71,43 @@ class Progression {
     }
   };
 
-  void require(Term wanted);
-  Diagram::Node variable(Term term);
-  Diagram::Node change_of(Term term);
-  Diagram::Node with(Diagram::Node node, Letter letter) const;
-  State next_of(State state, Letter letter, std::unordered_map<State, State>& done);
-  State row_after(State state, Letter letter, bool any, std::unordered_map<State, State>& done);
+  struct Row {
+    bool any = false;            // |, or &
+    std::vector<State> members;  // nodes of one obligation each
+    State rest = Diagram::kTrue;
+  };
 
-  Terms _terms;
-  std::size_t _propositions;
-  Diagram _diagram;
-  std::vector<bool> _ready;            // of each term: the two below are known
-  std::vector<Diagram::Node> _shape;   // of each term: as a function of obligations
-  std::vector<Diagram::Node> _change;  // of each term: after a letter
-  State _start = Diagram::kTrue;
-  std::unordered_map<State, Diagram::Node> _successors;
-  std::unordered_map<State, State> _duals;
-  std::unordered_map<Step, State, StepHash> _next;
+  void require(Term wanted);
+  void order(const std::vector<Term>& required);
+  Diagram::Node shape_of(Term term);
+  void fill(std::vector<Diagram::Node>& changes, Term wanted, std::optional<Letter> letter);
+  Diagram::Node change_of(const std::vector<Diagram::Node>& changes, Term term, std::optional<Letter> letter);
+  Diagram::Node joined(const std::vector<Diagram::Node>& parts, Term list);
+  Diagram::Node change(Term obligation, Letter letter);
+  template <typename Known, typename Parts>
+  std::vector<State> unknown_below(State state, const Known& known, const Parts& parts) const;
+  Row row_of(State state) const;
+  State row_after(const Row& row, State rest, Letter letter);
+  bool is_variable(State state) const {
+    return diagram_.low(state) == Diagram::kFalse && diagram_.high(state) == Diagram::kTrue;
+  }
+  bool is_eventually(Term term) const;
+  template <typename Found>
+  void each_weaker(Term term, const Found& found) const;
+  void drop_implied(std::vector<State>& pieces, bool any) const;
+
+  Terms terms_;
+  std::size_t propositions_;
+  Diagram diagram_;
+  std::vector<std::uint32_t> level_;   // of each term that is an obligation
+  std::vector<Term> obligations_;      // in the order of their levels
+  std::vector<Diagram::Node> shape_;   // of each term: as a function of obligations
+  std::vector<Diagram::Node> change_;  // of each term: after any letter
+  std::unordered_map<Letter, std::vector<Diagram::Node>> changes_;  // of each term: after this letter
+  State start_ = Diagram::kTrue;
+  std::unordered_map<State, Diagram::Node> successors_;
+  std::unordered_map<State, State> duals_;
+  std::unordered_map<Step, State, StepHash> next_;
 };
 
 }  // namespace stepwright::ltl

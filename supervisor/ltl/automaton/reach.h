@@ -11,7 +11,7 @@ namespace stepwright::ltl {
 
 class Reach {
  public:
-  explicit Reach(std::size_t states) : _before(states), _outgoing(states, 0) {}
+  explicit Reach(std::size_t states) : before_(states), outgoing_(states, 0) {}
 
   void add(std::uint32_t from, std::uint32_t to);
 
@@ -22,8 +22,8 @@ class Reach {
  private:
   std::vector<bool> closed(std::vector<bool> seeds, bool every) const;
 
-  std::vector<std::vector<std::uint32_t>> _before;
-  std::vector<std::uint32_t> _outgoing;
+  std::vector<std::vector<std::uint32_t>> before_;
+  std::vector<std::uint32_t> outgoing_;
 };
 
 }  // namespace stepwright::ltl

@@ -11,12 +11,12 @@ namespace {
 // Looks for a letter that leads to `target` and from there on to another state.
 class Repetition {
  public:
-  Repetition(const Guards& guards, std::uint32_t target) : _guards(guards), _target(guard_of_state(target)) {}
+  Repetition(const Guards& guards, std::uint32_t target) : guards_(guards), target_(guard_of_state(target)) {}
 
   bool changes(Guard first, Guard second, Letter& letter) {
-    if (is_state(first) && (first != _target || second == _target)) return false;
+    if (is_state(first) && (first != target_ || second == target_)) return false;
     if (is_state(first) && is_state(second)) return true;
-    if (!_seen.insert({first, second}).second) return false;
+    if (!seen_.insert({first, second}).second) return false;
     const std::uint32_t asked = std::min(asks(first), asks(second));
     if (changes(part(first, asked, false), part(second, asked, false), letter)) return true;
     if (!changes(part(first, asked, true), part(second, asked, true), letter)) return false;
@@ -26,16 +26,16 @@ class Repetition {
 
  private:
   std::uint32_t asks(Guard guard) const {
-    return is_state(guard) ? 0xFFFFFFFF : _guards.nodes()[guard].proposition;
+    return is_state(guard) ? 0xFFFFFFFF : guards_.nodes()[guard].proposition;
   }
   Guard part(Guard guard, std::uint32_t proposition, bool value) const {
     if (asks(guard) != proposition) return guard;
-    return value ? _guards.nodes()[guard].high : _guards.nodes()[guard].low;
+    return value ? guards_.nodes()[guard].high : guards_.nodes()[guard].low;
   }
 
-  const Guards& _guards;
-  Guard _target;
-  std::set<std::pair<Guard, Guard>> _seen;
+  const Guards& guards_;
+  Guard target_;
+  std::set<std::pair<Guard, Guard>> seen_;
 };
 
 }  // namespace

@@ -13,22 +13,22 @@ std::size_t mixed(std::size_t hash, std::size_t value) {
 }  // namespace
 
 Terms::Terms() {
-  _nodes.resize(2);
-  _nodes[kTrueTerm].kind = TermKind::True;
-  _duals = {{kFalseTerm, kTrueTerm}, {kTrueTerm, kFalseTerm}};
+  nodes_.resize(2);
+  nodes_[kTrueTerm].kind = TermKind::True;
+  duals_ = {{kFalseTerm, kTrueTerm}, {kTrueTerm, kFalseTerm}};
 }
 
 std::span<const Term> Terms::operands(Term term) const {
-  return {_operands.data() + _nodes[term].first, _nodes[term].count};
+  return {operands_.data() + nodes_[term].first, nodes_[term].count};
 }
 
 Term Terms::add(Node node, const std::vector<Term>& operands) {
   std::size_t hash = static_cast<std::size_t>(node.kind) * 2 + (node.negated ? 1 : 0);
   hash = mixed(hash, node.proposition);
   for (const Term each : operands) hash = mixed(hash, each);
-  const auto [begin, end] = _index.equal_range(hash);
+  const auto [begin, end] = index_.equal_range(hash);
   for (auto found = begin; found != end; ++found) {
-    const Node& other = _nodes[found->second];
+    const Node& other = nodes_[found->second];
     if (other.kind == node.kind && other.negated == node.negated && other.proposition == node.proposition &&
         std::ranges::equal(this->operands(found->second), operands)) {
       return found->second;
@@ -38,16 +38,16 @@ Term Terms::add(Node node, const std::vector<Term>& operands) {
   node.has_release = node.kind == TermKind::Release;
   node.has_next = node.kind == TermKind::Next;
   for (const Term each : operands) {
-    node.has_until |= _nodes[each].has_until;
-    node.has_release |= _nodes[each].has_release;
-    node.has_next |= _nodes[each].has_next;
+    node.has_until |= nodes_[each].has_until;
+    node.has_release |= nodes_[each].has_release;
+    node.has_next |= nodes_[each].has_next;
   }
-  node.first = static_cast<std::uint32_t>(_operands.size());
+  node.first = static_cast<std::uint32_t>(operands_.size());
   node.count = static_cast<std::uint32_t>(operands.size());
-  _operands.insert(_operands.end(), operands.begin(), operands.end());
-  const Term term = static_cast<Term>(_nodes.size());
-  _nodes.push_back(node);
-  _index.emplace(hash, term);
+  operands_.insert(operands_.end(), operands.begin(), operands.end());
+  const Term term = static_cast<Term>(nodes_.size());
+  nodes_.push_back(node);
+  index_.emplace(hash, term);
   return term;
 }
 
@@ -109,23 +109,23 @@ Term Terms::dual(Term term) {
   while (!open.empty()) {
     const Term top = open.back();
     const std::size_t before = open.size();
-    if (!_duals.contains(top)) {
+    if (!duals_.contains(top)) {
       for (const Term each : operands(top))
-        if (!_duals.contains(each)) open.push_back(each);
+        if (!duals_.contains(each)) open.push_back(each);
     }
     if (open.size() != before) continue;
     open.pop_back();
-    if (_duals.contains(top)) continue;
+    if (duals_.contains(top)) continue;
     const Term negation = dual_of(top);
-    _duals.emplace(top, negation);
-    _duals.emplace(negation, top);
+    duals_.emplace(top, negation);
+    duals_.emplace(negation, top);
   }
-  return _duals.at(term);
+  return duals_.at(term);
 }
 
 Term Terms::dual_of(Term term) {
   std::vector<Term> negations;
-  for (const Term each : operands(term)) negations.push_back(_duals.at(each));
+  for (const Term each : operands(term)) negations.push_back(duals_.at(each));
   switch (kind(term)) {
     case TermKind::Literal:
       return literal(proposition(term), !negated(term));

@@ -38,33 +38,33 @@ class Terms {
   // The negation, in the same normal form. May add terms.
   Term dual(Term term);
 
-  std::size_t size() const { return _nodes.size(); }
-  TermKind kind(Term term) const { return _nodes[term].kind; }
+  std::size_t size() const { return nodes_.size(); }
+  TermKind kind(Term term) const { return nodes_[term].kind; }
   std::span<const Term> operands(Term term) const;  // until the next term is added
-  std::uint32_t proposition(Term term) const { return _nodes[term].proposition; }
-  bool negated(Term term) const { return _nodes[term].negated; }
+  std::uint32_t proposition(Term term) const { return nodes_[term].proposition; }
+  bool negated(Term term) const { return nodes_[term].negated; }
 
   // Whether a term has an Until, a Release or a Next anywhere: what its class is read from.
-  bool has_until(Term term) const { return _nodes[term].has_until; }
-  bool has_release(Term term) const { return _nodes[term].has_release; }
-  bool has_next(Term term) const { return _nodes[term].has_next; }
+  bool has_until(Term term) const { return nodes_[term].has_until; }
+  bool has_release(Term term) const { return nodes_[term].has_release; }
+  bool has_next(Term term) const { return nodes_[term].has_next; }
 
  private:
   struct Node {
     TermKind kind = TermKind::False;
     bool negated = false, has_until = false, has_release = false, has_next = false;
     std::uint32_t proposition = 0;
-    std::uint32_t first = 0, count = 0;  // operands in _operands
+    std::uint32_t first = 0, count = 0;  // operands in operands_
   };
 
   Term add(Node node, const std::vector<Term>& operands);
   Term join(TermKind kind, std::vector<Term> operands, Term neutral, Term deciding);
   Term dual_of(Term term);
 
-  std::vector<Node> _nodes;
-  std::vector<Term> _operands;
-  std::unordered_multimap<std::size_t, Term> _index;
-  std::unordered_map<Term, Term> _duals;
+  std::vector<Node> nodes_;
+  std::vector<Term> operands_;
+  std::unordered_multimap<std::size_t, Term> index_;
+  std::unordered_map<Term, Term> duals_;
 };
 
 // What can be said of a formula by its operators in normal form.

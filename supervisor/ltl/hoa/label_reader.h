@@ -14,21 +14,21 @@ namespace stepwright::ltl {
 class LabelReader {
  public:
   LabelReader(HoaScanner& scanner, Diagram& diagram, const HoaLimits& limits)
-      : _scanner(scanner), _diagram(diagram), _limits(limits) {}
+      : scanner_(scanner), diagram_(diagram), limits_(limits) {}
 
-  void set_propositions(std::size_t count) { _propositions = count; }
-  void add_alias(const std::string& name, Diagram::Node label) { _aliases[name] = label; }
+  void set_propositions(std::size_t count) { propositions_ = count; }
+  void add_alias(const std::string& name, Diagram::Node label) { aliases_[name] = label; }
   Diagram::Node read() { return several(0, false); }
 
  private:
   Diagram::Node several(std::size_t depth, bool all);
   Diagram::Node one(std::size_t depth);
 
-  HoaScanner& _scanner;
-  Diagram& _diagram;
-  const HoaLimits& _limits;
-  std::size_t _propositions = 0;
-  std::map<std::string, Diagram::Node> _aliases;
+  HoaScanner& scanner_;
+  Diagram& diagram_;
+  const HoaLimits& limits_;
+  std::size_t propositions_ = 0;
+  std::map<std::string, Diagram::Node> aliases_;
 };
 
 }  // namespace stepwright::ltl

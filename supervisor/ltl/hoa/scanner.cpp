@@ -20,18 +20,18 @@ bool is_digit(char c) {
 
 }  // namespace
 
-HoaScanner::HoaScanner(std::string_view text, std::string file) : _text(text), _file(std::move(file)) {
+HoaScanner::HoaScanner(std::string_view text, std::string file) : text_(text), file_(std::move(file)) {
   scan();
 }
 
 HoaToken HoaScanner::take() {
-  HoaToken token = std::move(_token);
+  HoaToken token = std::move(token_);
   scan();
   return token;
 }
 
 bool HoaScanner::sees(char sign) const {
-  return _token.kind == HoaTokenKind::Sign && _token.text[0] == sign;
+  return token_.kind == HoaTokenKind::Sign && token_.text[0] == sign;
 }
 
 bool HoaScanner::accept(char sign) {
@@ -41,32 +41,32 @@ bool HoaScanner::accept(char sign) {
 }
 
 void HoaScanner::fail(const char* code, const HoaToken& at, std::string message, std::string hint) {
-  if (!_error)
-    _error = result::fail(code, {_file, at.line, at.column}, std::move(message), std::move(hint)).value();
-  _at = _text.size();
-  _token = {HoaTokenKind::Nothing, "", 0, at.line, at.column};
+  if (!error_)
+    error_ = result::fail(code, {file_, at.line, at.column}, std::move(message), std::move(hint)).value();
+  at_ = text_.size();
+  token_ = {HoaTokenKind::Nothing, "", 0, at.line, at.column};
 }
 
 void HoaScanner::fail_here(const std::string& wanted) {
-  const HoaToken at = _token;
+  const HoaToken at = token_;
   const std::string seen = at.kind == HoaTokenKind::Nothing ? "the end of the text" : "'" + at.text + "'";
   fail("L0021", at, "here should stand " + wanted + ", not " + seen, "the format is HOA version 1");
 }
 
 void HoaScanner::step() {
-  if (_text[_at++] == '\n') {
-    ++_line;
-    _column = 1;
+  if (text_[at_++] == '\n') {
+    ++line_;
+    column_ = 1;
   } else {
-    ++_column;
+    ++column_;
   }
 }
 
 void HoaScanner::skip_blanks() {
   int comments = 0;  // they may stand in each other
-  while (_at < _text.size()) {
-    const std::string_view two = _text.substr(_at, 2);
-    const char c = _text[_at];
+  while (at_ < text_.size()) {
+    const std::string_view two = text_.substr(at_, 2);
+    const char c = text_[at_];
     if (two == "/*" || (comments > 0 && two == "*/")) {
       comments += two == "/*" ? 1 : -1;
       step();
@@ -78,64 +78,64 @@ void HoaScanner::skip_blanks() {
 }
 
 void HoaScanner::scan() {
-  if (_error) return;
+  if (error_) return;
   skip_blanks();
-  _token = {HoaTokenKind::Nothing, "", 0, _line, _column};
-  if (_at == _text.size()) return;
-  const char c = _text[_at];
+  token_ = {HoaTokenKind::Nothing, "", 0, line_, column_};
+  if (at_ == text_.size()) return;
+  const char c = text_[at_];
   for (const auto& [word, kind] : kMarks) {
-    if (_text.substr(_at, word.size()) != word) continue;
-    _token.kind = kind;
-    _token.text = word;
+    if (text_.substr(at_, word.size()) != word) continue;
+    token_.kind = kind;
+    token_.text = word;
     for (std::size_t k = 0; k < word.size(); ++k) step();
     return;
   }
   if (c == '"') return scan_text();
   if (is_letter(c) || is_digit(c) || c == '@') return scan_word();
   if (std::string_view("()[]{}&|!").find(c) == std::string_view::npos) {
-    fail("L0021", _token, "this character has no meaning here", "the format is HOA version 1");
+    fail("L0021", token_, "this character has no meaning here", "the format is HOA version 1");
     return;
   }
-  _token.kind = HoaTokenKind::Sign;
-  _token.text = c;
+  token_.kind = HoaTokenKind::Sign;
+  token_.text = c;
   step();
 }
 
 void HoaScanner::scan_text() {
-  _token.kind = HoaTokenKind::Text;
+  token_.kind = HoaTokenKind::Text;
   step();
-  while (_at < _text.size() && _text[_at] != '"') {
-    if (_text[_at] == '\\' && _at + 1 < _text.size()) step();
-    _token.text += _text[_at];
+  while (at_ < text_.size() && text_[at_] != '"') {
+    if (text_[at_] == '\\' && at_ + 1 < text_.size()) step();
+    token_.text += text_[at_];
     step();
   }
-  if (_at == _text.size()) {
-    fail("L0021", HoaToken(_token), "this text does not end", "close it with \"");
+  if (at_ == text_.size()) {
+    fail("L0021", HoaToken(token_), "this text does not end", "close it with \"");
     return;
   }
   step();
 }
 
 void HoaScanner::scan_word() {
-  const bool alias = _text[_at] == '@', number = is_digit(_text[_at]);
+  const bool alias = text_[at_] == '@', number = is_digit(text_[at_]);
   if (alias) step();
-  const std::size_t from = _at;
-  while (_at < _text.size() &&
-         (is_digit(_text[_at]) ||
-          (!number && (is_letter(_text[_at]) || _text[_at] == '-' || (alias && _text[_at] == '.')))))
+  const std::size_t from = at_;
+  while (at_ < text_.size() &&
+         (is_digit(text_[at_]) ||
+          (!number && (is_letter(text_[at_]) || text_[at_] == '-' || (alias && text_[at_] == '.')))))
     step();
-  _token.text = _text.substr(from, _at - from);
+  token_.text = text_.substr(from, at_ - from);
   if (number) {
-    _token.kind = HoaTokenKind::Number;
+    token_.kind = HoaTokenKind::Number;
     const auto [end, error] =
-        std::from_chars(_token.text.data(), _token.text.data() + _token.text.size(), _token.number);
-    if (error != std::errc() || _token.number > 0x7FFFFFFF)
-      fail("L0021", HoaToken(_token), "this number is too large", "numbers are at most 2147483647");
-  } else if (!alias && _at < _text.size() && _text[_at] == ':') {
-    _token.kind = HoaTokenKind::Header;
+        std::from_chars(token_.text.data(), token_.text.data() + token_.text.size(), token_.number);
+    if (error != std::errc() || token_.number > 0x7FFFFFFF)
+      fail("L0021", HoaToken(token_), "this number is too large", "numbers are at most 2147483647");
+  } else if (!alias && at_ < text_.size() && text_[at_] == ':') {
+    token_.kind = HoaTokenKind::Header;
     step();
   } else {
-    _token.kind = alias ? HoaTokenKind::Alias : HoaTokenKind::Word;
+    token_.kind = alias ? HoaTokenKind::Alias : HoaTokenKind::Word;
   }
 }
 

@@ -23,7 +23,7 @@ class HoaScanner {
  public:
   HoaScanner(std::string_view text, std::string file);
 
-  const HoaToken& peek() const { return _token; }
+  const HoaToken& peek() const { return token_; }
   HoaToken take();  // peek(), and on to the next
   bool sees(char sign) const;
   bool accept(char sign);
@@ -31,8 +31,8 @@ class HoaScanner {
   // The first error counts; after it there is Nothing left to read.
   void fail(const char* code, const HoaToken& at, std::string message, std::string hint);
   void fail_here(const std::string& wanted);
-  bool failed() const { return _error.has_value(); }
-  const result::Diagnostics& error() const { return *_error; }
+  bool failed() const { return error_.has_value(); }
+  const result::Diagnostics& error() const { return *error_; }
 
  private:
   void step();
@@ -41,12 +41,12 @@ class HoaScanner {
   void scan_text();
   void scan_word();
 
-  std::string_view _text;
-  std::string _file;
-  std::size_t _at = 0;
-  std::uint32_t _line = 1, _column = 1;
-  HoaToken _token;
-  std::optional<result::Diagnostics> _error;
+  std::string_view text_;
+  std::string file_;
+  std::size_t at_ = 0;
+  std::uint32_t line_ = 1, column_ = 1;
+  HoaToken token_;
+  std::optional<result::Diagnostics> error_;
 };
 
 }  // namespace stepwright::ltl

@@ -17,18 +17,18 @@ std::string quoted(const std::string& text) {
 
 class Labels {
  public:
-  Labels(const Guards& guards, std::size_t most) : _guards(guards), _left(most) {}
+  Labels(const Guards& guards, std::size_t most) : guards_(guards), left_(most) {}
 
   // The label of each state that a guard leads to; false when there are too many conjunctions.
   bool collect(Guard guard, const std::string& way) {
     if (is_state(guard)) {
-      if (_left-- == 0) return false;
+      if (left_-- == 0) return false;
       std::string& label = of[state_of(guard)];
       if (!label.empty()) label += " | ";
       label += way.empty() ? "t" : way;
       return true;
     }
-    const GuardNode& node = _guards.nodes()[guard];
+    const GuardNode& node = guards_.nodes()[guard];
     const std::string begin = way.empty() ? "" : way + "&", number = std::to_string(node.proposition);
     return collect(node.low, begin + "!" + number) && collect(node.high, begin + number);
   }
@@ -36,8 +36,8 @@ class Labels {
   std::map<std::uint32_t, std::string> of;
 
  private:
-  const Guards& _guards;
-  std::size_t _left;
+  const Guards& guards_;
+  std::size_t left_;
 };
 
 }  // namespace

@@ -9,7 +9,7 @@ namespace {
 // The term of a node or of its negation, from those of its children.
 class NormalForm {
  public:
-  explicit NormalForm(Formula& formula) : _formula(formula), _terms(formula.terms) {}
+  explicit NormalForm(Formula& formula) : formula_(formula), terms_(formula.terms) {}
 
   Term of(const SyntaxNode& node, bool positive) {
     const auto a = [&](bool same = true) { return child(node, 0, positive == same); };
@@ -20,7 +20,7 @@ class NormalForm {
       case Operator::True:
         return positive ? kTrueTerm : kFalseTerm;
       case Operator::Name:
-        return _terms.literal(node.proposition, !positive);
+        return terms_.literal(node.proposition, !positive);
       case Operator::Not:
         return a(false);
       case Operator::And:
@@ -34,21 +34,21 @@ class NormalForm {
       case Operator::Iff:
         return differ(node, !positive);
       case Operator::Next:
-        return _terms.next(a());
+        return terms_.next(a());
       case Operator::Eventually:
-        return positive ? _terms.until(kTrueTerm, a()) : _terms.release(kFalseTerm, a());
+        return positive ? terms_.until(kTrueTerm, a()) : terms_.release(kFalseTerm, a());
       case Operator::Always:
-        return positive ? _terms.release(kFalseTerm, a()) : _terms.until(kTrueTerm, a());
+        return positive ? terms_.release(kFalseTerm, a()) : terms_.until(kTrueTerm, a());
       case Operator::Until:
-        return positive ? _terms.until(a(), b()) : _terms.release(a(), b());
+        return positive ? terms_.until(a(), b()) : terms_.release(a(), b());
       case Operator::Release:
-        return positive ? _terms.release(a(), b()) : _terms.until(a(), b());
+        return positive ? terms_.release(a(), b()) : terms_.until(a(), b());
       case Operator::WeakUntil:  // a W b = b R (a | b); its negation !b U (!a & !b)
-        return positive ? _terms.release(b(), _terms.disjunction({a(), b()}))
-                        : _terms.until(b(), _terms.conjunction({a(), b()}));
+        return positive ? terms_.release(b(), terms_.disjunction({a(), b()}))
+                        : terms_.until(b(), terms_.conjunction({a(), b()}));
       case Operator::StrongRelease:  // a M b = b U (a & b); its negation !b R (!a | !b)
-        return positive ? _terms.until(b(), _terms.conjunction({a(), b()}))
-                        : _terms.release(b(), _terms.disjunction({a(), b()}));
+        return positive ? terms_.until(b(), terms_.conjunction({a(), b()}))
+                        : terms_.release(b(), terms_.disjunction({a(), b()}));
     }
     return kFalseTerm;
   }
@@ -56,10 +56,10 @@ class NormalForm {
  private:
   Term child(const SyntaxNode& node, std::size_t k, bool positive) {
     const SyntaxId id = node.children[k];
-    return positive ? _formula.positive[id] : _formula.negative[id];
+    return positive ? formula_.positive[id] : formula_.negative[id];
   }
   Term list_of(std::vector<Term> operands, bool all) {
-    return all ? _terms.conjunction(std::move(operands)) : _terms.disjunction(std::move(operands));
+    return all ? terms_.conjunction(std::move(operands)) : terms_.disjunction(std::move(operands));
   }
   Term list(const SyntaxNode& node, bool positive, bool all) {
     std::vector<Term> operands;
@@ -67,13 +67,13 @@ class NormalForm {
     return list_of(std::move(operands), all);
   }
   Term differ(const SyntaxNode& node, bool different) {
-    const Term first = _terms.conjunction({child(node, 0, true), child(node, 1, !different)});
-    const Term second = _terms.conjunction({child(node, 0, false), child(node, 1, different)});
-    return _terms.disjunction({first, second});
+    const Term first = terms_.conjunction({child(node, 0, true), child(node, 1, !different)});
+    const Term second = terms_.conjunction({child(node, 0, false), child(node, 1, different)});
+    return terms_.disjunction({first, second});
   }
 
-  Formula& _formula;
-  Terms& _terms;
+  Formula& formula_;
+  Terms& terms_;
 };
 
 }  // namespace

@@ -58,49 +58,49 @@ std::string shown(char c) {
 
 class Lexer {
  public:
-  Lexer(std::string_view text, const std::string& file) : _text(text), _file(file) {}
+  Lexer(std::string_view text, const std::string& file) : text_(text), file_(file) {}
 
   result::Result<std::vector<Token>> run() {
-    while (_at < _text.size()) {
-      const char c = _text[_at];
+    while (at_ < text_.size()) {
+      const char c = text_[at_];
       if (c == ' ' || c == '\t' || c == '\r' || c == '\n') {
         step();
       } else if (c == '#') {
-        while (_at < _text.size() && _text[_at] != '\n') step();
+        while (at_ < text_.size() && text_[at_] != '\n') step();
       } else if (begins_word(c)) {
         word();
       } else if (c == '"') {
-        const Place begin = _place;
+        const Place begin = place_;
         if (!quoted()) {
-          return result::fail("L0003", {_file, begin.line, begin.column}, "this quote does not end",
+          return result::fail("L0003", {file_, begin.line, begin.column}, "this quote does not end",
                               "close the name with \" in the same line");
         }
       } else if (!sign()) {
-        return result::fail("L0001", {_file, _place.line, _place.column}, shown(c) + " has no meaning here",
+        return result::fail("L0001", {file_, place_.line, place_.column}, shown(c) + " has no meaning here",
                             "names with other characters than letters, digits, _ and . stand in quotes");
       }
     }
-    add(TokenKind::End, "", _place);
-    return std::move(_tokens);
+    add(TokenKind::End, "", place_);
+    return std::move(tokens_);
   }
 
  private:
   void step() {
-    if (_text[_at++] == '\n') {
-      ++_place.line;
-      _place.column = 1;
+    if (text_[at_++] == '\n') {
+      ++place_.line;
+      place_.column = 1;
     } else {
-      ++_place.column;
+      ++place_.column;
     }
   }
 
-  void add(TokenKind kind, std::string text, Place at) { _tokens.push_back({kind, std::move(text), at}); }
+  void add(TokenKind kind, std::string text, Place at) { tokens_.push_back({kind, std::move(text), at}); }
 
   void word() {
-    const Place begin = _place;
-    const std::size_t from = _at;
-    while (_at < _text.size() && in_word(_text[_at])) step();
-    const std::string_view word = _text.substr(from, _at - from);
+    const Place begin = place_;
+    const std::size_t from = at_;
+    while (at_ < text_.size() && in_word(text_[at_])) step();
+    const std::string_view word = text_.substr(from, at_ - from);
     if (is_unary_run(word)) {  // GF a
       for (std::uint32_t k = 0; k < word.size(); ++k)
         add(TokenKind::Sign, std::string(1, word[k]), {begin.line, begin.column + k});
@@ -111,15 +111,15 @@ class Lexer {
   }
 
   bool quoted() {
-    const Place begin = _place;
+    const Place begin = place_;
     std::string name;
     step();
-    while (_at < _text.size() && _text[_at] != '"' && _text[_at] != '\n') {
-      if (_text[_at] == '\\' && _at + 1 < _text.size() && _text[_at + 1] != '\n') step();
-      name += _text[_at];
+    while (at_ < text_.size() && text_[at_] != '"' && text_[at_] != '\n') {
+      if (text_[at_] == '\\' && at_ + 1 < text_.size() && text_[at_ + 1] != '\n') step();
+      name += text_[at_];
       step();
     }
-    if (_at == _text.size() || _text[_at] != '"') return false;
+    if (at_ == text_.size() || text_[at_] != '"') return false;
     step();
     add(TokenKind::Quoted, std::move(name), begin);
     return true;
@@ -127,19 +127,19 @@ class Lexer {
 
   bool sign() {
     for (const Spelling& each : kSigns) {
-      if (_text.substr(_at, each.written.size()) != each.written) continue;
-      add(TokenKind::Sign, std::string(each.meant), _place);
+      if (text_.substr(at_, each.written.size()) != each.written) continue;
+      add(TokenKind::Sign, std::string(each.meant), place_);
       for (std::size_t k = 0; k < each.written.size(); ++k) step();
       return true;
     }
     return false;
   }
 
-  std::string_view _text;
-  const std::string& _file;
-  std::size_t _at = 0;
-  Place _place;
-  std::vector<Token> _tokens;
+  std::string_view text_;
+  const std::string& file_;
+  std::size_t at_ = 0;
+  Place place_;
+  std::vector<Token> tokens_;
 };
 
 }  // namespace

@@ -16,32 +16,32 @@ constexpr std::array<std::pair<const char*, Pattern>, 3> kOfOne = {
 // One nesting more as long as it lives.
 class Parser::Level {
  public:
-  explicit Level(Parser& parser) : _parser(parser) {
-    if (++_parser._depth <= _parser._limits.nesting) return;
-    const std::string bound = std::to_string(_parser._limits.nesting);
-    _parser.fail("L0004", _parser.peek().at,
+  explicit Level(Parser& parser) : parser_(parser) {
+    if (++parser_.depth_ <= parser_.limits_.nesting) return;
+    const std::string bound = std::to_string(parser_.limits_.nesting);
+    parser_.fail("L0004", parser_.peek().at,
                  "more than " + bound + " operators and parentheses in each other",
                  "write a list with & or | in place of nested operators");
   }
-  ~Level() { --_parser._depth; }
+  ~Level() { --parser_.depth_; }
   Level(const Level&) = delete;
   Level& operator=(const Level&) = delete;
 
  private:
-  Parser& _parser;
+  Parser& parser_;
 };
 
 Parser::Parser(std::vector<Token> tokens, std::string file, std::vector<std::string> propositions,
                const TextLimits& limits)
-    : _tokens(std::move(tokens)), _file(std::move(file)), _limits(limits) {
-  _tree.propositions = std::move(propositions);
+    : tokens_(std::move(tokens)), file_(std::move(file)), limits_(limits) {
+  tree_.propositions = std::move(propositions);
 }
 
 result::Result<SyntaxTree> Parser::run() {
-  _tree.root = sentences();
+  tree_.root = sentences();
   if (peek().kind != TokenKind::End) fail_here("an operator or the end", "each ( needs its )");
-  if (_error) return tl::unexpected<result::Diagnostics>(std::move(*_error));
-  return std::move(_tree);
+  if (error_) return tl::unexpected<result::Diagnostics>(std::move(*error_));
+  return std::move(tree_);
 }
 
 bool Parser::sees(std::string_view text) const {
@@ -51,7 +51,7 @@ bool Parser::sees(std::string_view text) const {
 
 bool Parser::accept(std::string_view text) {
   if (!sees(text)) return false;
-  ++_at;
+  ++at_;
   return true;
 }
 
@@ -60,8 +60,8 @@ void Parser::expect(std::string_view text, const char* hint) {
 }
 
 void Parser::fail(const char* code, Place at, std::string message, std::string hint) {
-  if (_error) return;
-  _error = result::fail(code, {_file, at.line, at.column}, std::move(message), std::move(hint)).value();
+  if (error_) return;
+  error_ = result::fail(code, {file_, at.line, at.column}, std::move(message), std::move(hint)).value();
 }
 
 void Parser::fail_here(const std::string& wanted, std::string hint) {
@@ -70,32 +70,40 @@ void Parser::fail_here(const std::string& wanted, std::string hint) {
   fail("L0002", token.at, "here should stand " + wanted + ", not " + seen, std::move(hint));
 }
 
+// After an error nothing is added: the children may not be there.
 SyntaxId Parser::add(Operator op, std::vector<SyntaxId> children, Place at) {
-  if (op != Operator::Name && ++_operators > _limits.operators) {
-    fail("L0005", at, "more than " + std::to_string(_limits.operators) + " operators",
-         "divide the formula, each part with an automaton of its own");
-  }
-  _temporal.resize(_tree.nodes.size(), true);  // those of patterns
+  if (error_) return 0;
+  if (op != Operator::Name && !count_operators(1, at)) return 0;
+  temporal_.resize(tree_.nodes.size(), true);  // those of patterns
   bool temporal =
       op == Operator::Next || op == Operator::Eventually || op == Operator::Always || op >= Operator::Until;
-  for (const SyntaxId each : children) temporal = temporal || _temporal[each];
-  _temporal.push_back(temporal);
-  return _tree.add(op, std::move(children), at);
+  for (const SyntaxId each : children) temporal = temporal || temporal_[each];
+  temporal_.push_back(temporal);
+  return tree_.add(op, std::move(children), at);
+}
+
+bool Parser::count_operators(std::size_t more, Place at) {
+  operators_ += more;
+  if (operators_ <= limits_.operators) return true;
+  fail("L0005", at, "more than " + std::to_string(limits_.operators) + " operators",
+       "divide the formula, each part with an automaton of its own");
+  return false;
 }
 
 SyntaxId Parser::name(const Token& token) {
-  const auto known = std::ranges::find(_tree.propositions, token.text);
-  const auto number = static_cast<std::uint32_t>(known - _tree.propositions.begin());
-  if (known == _tree.propositions.end()) {
-    if (number == _limits.propositions) {
-      fail("L0006", token.at, "more than " + std::to_string(_limits.propositions) + " propositions",
+  if (error_) return 0;
+  const auto known = std::ranges::find(tree_.propositions, token.text);
+  const auto number = static_cast<std::uint32_t>(known - tree_.propositions.begin());
+  if (known == tree_.propositions.end()) {
+    if (number == limits_.propositions) {
+      fail("L0006", token.at, "more than " + std::to_string(limits_.propositions) + " propositions",
            "divide the formula, or give what is always named together one name");
       return 0;
     }
-    _tree.propositions.push_back(token.text);
+    tree_.propositions.push_back(token.text);
   }
   const SyntaxId node = add(Operator::Name, {}, token.at);
-  _tree.nodes[node].proposition = number;
+  tree_.nodes[node].proposition = number;
   return node;
 }
 
@@ -146,20 +154,27 @@ SyntaxId Parser::pattern(const Scope& scope, bool scoped) {
   for (const auto& [word, kind] : kOfOne) {
     if (!accept(word)) continue;
     const SyntaxId subject = implication();
-    return _error ? 0 : add_pattern(_tree, kind, scope, subject, subject, at);
+    return patterned(kind, scope, subject, subject, at);
   }
   const SyntaxId first = implication();
   if (accept("precedes")) {
     const SyntaxId subject = implication();
-    return _error ? 0 : add_pattern(_tree, Pattern::Precedence, scope, subject, first, at);
+    return patterned(Pattern::Precedence, scope, subject, first, at);
   }
   if (accept("responds")) {
-    if (peek().kind == TokenKind::Word && peek().text == "to") ++_at;
+    if (peek().kind == TokenKind::Word && peek().text == "to") ++at_;
     const SyntaxId subject = implication();
-    return _error ? 0 : add_pattern(_tree, Pattern::Response, scope, subject, first, at);
+    return patterned(Pattern::Response, scope, subject, first, at);
   }
   if (scoped) fail_here("a pattern", "absent p; exists p; holds p; s precedes p; s responds to p");
   return first;
+}
+
+SyntaxId Parser::patterned(Pattern pattern, const Scope& scope, SyntaxId subject, SyntaxId other, Place at) {
+  if (error_) return 0;
+  const std::size_t before = tree_.nodes.size();
+  const SyntaxId root = add_pattern(tree_, pattern, scope, subject, other, at);
+  return count_operators(tree_.nodes.size() - before, at) ? root : 0;
 }
 
 SyntaxId Parser::implication() {
@@ -224,7 +239,7 @@ SyntaxId Parser::primary() {
   if (accept("true") || accept("1")) return add(Operator::True, {}, token.at);
   if (accept("false") || accept("0")) return add(Operator::False, {}, token.at);
   if (token.kind == TokenKind::Quoted || (token.kind == TokenKind::Word && !is_reserved(token.text))) {
-    ++_at;
+    ++at_;
     return name(token);
   }
   fail_here("a proposition or a formula", "a name that is a word of the language stands in quotes");
@@ -233,26 +248,26 @@ SyntaxId Parser::primary() {
 
 // What `visit a` or `a` asks to be reached: a. Others are left as they are.
 SyntaxId Parser::visited(SyntaxId node) const {
-  if (_error || _tree.nodes[node].op != Operator::Eventually) return node;
-  return _tree.nodes[node].children.front();
+  if (error_ || tree_.nodes[node].op != Operator::Eventually) return node;
+  return tree_.nodes[node].children.front();
 }
 
 // Nodes that the parser did not add itself are those of patterns.
 bool Parser::speaks_of_later(SyntaxId node) const {
-  return node >= _temporal.size() || _temporal[node];
+  return node >= temporal_.size() || temporal_[node];
 }
 
 SyntaxId Parser::before(SyntaxId first, SyntaxId later, Place at) {
-  if (_error) return 0;
+  if (error_) return 0;
   const SyntaxId no = add(Operator::Not, {visited(later)}, at);
   return add(Operator::Until, {no, visited(first)}, at);
 }
 
 SyntaxId Parser::then(SyntaxId first, SyntaxId later, Place at) {
-  if (_error) return 0;
+  if (error_) return 0;
   const SyntaxId reached = visited(first);
   if (speaks_of_later(reached)) {
-    fail("L0007", at, "before 'then' stands one visit, not '" + to_text(_tree, first, 60) + "'",
+    fail("L0007", at, "before 'then' stands one visit, not '" + to_text(tree_, first, 60) + "'",
          "name what is reached first: 'visit a then (visit b and visit c)'");
     return 0;
   }

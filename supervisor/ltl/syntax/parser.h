@@ -23,7 +23,7 @@ class Parser {
   class Level;
 
   // After an error every look at the text sees its end, so that all loops come to theirs.
-  const Token& peek() const { return _error ? _tokens.back() : _tokens[_at]; }
+  const Token& peek() const { return error_ ? tokens_.back() : tokens_[at_]; }
   bool sees(std::string_view text) const;
   bool accept(std::string_view text);
   void expect(std::string_view text, const char* hint);
@@ -32,12 +32,14 @@ class Parser {
 
   SyntaxId add(Operator op, std::vector<SyntaxId> children, Place at);
   SyntaxId name(const Token& token);
+  bool count_operators(std::size_t more, Place at);  // false, with an error, beyond the bound
 
   SyntaxId deeper(SyntaxId (Parser::*part)());
   SyntaxId sentences();
   SyntaxId sentence();
   Scope scope();
   SyntaxId pattern(const Scope& scope, bool scoped);  // scoped: a formula alone is not enough
+  SyntaxId patterned(Pattern pattern, const Scope& scope, SyntaxId subject, SyntaxId other, Place at);
   SyntaxId implication();
   SyntaxId exclusive();
   SyntaxId several(Operator op);
@@ -49,13 +51,13 @@ class Parser {
   SyntaxId visited(SyntaxId node) const;
   bool speaks_of_later(SyntaxId node) const;
 
-  std::vector<Token> _tokens;
-  std::string _file;
-  TextLimits _limits;
-  std::size_t _at = 0, _depth = 0, _operators = 0;
-  std::optional<result::Diagnostics> _error;
-  SyntaxTree _tree;
-  std::vector<bool> _temporal;  // of each node: whether it speaks of later letters
+  std::vector<Token> tokens_;
+  std::string file_;
+  TextLimits limits_;
+  std::size_t at_ = 0, depth_ = 0, operators_ = 0;
+  std::optional<result::Diagnostics> error_;
+  SyntaxTree tree_;
+  std::vector<bool> temporal_;  // of each node: whether it speaks of later letters
 };
 
 }  // namespace stepwright::ltl

@@ -23,25 +23,25 @@ namespace {
 // M2L on strings: a variable for each operator's position.
 class Sentence {
  public:
-  explicit Sentence(const Formula& formula) : _formula(formula) {}
+  explicit Sentence(const Formula& formula) : formula_(formula) {}
 
   std::string text(bool at_most_one) {
     std::string out = "m2l-str;\nvar2 ";
-    for (std::size_t k = 0; k < _formula.proposition_count(); ++k)
+    for (std::size_t k = 0; k < formula_.proposition_count(); ++k)
       out += (k > 0 ? ", P" : "P") + std::to_string(k);
-    out += ";\nex1 x0: (all1 y: x0 <= y) & " + holds(_formula.root, 0) + ";\n";
+    out += ";\nex1 x0: (all1 y: x0 <= y) & " + holds(formula_.root, 0) + ";\n";
     if (!at_most_one) return out;
-    for (std::size_t a = 0; a < _formula.proposition_count(); ++a)
-      for (std::size_t b = a + 1; b < _formula.proposition_count(); ++b)
+    for (std::size_t a = 0; a < formula_.proposition_count(); ++a)
+      for (std::size_t b = a + 1; b < formula_.proposition_count(); ++b)
         out += "all1 y: ~(y in P" + std::to_string(a) + " & y in P" + std::to_string(b) + ");\n";
     return out;
   }
 
  private:
   std::string holds(Term term, int at) {
-    const Terms& terms = _formula.terms;
-    const std::string x = "x" + std::to_string(at), y = "x" + std::to_string(_next),
-                      z = "z" + std::to_string(_next);
+    const Terms& terms = formula_.terms;
+    const std::string x = "x" + std::to_string(at), y = "x" + std::to_string(next_),
+                      z = "z" + std::to_string(next_);
     const auto operands = terms.operands(term);
     switch (terms.kind(term)) {
       case TermKind::True:
@@ -56,15 +56,15 @@ class Sentence {
         return out + ")";
       }
       case TermKind::Next: {
-        const int next = _next++;
+        const int next = next_++;
         return "(ex1 " + y + ": " + x + " < " + y + " & (all1 " + z + ": " + x + " < " + z + " => " + y +
                " <= " + z + ") & " + holds(operands[0], next) + ")";
       }
       case TermKind::Until: {
-        const int next = _next++;
+        const int next = next_++;
         std::string out = "(ex1 " + y + ": " + x + " <= " + y + " & " + holds(operands[1], next);
         if (operands[0] != kTrueTerm) {
-          const int between = _next++;
+          const int between = next_++;
           const std::string w = "x" + std::to_string(between);
           out += " & (all1 " + w + ": (" + x + " <= " + w + " & " + w + " < " + y + ") => " +
                  holds(operands[0], between) + ")";
@@ -76,8 +76,8 @@ class Sentence {
     }
   }
 
-  const Formula& _formula;
-  int _next = 1;
+  const Formula& formula_;
+  int next_ = 1;
 };
 
 std::optional<int> states_of_mona(const std::string& sentence) {

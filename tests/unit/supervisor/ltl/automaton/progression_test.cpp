@@ -76,6 +76,26 @@ TEST(Progression, Formula_WhenItHasThousandsOfOperators_ThenItIsStillFast) {
   EXPECT_EQ(Progression::verdict(state), Verdict::True);
 }
 
+// All pairs of places, each an obligation of its own.
+TEST(Progression, Formula_WhenItHasThousandsOfObligations_ThenItIsStillFast) {
+  constexpr std::size_t kPlaces = 60;
+  std::string text = "F a0";
+  for (std::size_t a = 0; a < kPlaces; ++a)
+    for (std::size_t b = 0; b < kPlaces; ++b)
+      if (a != b) text += " & F(a" + std::to_string(a) + " & F a" + std::to_string(b) + ")";
+  const auto formula = parse_formula(text);
+  ASSERT_TRUE(formula);
+  Progression task(formula->terms, formula->root, formula->proposition_count());
+  auto state = task.start();
+  for (std::size_t k = 0; k < 2 * kPlaces - 2; ++k) {
+    state = task.next(state, Letter{1} << k % kPlaces);
+    ASSERT_EQ(Progression::verdict(state), Verdict::Undecided) << k;
+  }
+  state = task.next(state, Letter{1} << (kPlaces - 2));
+  EXPECT_FALSE(task.exhausted());
+  EXPECT_EQ(Progression::verdict(state), Verdict::True);
+}
+
 TEST(Progression, Formula_WhenItIsDeep_ThenNothingOverflows) {
   std::string text;
   for (int k = 0; k < 240; ++k) text += "F(a" + std::to_string(k % 30) + " & (";

@@ -39,10 +39,11 @@ TEST(Task, Automaton_WhenTwoPlacesAreToBeVisited_ThenDistancesCountWhatIsLeft) {
 TEST(Task, Automaton_WhenAStateCannotReachTheGoal_ThenItIsRejecting) {
   const Automaton automaton = task("!b U a");
   EXPECT_EQ(automaton.size(), 3u);
-  const std::uint32_t wrong = automaton.next(automaton.initial, 2);
+  const Letter a = Letter{1} << *automaton.proposition("a"), b = Letter{1} << *automaton.proposition("b");
+  const std::uint32_t wrong = automaton.next(automaton.initial, b);
   EXPECT_TRUE(automaton.rejecting(wrong));
   EXPECT_EQ(automaton.distance[wrong], Automaton::kNever);
-  EXPECT_TRUE(automaton.accepting(automaton.next(automaton.initial, 3)));
+  EXPECT_TRUE(automaton.accepting(automaton.next(automaton.initial, a | b)));
   EXPECT_EQ(automaton.successors(automaton.initial).size(), 2u);
 
   const Automaton never = task("F(a & !a)");
