@@ -26,7 +26,7 @@ enum class Acceptance : std::uint8_t {
 };
 
 struct BuildOptions {
-  std::size_t most_states = 50'000;    // before states are merged
+  std::size_t most_states = 20'000;    // before states are merged
   std::size_t most_nodes = 4'000'000;  // of decision diagrams
   Letters letters = Letters::All;
   Acceptance acceptance = Acceptance::Early;

@@ -35,6 +35,7 @@ class Diagram {
   Node low(Node node) const { return nodes_[node].low; }    // where the variable is false
   Node high(Node node) const { return nodes_[node].high; }  // where it is true
 
+  std::size_t size() const { return nodes_.size(); }
   bool exhausted() const { return exhausted_; }
 
  private:

@@ -37,7 +37,23 @@ void Progression::require(Term wanted) {
   }
   std::ranges::sort(missing);  // operands first
   order(missing);
-  for (const Term term : missing) shape_[term] = shape_of(term);
+  weaker_.resize(terms_.size());
+  for (const Term term : missing) {
+    shape_[term] = shape_of(term);
+    weaker_[term] = weaker_of(term);
+  }
+}
+
+// `F b` is weaker than `F(a & F b)`.
+std::vector<Term> Progression::weaker_of(Term term) const {
+  std::vector<Term> found;
+  const auto is_eventually = [&](Term each) {
+    return terms_.kind(each) == TermKind::Until && terms_.operands(each)[0] == kTrueTerm;
+  };
+  if (!is_eventually(term) || terms_.kind(terms_.operands(term)[1]) != TermKind::And) return found;
+  for (const Term each : terms_.operands(terms_.operands(term)[1]))
+    if (is_eventually(each)) found.push_back(each);
+  return found;
 }
 
 // An obligation becomes, with a letter, a function of itself and of obligations within it. So those that have
@@ -189,37 +205,40 @@ Progression::Row Progression::row_of(State state) const {
   return row;
 }
 
-// What `F(a & F b)` says beyond a: `F b` is weaker. Of such two one is enough: the weaker one in a row of |,
-// the stronger one in a row of &.
-template <typename Found>
-void Progression::each_weaker(Term term, const Found& found) const {
-  std::vector<Term> met = {term};
-  for (std::size_t k = 0; k < met.size() && k < kNearest; ++k) {
-    const Term inner = terms_.operands(met[k])[1];
-    if (terms_.kind(inner) != TermKind::And) continue;
-    for (const Term each : terms_.operands(inner))
-      if (is_eventually(each) && std::ranges::find(met, each) == met.end() && found(each))
-        met.push_back(each);
+// Whether an obligation implies another one that is marked.
+bool Progression::implies_marked(Term term, std::vector<Term>& marked) {
+  marked.clear();
+  std::vector<Term>& open = walk_;
+  open.assign(1, term);
+  for (std::size_t k = 0; k < open.size() && k < kNearest; ++k) {
+    for (const Term each : weaker_[open[k]]) {
+      if (mark_[each] == stamp_)
+        marked.push_back(each);
+      else
+        open.push_back(each);
+    }
   }
+  return !marked.empty();
 }
 
-bool Progression::is_eventually(Term term) const {
-  return terms_.kind(term) == TermKind::Until && terms_.operands(term)[0] == kTrueTerm;
-}
-
-void Progression::drop_implied(std::vector<State>& pieces, bool any) const {
-  std::unordered_set<Term> alone, dropped;
+// Of two obligations of which one implies the other one is enough: the weaker one in a row of |, the stronger
+// one in a row of &.
+void Progression::drop_implied(std::vector<State>& pieces, bool any) {
+  ++stamp_;
+  mark_.resize(terms_.size(), 0);
   for (const State each : pieces)
-    if (is_variable(each)) alone.insert(obligation(each));
-  for (const Term each : alone) {
-    if (!is_eventually(each)) continue;
-    each_weaker(each, [&](Term weaker) {
-      if (!alone.contains(weaker)) return true;
-      dropped.insert(any ? each : weaker);
-      return false;
-    });
+    if (is_variable(each)) mark_[obligation(each)] = stamp_;
+  std::vector<Term> marked;
+  std::vector<State> dropped;
+  for (const State each : pieces) {
+    if (!is_variable(each) || !implies_marked(obligation(each), marked)) continue;
+    if (any) dropped.push_back(each);
+    for (const Term weaker : marked)
+      if (!any) dropped.push_back(shape_[weaker]);
   }
-  std::erase_if(pieces, [&](State each) { return is_variable(each) && dropped.contains(obligation(each)); });
+  if (dropped.empty()) return;
+  std::ranges::sort(dropped);
+  std::erase_if(pieces, [&](State each) { return std::ranges::binary_search(dropped, each); });
 }
 
 Progression::State Progression::row_after(const Row& row, State rest, Letter letter) {

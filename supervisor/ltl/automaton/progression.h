@@ -91,10 +91,9 @@ class Progression {
   bool is_variable(State state) const {
     return diagram_.low(state) == Diagram::kFalse && diagram_.high(state) == Diagram::kTrue;
   }
-  bool is_eventually(Term term) const;
-  template <typename Found>
-  void each_weaker(Term term, const Found& found) const;
-  void drop_implied(std::vector<State>& pieces, bool any) const;
+  std::vector<Term> weaker_of(Term term) const;
+  bool implies_marked(Term term, std::vector<Term>& marked);
+  void drop_implied(std::vector<State>& pieces, bool any);
 
   Terms terms_;
   std::size_t propositions_;
@@ -104,6 +103,10 @@ class Progression {
   std::vector<Diagram::Node> shape_;   // of each term: as a function of obligations
   std::vector<Diagram::Node> change_;  // of each term: after any letter
   std::unordered_map<Letter, std::vector<Diagram::Node>> changes_;  // of each term: after this letter
+  std::vector<std::vector<Term>> weaker_;  // of each term: obligations that it implies
+  std::vector<std::uint32_t> mark_;        // of each term: the last row that it stood in
+  std::uint32_t stamp_ = 0;
+  std::vector<Term> walk_;  // of implies_marked()
   State start_ = Diagram::kTrue;
   std::unordered_map<State, Diagram::Node> successors_;
   std::unordered_map<State, State> duals_;

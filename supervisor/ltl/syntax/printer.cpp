@@ -78,8 +78,9 @@ std::string to_text(const SyntaxTree& tree, SyntaxId from, std::size_t most) {
       if (node.op == Operator::Name) text += name_text(tree.propositions[node.proposition]);
       if (node.children.empty() || own.binding == 8) text += own.text;
       for (std::size_t k = node.children.size(); k-- > 0;) {
-        const bool closer =
-            sign(tree.nodes[node.children[k]].op).binding > (own.binding == 8 ? 7 : own.binding);
+        const Operator inner = tree.nodes[node.children[k]].op;
+        const bool closer = sign(inner).binding > (own.binding == 8 ? 7 : own.binding) ||
+                            (k == 0 && inner == Operator::Xor && node.op == Operator::Xor);
         if (!closer) open.emplace_back(")");
         open.emplace_back(node.children[k]);
         if (!closer) open.emplace_back("(");

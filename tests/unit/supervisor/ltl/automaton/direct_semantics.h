@@ -18,6 +18,7 @@ struct Direct {
     std::uint32_t left = 0, right = 0, proposition = 0;
   };
   std::vector<Node> nodes;  // operands first; the last is the formula
+  int propositions = 2;     // a, b, c ...
 
   std::uint32_t add(char op, std::uint32_t left, std::uint32_t right, std::uint32_t proposition = 0) {
     nodes.push_back({op, left, right, proposition});
@@ -29,7 +30,7 @@ struct Direct {
     const std::string a = n.op == 'p' ? "" : "(" + text(n.left) + ")";
     switch (n.op) {
       case 'p':
-        return n.proposition == 0 ? "a" : "b";
+        return std::string(1, static_cast<char>('a' + n.proposition));
       case '!':
       case 'X':
       case 'F':
@@ -160,12 +161,12 @@ struct Direct {
   }
 };
 
-// A random formula of `operators` operators over a and b. Co-safe ones negate propositions only and have no
+// A random formula of `operators` operators. Co-safe ones negate propositions only and have no
 // G, R, W.
 inline std::uint32_t add_random(Direct& direct, std::mt19937& random, int operators, bool cosafe) {
   const auto pick = [&](int count) { return static_cast<int>(random() % static_cast<unsigned>(count)); };
   if (operators <= 0) {
-    const std::uint32_t p = direct.add('p', 0, 0, static_cast<std::uint32_t>(pick(2)));
+    const std::uint32_t p = direct.add('p', 0, 0, static_cast<std::uint32_t>(pick(direct.propositions)));
     return pick(2) == 0 ? p : direct.add('!', p, 0);
   }
   const std::string choices = cosafe ? "&|&|XFFUUM" : "&|^=>!XFGUURWM";

@@ -96,6 +96,33 @@ TEST(Progression, Formula_WhenItHasThousandsOfObligations_ThenItIsStillFast) {
   EXPECT_EQ(Progression::verdict(state), Verdict::True);
 }
 
+TEST(Progression, Table_WhenTheVisitsAreInOrder_ThenItIsRefusedAndTheStepsNeedFewNodes) {
+  const auto formula = parse_formula(test::five_visits(8, true));
+  const auto table = task_automaton(*formula, {.letters = Letters::AtMostOne});
+  ASSERT_FALSE(table);
+  EXPECT_EQ(table.error().front().code, "L0012");
+  EXPECT_NE(table.error().front().hint.find("Progression"), std::string::npos);
+
+  Progression task(formula->terms, formula->root, formula->proposition_count());
+  auto state = task.start();
+  for (std::size_t k = 0; Progression::verdict(state) == Verdict::Undecided; ++k)
+    state = task.next(state, Letter{1} << k % 8);
+  EXPECT_EQ(Progression::verdict(state), Verdict::True);
+  EXPECT_LT(task.diagram().size(), 20'000u);
+}
+
+TEST(Diagram, Answer_WhenThereAreManyLevels_ThenNothingOverflows) {
+  constexpr std::uint32_t kLevels = 200'000;
+  Diagram diagram(2'000'000);
+  Diagram::Node even = Diagram::kTrue, odd = Diagram::kTrue;
+  for (std::uint32_t level = kLevels; level-- > 0;)
+    (level % 2 == 0 ? even : odd) = diagram.make(level, Diagram::kFalse, level % 2 == 0 ? even : odd);
+  const Diagram::Node all = diagram.both(even, odd);
+  EXPECT_EQ(diagram.both(all, diagram.negation(even)), Diagram::kFalse);
+  EXPECT_EQ(diagram.negation(diagram.negation(all)), all);
+  EXPECT_FALSE(diagram.exhausted());
+}
+
 TEST(Progression, Formula_WhenItIsDeep_ThenNothingOverflows) {
   std::string text;
   for (int k = 0; k < 240; ++k) text += "F(a" + std::to_string(k % 30) + " & (";

@@ -19,15 +19,16 @@ int formulas(int by_default) {
   return wanted != nullptr ? std::atoi(wanted) : by_default;
 }
 
-test::Direct random_formula(std::mt19937& random, int operators, bool cosafe) {
+test::Direct random_formula(std::mt19937& random, int operators, bool cosafe, int propositions) {
   test::Direct direct;
+  direct.propositions = propositions;
   test::add_random(direct, random, operators, cosafe);
   return direct;
 }
 
-Word random_word(std::mt19937& random, std::size_t most) {
+Word random_word(std::mt19937& random, std::size_t most, std::uint64_t letters) {
   Word word(random() % (most + 1));
-  for (std::uint64_t& each : word) each = random() % 4;
+  for (std::uint64_t& each : word) each = random() % letters;
   return word;
 }
 
@@ -37,18 +38,23 @@ Verdict after(const Automaton& automaton, const Word& word) {
   return automaton.verdicts[state];
 }
 
+// 100,000 pairs of a formula and a word.
 TEST(Random, Task_WhenStrong_ThenTrueExactlyForWordsThatSatisfyIt) {
   std::mt19937 random(20121);
   int yes = 0, no = 0;
-  for (int round = 0; round < formulas(4000); ++round) {
-    const test::Direct direct = random_formula(random, 1 + static_cast<int>(random() % 7), true);
-    const auto formula = parse_formula(direct.text(), "", {"a", "b"});
+  for (int round = 0; round < formulas(10'000); ++round) {
+    const int propositions = 2 + round % 3;
+    const test::Direct direct =
+        random_formula(random, 1 + static_cast<int>(random() % 8), true, propositions);
+    std::vector<std::string> names = {"a", "b", "c", "d"};
+    names.resize(static_cast<std::size_t>(propositions));
+    const auto formula = parse_formula(direct.text(), "", names);
     ASSERT_TRUE(formula) << direct.text();
     const auto automaton = task_automaton(*formula, {.acceptance = Acceptance::Strong});
     ASSERT_TRUE(automaton) << direct.text();
-    Progression progression(formula->terms, formula->root, 2);
+    Progression progression(formula->terms, formula->root, formula->proposition_count());
     for (int k = 0; k < 10; ++k) {
-      const Word word = random_word(random, 6);
+      const Word word = random_word(random, 6, std::uint64_t{1} << propositions);
       bool satisfied = false;  // for good once it is
       auto state = progression.start();
       std::uint32_t at = automaton->initial;
@@ -104,11 +110,11 @@ TEST(Random, Monitor_WhenAnyFormula_ThenVerdictsAreThoseOfAllContinuations) {
   std::mt19937 random(20112);
   int decided = 0, refused = 0;
   for (int round = 0; round < formulas(1500); ++round) {
-    const test::Direct direct = random_formula(random, 1 + static_cast<int>(random() % 4), false);
+    const test::Direct direct = random_formula(random, 1 + static_cast<int>(random() % 4), false, 2);
     const auto formula = parse_formula(direct.text(), "", {"a", "b"});
     ASSERT_TRUE(formula) << direct.text();
     const auto monitor = monitor_automaton(*formula);
-    const Word word = random_word(random, 3);
+    const Word word = random_word(random, 3, 4);
     const Verdict expected = by_force(direct, word);
     if (!monitor) {
       ASSERT_EQ(monitor.error().front().code, "L0014") << result::to_string(monitor.error());

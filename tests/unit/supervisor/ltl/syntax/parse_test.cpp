@@ -97,6 +97,19 @@ TEST(Parse, Formula_WhenEquivalencesAreNested_ThenTheNormalFormStaysSmall) {
   EXPECT_LT(formula->terms.size(), 1'000u);
 }
 
+// Trees as deep as the bound on operators allows: lists that bind to the left.
+TEST(Parse, Formula_WhenItIsThousandsOfOperatorsDeep_ThenItIsPrintedNegatedAndBlamed) {
+  std::string text = "G a";
+  for (int k = 0; k < 9'000; ++k) text += k % 2 == 0 ? " xor b" : " xor F a";
+  const auto formula = parse_formula(text);
+  ASSERT_TRUE(formula);
+  EXPECT_TRUE(to_text(formula->tree, formula->tree.root) == text);
+  EXPECT_EQ(classify(formula->terms, formula->root), Class::Mix);
+  EXPECT_EQ(to_text(formula->tree, not_cosafe_part(*formula)), "G a");
+  Terms terms = formula->terms;
+  EXPECT_EQ(terms.dual(terms.dual(formula->root)), formula->root);
+}
+
 TEST(Parse, Text_WhenRandomBytesOrWords_ThenReadOrRefused) {
   std::mt19937 random(7);
   const std::vector<std::string> words = {"a",        "b",        "(",     ")",     "U",   "W",     "visit",
