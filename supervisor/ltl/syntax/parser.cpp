@@ -13,15 +13,42 @@ constexpr std::array<std::pair<const char*, Pattern>, 3> kOfOne = {
 
 }  // namespace
 
+enum class Parser::Side : std::uint8_t { Left, Right, List };
+enum class Parser::Meaning : std::uint8_t { Operator, Before, Then };
+
+struct Parser::Binary {
+  std::string_view word;
+  int binding;  // the larger, the closer
+  Side side;
+  Operator op;
+  Meaning meaning = Meaning::Operator;
+};
+
+const std::array<Parser::Binary, 18> Parser::kBinary = {
+    {{"->", 1, Side::Right, Operator::Implies},
+     {"implies", 1, Side::Right, Operator::Implies},
+     {"<->", 1, Side::Right, Operator::Iff},
+     {"iff", 1, Side::Right, Operator::Iff},
+     {"xor", 2, Side::Left, Operator::Xor},
+     {"|", 3, Side::List, Operator::Or},
+     {"or", 3, Side::List, Operator::Or},
+     {"&", 4, Side::List, Operator::And},
+     {"and", 4, Side::List, Operator::And},
+     {"U", 5, Side::Right, Operator::Until},
+     {"until", 5, Side::Right, Operator::Until},
+     {"W", 5, Side::Right, Operator::WeakUntil},
+     {"unless", 5, Side::Right, Operator::WeakUntil},
+     {"R", 5, Side::Right, Operator::Release},
+     {"release", 5, Side::Right, Operator::Release},
+     {"M", 5, Side::Right, Operator::StrongRelease},
+     {"before", 5, Side::Right, Operator::Until, Meaning::Before},
+     {"then", 5, Side::Right, Operator::Eventually, Meaning::Then}}};
+
 // One nesting more as long as it lives.
 class Parser::Level {
  public:
   explicit Level(Parser& parser) : parser_(parser) {
-    if (++parser_.depth_ <= parser_.limits_.nesting) return;
-    const std::string bound = std::to_string(parser_.limits_.nesting);
-    parser_.fail("L0004", parser_.peek().at,
-                 "more than " + bound + " operators and parentheses in each other",
-                 "write a list with & or | in place of nested operators");
+    if (++parser_.depth_ > parser_.limits_.nesting) parser_.too_deep();
   }
   ~Level() { --parser_.depth_; }
   Level(const Level&) = delete;
@@ -55,8 +82,8 @@ bool Parser::accept(std::string_view text) {
   return true;
 }
 
-void Parser::expect(std::string_view text, const char* hint) {
-  if (!accept(text)) fail_here("'" + std::string(text) + "'", hint);
+void Parser::expect(const char* text, const char* hint) {
+  if (!accept(text)) fail_here(text, hint);
 }
 
 void Parser::fail(const char* code, Place at, std::string message, std::string hint) {
@@ -64,10 +91,16 @@ void Parser::fail(const char* code, Place at, std::string message, std::string h
   error_ = result::fail(code, {file_, at.line, at.column}, std::move(message), std::move(hint)).value();
 }
 
-void Parser::fail_here(const std::string& wanted, std::string hint) {
+void Parser::fail_here(const char* wanted, const char* hint) {
   const Token& token = peek();
   const std::string seen = token.kind == TokenKind::End ? "the end of the text" : "'" + token.text + "'";
-  fail("L0002", token.at, "here should stand " + wanted + ", not " + seen, std::move(hint));
+  fail("L0002", token.at, "here should stand " + std::string(wanted) + ", not " + seen, hint);
+}
+
+void Parser::too_deep() {
+  const std::string bound = std::to_string(limits_.nesting);
+  fail("L0004", peek().at, "more than " + bound + " operators and parentheses in each other",
+       "write a list with & or | in place of nested operators");
 }
 
 // After an error nothing is added: the children may not be there.
@@ -105,12 +138,6 @@ SyntaxId Parser::name(const Token& token) {
   const SyntaxId node = add(Operator::Name, {}, token.at);
   tree_.nodes[node].proposition = number;
   return node;
-}
-
-// One nesting more for an operator's right side.
-SyntaxId Parser::deeper(SyntaxId (Parser::*part)()) {
-  const Level level(*this);
-  return (this->*part)();
 }
 
 SyntaxId Parser::sentences() {
@@ -153,17 +180,17 @@ SyntaxId Parser::pattern(const Scope& scope, bool scoped) {
   const Place at = peek().at;
   for (const auto& [word, kind] : kOfOne) {
     if (!accept(word)) continue;
-    const SyntaxId subject = implication();
+    const SyntaxId subject = formula();
     return patterned(kind, scope, subject, subject, at);
   }
-  const SyntaxId first = implication();
+  const SyntaxId first = formula();
   if (accept("precedes")) {
-    const SyntaxId subject = implication();
+    const SyntaxId subject = formula();
     return patterned(Pattern::Precedence, scope, subject, first, at);
   }
   if (accept("responds")) {
     if (peek().kind == TokenKind::Word && peek().text == "to") ++at_;
-    const SyntaxId subject = implication();
+    const SyntaxId subject = formula();
     return patterned(Pattern::Response, scope, subject, first, at);
   }
   if (scoped) fail_here("a pattern", "absent p; exists p; holds p; s precedes p; s responds to p");
@@ -177,41 +204,54 @@ SyntaxId Parser::patterned(Pattern pattern, const Scope& scope, SyntaxId subject
   return count_operators(tree_.nodes.size() - before, at) ? root : 0;
 }
 
-SyntaxId Parser::implication() {
-  const SyntaxId left = exclusive();
-  const Place at = peek().at;
-  if (accept("->") || accept("implies"))
-    return add(Operator::Implies, {left, deeper(&Parser::implication)}, at);
-  if (accept("<->") || accept("iff")) return add(Operator::Iff, {left, deeper(&Parser::implication)}, at);
+// The operator that stands here, if it is one between two operands.
+const Parser::Binary* Parser::binary_operator() const {
+  const auto found = std::ranges::find_if(kBinary, [&](const Binary& each) { return sees(each.word); });
+  return found == kBinary.end() ? nullptr : &*found;
+}
+
+// Operands and operators that bind at least as close as `least`, in one function for all of them: what stands
+// in parentheses costs a few frames of the stack, not one for each kind of operator.
+SyntaxId Parser::formula(int least) {
+  SyntaxId left = unary();
+  for (const Binary* found = binary_operator(); found != nullptr && found->binding >= least;
+       found = binary_operator()) {
+    const Place at = peek().at;
+    switch (found->side) {
+      case Side::List:
+        left = list(left, *found, at);
+        break;
+      case Side::Left:
+        ++at_;
+        left = joined(*found, left, formula(found->binding + 1), at);
+        break;
+      case Side::Right:
+        ++at_;
+        left = joined(*found, left, right_side(found->binding), at);
+        break;
+    }
+  }
   return left;
 }
 
-SyntaxId Parser::exclusive() {
-  SyntaxId left = several(Operator::Or);
-  for (Place at = peek().at; accept("xor"); at = peek().at)
-    left = add(Operator::Xor, {left, several(Operator::Or)}, at);
-  return left;
+SyntaxId Parser::list(SyntaxId first, const Binary& found, Place at) {
+  std::vector<SyntaxId> parts = {first};
+  for (const Binary* next = &found; next != nullptr && next->op == found.op; next = binary_operator()) {
+    ++at_;
+    parts.push_back(formula(found.binding + 1));
+  }
+  return add(found.op, std::move(parts), at);
 }
 
-SyntaxId Parser::several(Operator op) {
-  const bool is_or = op == Operator::Or;
-  const auto operand = [&] { return is_or ? several(Operator::And) : temporal(); };
-  std::vector<SyntaxId> parts = {operand()};
-  const Place at = peek().at;
-  while (accept(is_or ? "|" : "&") || accept(is_or ? "or" : "and")) parts.push_back(operand());
-  return parts.size() == 1 ? parts.front() : add(op, std::move(parts), at);
+SyntaxId Parser::right_side(int binding) {
+  const Level level(*this);
+  return formula(binding);
 }
 
-SyntaxId Parser::temporal() {
-  const SyntaxId left = unary();
-  const Place at = peek().at;
-  if (accept("U") || accept("until")) return add(Operator::Until, {left, deeper(&Parser::temporal)}, at);
-  if (accept("W") || accept("unless")) return add(Operator::WeakUntil, {left, deeper(&Parser::temporal)}, at);
-  if (accept("R") || accept("release")) return add(Operator::Release, {left, deeper(&Parser::temporal)}, at);
-  if (accept("M")) return add(Operator::StrongRelease, {left, deeper(&Parser::temporal)}, at);
-  if (accept("before")) return before(left, deeper(&Parser::temporal), at);
-  if (accept("then")) return then(left, deeper(&Parser::temporal), at);
-  return left;
+SyntaxId Parser::joined(const Binary& found, SyntaxId left, SyntaxId right, Place at) {
+  if (found.meaning == Meaning::Before) return before(left, right, at);
+  if (found.meaning == Meaning::Then) return then(left, right, at);
+  return add(found.op, {left, right}, at);
 }
 
 SyntaxId Parser::unary() {
@@ -230,7 +270,7 @@ SyntaxId Parser::unary() {
 }
 
 SyntaxId Parser::primary() {
-  const Token token = peek();
+  const Token& token = peek();
   if (accept("(")) {
     const SyntaxId inner = sentences();
     expect(")", "each ( needs its )");

@@ -2,6 +2,7 @@
 
 // From tokens to a tree. Grammar and binding: supervisor/doc/ltl.md. Private to this library.
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,29 +22,34 @@ class Parser {
 
  private:
   class Level;
+  enum class Side : std::uint8_t;
+  enum class Meaning : std::uint8_t;
+  struct Binary;
+  static const std::array<Binary, 18> kBinary;
 
   // After an error every look at the text sees its end, so that all loops come to theirs.
   const Token& peek() const { return error_ ? tokens_.back() : tokens_[at_]; }
   bool sees(std::string_view text) const;
   bool accept(std::string_view text);
-  void expect(std::string_view text, const char* hint);
+  void expect(const char* text, const char* hint);
   void fail(const char* code, Place at, std::string message, std::string hint);
-  void fail_here(const std::string& wanted, std::string hint);
+  void fail_here(const char* wanted, const char* hint);
+  void too_deep();
 
   SyntaxId add(Operator op, std::vector<SyntaxId> children, Place at);
   SyntaxId name(const Token& token);
   bool count_operators(std::size_t more, Place at);  // false, with an error, beyond the bound
 
-  SyntaxId deeper(SyntaxId (Parser::*part)());
   SyntaxId sentences();
   SyntaxId sentence();
   Scope scope();
   SyntaxId pattern(const Scope& scope, bool scoped);  // scoped: a formula alone is not enough
   SyntaxId patterned(Pattern pattern, const Scope& scope, SyntaxId subject, SyntaxId other, Place at);
-  SyntaxId implication();
-  SyntaxId exclusive();
-  SyntaxId several(Operator op);
-  SyntaxId temporal();
+  const Binary* binary_operator() const;
+  SyntaxId formula(int least = 0);
+  SyntaxId list(SyntaxId first, const Binary& found, Place at);
+  SyntaxId right_side(int binding);
+  SyntaxId joined(const Binary& found, SyntaxId left, SyntaxId right, Place at);
   SyntaxId unary();
   SyntaxId primary();
   SyntaxId before(SyntaxId first, SyntaxId later, Place at);
