@@ -15,8 +15,10 @@ std::uint32_t Exploration::number(Progression::State state) {
   return known->second;
 }
 
-// As deep as there are propositions.
+// As deep as there are propositions. Beyond the bound nothing is looked at any more: one edge alone may lead
+// to more states than there may be.
 Guard Exploration::guard(Diagram::Node node) {
+  if (too_many_states()) return guard_of_state(0);
   if (progression_.is_state(node)) return guard_of_state(number(node));
   if (const auto known = known_.find(node); known != known_.end()) return known->second;
   const Diagram& diagram = progression_.diagram();

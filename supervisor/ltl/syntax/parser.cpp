@@ -83,7 +83,7 @@ bool Parser::accept(std::string_view text) {
 }
 
 void Parser::expect(const char* text, const char* hint) {
-  if (!accept(text)) fail_here(text, hint);
+  if (!accept(text)) fail_here(("'" + std::string(text) + "'").c_str(), hint);
 }
 
 void Parser::fail(const char* code, Place at, std::string message, std::string hint) {

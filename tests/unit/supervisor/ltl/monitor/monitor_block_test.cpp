@@ -148,16 +148,12 @@ TEST(MonitorBlock, Text_WhenSmall_ThenItIsATableAndElseBranches) {
 }
 
 TEST(MonitorBlock, Branches_WhenFewStates_ThenTheyReadAsTheRuleDoes) {
-  const std::string text = block_of(watched("a before b"), BlockForm::Branches);  // !b U a; b is in0
+  const std::string text = block_of(watched("a before b"), BlockForm::Branches);
   EXPECT_THAT(text, HasSubstr("Before := State;\n"
                               "CASE State OF\n"
                               "  0:\n"
                               "    IF in0 THEN\n"
-                              "      IF in1 THEN\n"
-                              "        State := 1;\n"
-                              "      ELSE\n"
-                              "        State := 2;\n"
-                              "      END_IF;\n"
+                              "      State := 2;\n"
                               "    ELSIF in1 THEN\n"
                               "      State := 1;\n"
                               "    END_IF;\n"
