@@ -15,10 +15,13 @@ constexpr double kColumn = 210, kRow = 110, kMargin = 90, kRadius = 24;
 constexpr std::size_t kLabel = 26, kTitle = 2'000;
 
 constexpr const char* kStyle =
-    "<style>text{font:12px system-ui,sans-serif;fill:#222;text-anchor:middle}.page{fill:#fff}"
+    "<style>text{font:12px "
+    "system-ui,sans-serif;fill:#222;text-anchor:middle}.letters{paint-order:stroke;stroke:#fff;stroke-width:"
+    "4}.page{fill:#fff}"
     ".state{fill:#eef3f8;stroke:#2f6fb5;stroke-width:1.5}.true{fill:#e3f3e6;stroke:#2c8a3f}"
     ".false{fill:#f7e4e2;stroke:#b3362b}.ring{fill:none}.edge{fill:none;stroke:#667}.head{fill:#667}"
-    "@media(prefers-color-scheme:dark){text{fill:#e4e8eb}.page{fill:#16191c}.state{fill:#1d2a38}"
+    "@media(prefers-color-scheme:dark){text{fill:#e4e8eb}.letters{stroke:#16191c}.page{fill:#16191c}.state{"
+    "fill:#1d2a38}"
     ".true{fill:#19301e}.false{fill:#3a1f1c}.edge{stroke:#99a}.head{fill:#99a}}</style>\n"
     "<defs><marker id=\"head\" viewBox=\"0 0 8 8\" refX=\"8\" refY=\"4\" markerWidth=\"8\" "
     "markerHeight=\"8\" "
@@ -70,35 +73,39 @@ class Picture {
   }
 
  private:
-  // Columns by a search from the initial state; rows in the order in which states are met.
+  // Columns by a search from the initial state, rows in the order in which states are met, every other
+  // column half a row lower. What is decided stands behind all others.
   void place() {
     std::vector<std::uint32_t> order = {automaton_.initial}, column(automaton_.size(), 0), rows;
     std::vector<bool> met(automaton_.size(), false);
     met[automaton_.initial] = true;
-    places_.resize(automaton_.size());
+    std::uint32_t last = 0;
     for (std::size_t k = 0; k < order.size(); ++k) {
-      const std::uint32_t state = order[k];
-      rows.resize(std::max<std::size_t>(rows.size(), column[state] + 1), 0);
-      places_[state] = {kMargin + kColumn * column[state], kMargin + kRow * rows[column[state]]++};
       std::vector<std::uint32_t> after;
-      automaton_.guards.collect(automaton_.edges[state], after);
+      automaton_.guards.collect(automaton_.edges[order[k]], after);
       for (const std::uint32_t each : after) {
         if (met[each]) continue;
         met[each] = true;
-        column[each] = column[state] + 1;
+        column[each] = column[order[k]] + 1;
+        if (!decided(each)) last = std::max(last, column[each]);
         order.push_back(each);
       }
     }
-    for (const Point& each : places_) {
-      width_ = std::max(width_, each.x + kMargin);
-      height_ = std::max(height_, each.y + kMargin);
+    places_.resize(automaton_.size());
+    for (const std::uint32_t state : order) {
+      const std::uint32_t at = decided(state) && state != automaton_.initial ? last + 1 : column[state];
+      rows.resize(std::max<std::size_t>(rows.size(), at + 1), 0);
+      places_[state] = {kMargin + kColumn * at, kMargin + kRow * (rows[at]++ + 0.5 * (at % 2))};
+      width_ = std::max(width_, places_[state].x + kMargin);
+      height_ = std::max(height_, places_[state].y + kMargin);
     }
   }
 
+  bool decided(std::uint32_t state) const { return automaton_.verdicts[state] != Verdict::Undecided; }
+
   void edges(std::uint32_t from) {
     for (const auto& [to, letters] : guard_texts(automaton_, from, kTitle)) {
-      const bool decided = automaton_.verdicts[from] != Verdict::Undecided;
-      if (decided && to == from) continue;  // they are never left
+      if (decided(from)) continue;  // never left
       to == from ? loop(places_[from], letters) : arrow(places_[from], places_[to], letters);
     }
   }
@@ -115,7 +122,8 @@ class Picture {
   void arrow(Point from, Point to, const std::string& letters) {
     const double dx = to.x - from.x, dy = to.y - from.y, length = std::hypot(dx, dy);
     const Point along{dx / length, dy / length}, aside{along.y, -along.x};
-    const double bend = 0.12 * length + 10;
+    const bool above = std::abs(dx) < 1;  // past the states between
+    const double bend = (above ? 0.4 : 0.12) * length + 10;
     const Point middle{(from.x + to.x) / 2 + bend * aside.x, (from.y + to.y) / 2 + bend * aside.y};
     const Point begin = towards(from, middle), end = towards(to, middle);
     text_ += "<path class=\"edge\" marker-end=\"url(#head)\" d=\"M" + at(begin) + "Q" + at(middle) + " " +
@@ -135,8 +143,8 @@ class Picture {
 
   void label(Point where, const std::string& letters) {
     const std::string shown = letters.size() > kLabel ? letters.substr(0, kLabel) + "..." : letters;
-    text_ += "<text x=\"" + number(where.x) + "\" y=\"" + number(where.y) + "\">" + escaped(shown) +
-             "<title>" + escaped(letters) + "</title></text>\n";
+    text_ += "<text class=\"letters\" x=\"" + number(where.x) + "\" y=\"" + number(where.y) + "\">" +
+             escaped(shown) + "<title>" + escaped(letters) + "</title></text>\n";
   }
 
   void circle(std::uint32_t state) {
