@@ -46,7 +46,8 @@ void describe_monitor(CLI::App& app, ltl_program::MonitorArguments& arguments) {
   app.add_option("formula", arguments.formula, kFormula)->required();
   app.add_option("-o,--out", arguments.out_file, "the file (default: standard output)");
   app.add_option("--name", arguments.name, "of the function block (default LTL_MONITOR)");
-  app.add_option("--form", arguments.form, "table or branches (default: a table where it is small)")
+  app.add_option("--form", arguments.form,
+                 "table, or branches to be read by people (default: a table within its bound)")
       ->transform(CLI::CheckedTransformer(forms));
 }
 

@@ -4,14 +4,15 @@
 #include <cassert>
 
 #include "supervisor/ltl/monitor/branches.h"
+#include "supervisor/ltl/monitor/step_table.h"
 
 namespace stepwright::ltl {
 
 namespace {
 
-constexpr std::size_t kSmallTable = 256, kLineWidth = 100;
+constexpr std::size_t kLineWidth = 100;
 constexpr std::array<std::string_view, 9> kNames = {"Reset", "Verdict", "State", "Since", "Before",
-                                                    "Begun", "Letter",  "Next",  "Last"};
+                                                    "Begun", "Row",     "Next",  "Last"};
 
 // Without what ends a comment or begins another one.
 std::string in_comment(std::string text) {
@@ -29,17 +30,15 @@ class Block {
       : automaton_(automaton), options_(options), propositions_(automaton.propositions.size()) {}
 
   result::Result<std::string> write() {
-    const bool fits = propositions_ < 16 && entries() <= options_.most_entries;
-    const bool table = options_.form == BlockForm::Table ||
-                       (options_.form == BlockForm::Automatic && fits && entries() <= kSmallTable);
-    if (table && !fits)
+    if (options_.form != BlockForm::Branches) table_ = step_table(automaton_, options_.most_entries);
+    if (!table_ && options_.form == BlockForm::Table)
       return too_large("the table has more than " + std::to_string(options_.most_entries) + " entries");
     const std::size_t indent = options_.on_changes ? 1 : 0;
-    const auto step = table ? table_step(2 * indent)
-                            : branches(automaton_, options_.inputs, options_.most_branches, indent);
+    const auto step = table_ ? table_step(2 * indent)
+                             : branches(automaton_, options_.inputs, options_.most_branches, indent);
     if (!step)
       return too_large("the step has more than " + std::to_string(options_.most_branches) + " branches");
-    head(table);
+    head();
     reset();
     add("Before := State;\n");
     if (options_.on_changes) {
@@ -52,15 +51,13 @@ class Block {
   }
 
  private:
-  std::size_t entries() const { return automaton_.size() << propositions_; }
-
   tl::unexpected<result::Diagnostics> too_large(const std::string& message) const {
     return result::fail("L0031", {}, message, "watch the parts of the formula with a block each");
   }
 
   void add(const std::string& text) { text_ += text; }
 
-  void head(bool table) {
+  void head() {
     add("(* " + in_comment(options_.about) + " *)\n");
     if (options_.on_changes) add("(* X counts letters: a letter is read when the inputs change. *)\n");
     add("FUNCTION_BLOCK " + options_.name + "\nVAR_INPUT\n");
@@ -74,45 +71,44 @@ class Block {
         ";  (* 0: undecided, 1: TRUE, 2: FALSE *)\n");
     add("  State : UINT := " + std::to_string(automaton_.initial) + ";\n");
     add("  Since : UDINT;  (* scans since the state was entered *)\nEND_VAR\nVAR\n  Before : UINT;\n");
-    if (table) add("  Letter : UINT;\n");
+    if (table_ && table_->looks > 1) add("  Row : UINT;\n");
     if (options_.on_changes) {
       add("  Begun : BOOL;\n");
       if (propositions_ > 0) add("  Last : ARRAY[0.." + std::to_string(propositions_ - 1) + "] OF BOOL;\n");
     }
     add("END_VAR\n");
-    if (table) add(table_text());
+    if (table_) add(table_text());
   }
 
   std::string verdict_text(std::uint32_t state) const {
     return std::to_string(static_cast<int>(automaton_.verdicts[state]));
   }
 
-  // Rows of all letters, state by state.
   std::string table_text() const {
-    std::string text = "VAR CONSTANT\n  Next : ARRAY[0.." + std::to_string(entries() - 1) + "] OF UINT := [";
-    std::string line;
-    for (std::uint32_t state = 0; state < automaton_.size(); ++state) {
-      for (Letter letter = 0; letter < Letter{1} << propositions_; ++letter) {
-        line += std::to_string(automaton_.next(state, letter)) + ", ";
-        if (line.size() < kLineWidth) continue;
-        text += "\n    " + line;
-        line.clear();
-      }
+    const std::vector<std::uint32_t>& entries = table_->entries;
+    std::string text =
+        "VAR CONSTANT\n  Next : ARRAY[0.." + std::to_string(entries.size() - 1) + "] OF UINT := [";
+    std::string line = "\n    ";
+    for (std::size_t k = 0; k < entries.size(); ++k) {
+      line += std::to_string(entries[k]) + (k + 1 < entries.size() ? ", " : "];\nEND_VAR\n");
+      if (line.size() < kLineWidth) continue;
+      text += line;
+      line = "\n    ";
     }
-    text += "\n    " + line;
-    text.resize(text.find_last_of(','));
-    return text + "];\nEND_VAR\n";
+    return text + (line.size() > 5 ? line : "");
   }
 
   std::optional<std::string> table_step(std::size_t spaces) const {
-    std::string letter;
-    for (std::size_t k = 0; k < propositions_; ++k) {
-      const std::string bit = "BOOL_TO_UINT(" + options_.inputs[k] + ")";
-      letter += (k == 0 ? bit : " + " + std::to_string(1u << k) + " * " + bit);
+    std::string text, row = "State";
+    for (std::uint32_t look = 0; look < table_->looks; ++look) {
+      std::string index = row + " * " + std::to_string(1u << table_->width);
+      for (std::uint32_t bit = 0; bit < table_->width && look * table_->width + bit < propositions_; ++bit)
+        index += " + " + (bit == 0 ? "" : std::to_string(1u << bit) + " * ") + "BOOL_TO_UINT(" +
+                 options_.inputs[look * table_->width + bit] + ")";
+      row = look + 1 == table_->looks ? "State" : "Row";
+      text += std::string(spaces, ' ') + row + " := Next[" + index + "];\n";
     }
-    const std::string begin(spaces, ' ');
-    return begin + "Letter := " + (letter.empty() ? "0" : letter) + ";\n" + begin + "State := Next[State * " +
-           std::to_string(1u << propositions_) + " + Letter];\n";
+    return text;
   }
 
   void reset() {
@@ -151,6 +147,7 @@ class Block {
   const Automaton& automaton_;
   const BlockOptions& options_;
   std::size_t propositions_;
+  std::optional<StepTable> table_;
   std::string text_;
 };
 

@@ -22,9 +22,9 @@
 namespace stepwright::ltl {
 
 enum class BlockForm : std::uint8_t {
-  Automatic,  // a table where it has at most 256 entries
-  Table,      // an entry for each state and letter: one look a scan
-  Branches,   // IFs that ask for one proposition each, none that does not matter
+  Automatic,  // a table, if its size is within the bound
+  Table,      // one look for every four propositions
+  Branches,   // IFs that ask for one proposition each: to be read by people
 };
 
 struct BlockOptions {

@@ -16,7 +16,6 @@ namespace stepwright::ltl {
 namespace {
 
 using ::testing::HasSubstr;
-using ::testing::Not;
 
 std::vector<std::string> inputs_of(const Automaton& automaton) {
   std::vector<std::string> inputs;
@@ -107,16 +106,18 @@ Count expect_same(const Automaton& automaton, BlockForm form, int letters, bool 
 
 TEST(MonitorBlock, Verdict_WhenInSuccession_ThenThatOfTheAutomatonInBothEngines) {
   const Automaton automaton = watched(test::in_succession(8));
-  const Count count = expect_same(automaton, BlockForm::Automatic, 12'000);
+  const Count count = expect_same(automaton, BlockForm::Table, 12'000);
   EXPECT_GT(count.decided, 500);
+  expect_same(automaton, BlockForm::Branches, 12'000);
 }
 
 TEST(MonitorBlock, Verdict_WhenEveryPlaceIsVisited_ThenThatOfTheAutomatonInBothEngines) {
   const Automaton automaton = watched(test::coverage(8));
   ASSERT_EQ(automaton.size(), 256u);
-  const Count count = expect_same(automaton, BlockForm::Automatic, 12'000);
+  const Count count = expect_same(automaton, BlockForm::Table, 12'000);
   EXPECT_GT(count.decided, 300);
   EXPECT_GT(count.entered, 2'000);
+  expect_same(automaton, BlockForm::Branches, 12'000);
 }
 
 TEST(MonitorBlock, Verdict_WhenTableOrBranches_ThenTheSame) {
@@ -138,13 +139,19 @@ TEST(MonitorBlock, Letter_WhenXCountsLetters_ThenItIsReadOnceForEachChange) {
   }
 }
 
-TEST(MonitorBlock, Text_WhenSmall_ThenItIsATableAndElseBranches) {
+TEST(MonitorBlock, Table_WhenPropositionsAreMany_ThenRowsAreSharedAndNoneIsForALetter) {
   EXPECT_THAT(block_of(watched("never b before a"), BlockForm::Automatic),
               HasSubstr("Next : ARRAY[0..11] OF UINT"));
-  const std::string large = block_of(watched(test::in_succession(8)), BlockForm::Automatic);
-  EXPECT_THAT(large, Not(HasSubstr("ARRAY")));
-  EXPECT_THAT(large, HasSubstr("IF State < "));
-  EXPECT_THAT(large, HasSubstr("(* x ( * y * ) *)"));
+  // 256 states, and as many rows behind the first four propositions; 256 * 256 letters.
+  const std::string text = block_of(watched(test::coverage(8)), BlockForm::Automatic);
+  EXPECT_THAT(text, HasSubstr("Next : ARRAY[0..8191] OF UINT"));
+  EXPECT_THAT(text, HasSubstr("(* x ( * y * ) *)"));
+  std::string many = "G(p0";
+  for (int k = 1; k < 60; ++k) many += " & p" + std::to_string(k);
+  const Automaton automaton = watched(many + ")");
+  EXPECT_THAT(block_of(automaton, BlockForm::Automatic), HasSubstr("ARRAY[0..479] OF UINT"));
+  EXPECT_GT(expect_same(automaton, BlockForm::Automatic, 1'000).decided, 100);
+  EXPECT_GT(expect_same(automaton, BlockForm::Branches, 1'000).decided, 100);
 }
 
 TEST(MonitorBlock, Branches_WhenFewStates_ThenTheyReadAsTheRuleDoes) {
@@ -163,7 +170,7 @@ TEST(MonitorBlock, Branches_WhenFewStates_ThenTheyReadAsTheRuleDoes) {
 
 TEST(MonitorBlock, Refusal_WhenTooLarge_ThenTheBoundIsNamed) {
   const Automaton automaton = watched(test::coverage(8));
-  BlockOptions options{.inputs = inputs_of(automaton), .form = BlockForm::Table};
+  BlockOptions options{.inputs = inputs_of(automaton), .form = BlockForm::Table, .most_entries = 8'000};
   const auto table = monitor_block(automaton, options);
   ASSERT_FALSE(table);
   EXPECT_EQ(table.error().front().code, "L0031");
