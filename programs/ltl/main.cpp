@@ -1,0 +1,73 @@
+// The process behind `stepwright ltl`.
+
+#include <CLI/CLI.hpp>
+
+#include <map>
+
+#include "programs/ltl/automaton_command.h"
+#include "programs/ltl/check_command.h"
+#include "programs/ltl/monitor_command.h"
+#include "runtime/ground/process/command_line.h"
+
+namespace {
+
+using namespace stepwright;
+
+constexpr const char* kFormula = "the formula, a file with it (.ltl), or an automaton of another tool (.hoa)";
+
+void describe_check(CLI::App& app, ltl_program::CheckArguments& arguments) {
+  app.add_option("formula", arguments.formula, kFormula)->required();
+  app.add_option("trace", arguments.trace,
+                 "a table as `stepwright exec --csv` and `stepwright trace` write it")
+      ->required();
+  app.add_option(
+      "--let", arguments.bindings,
+      "NAME=COLUMN, NAME=!COLUMN or \"NAME=COLUMN > VALUE\": what a proposition means (default: the "
+      "BOOL column of its name)");
+  app.add_flag("--decided", arguments.decided, "UNDECIDED is exit code 5 as well");
+  app.add_option("--json", arguments.json_file, "write the verdict as JSON");
+  app.footer("Exit codes: 0 TRUE or UNDECIDED, 1 wrong input, 2 wrong usage, 4 a bound was met, 5 FALSE.");
+}
+
+void describe_automaton(CLI::App& app, ltl_program::AutomatonArguments& arguments) {
+  const std::map<std::string, ltl::HoaPart> parts = {{"good", ltl::HoaPart::Good},
+                                                     {"bad", ltl::HoaPart::Bad}};
+  app.add_option("formula", arguments.formula, kFormula)->required();
+  app.add_option("--to", arguments.to, "hoa (default), svg or st")
+      ->check(CLI::IsMember({"hoa", "svg", "st"}));
+  app.add_option("--part", arguments.part, "of HOA: good prefixes, or bad ones (default: as the formula is)")
+      ->transform(CLI::CheckedTransformer(parts));
+  app.add_option("-o,--out", arguments.out_file, "the file (default: standard output)");
+}
+
+void describe_monitor(CLI::App& app, ltl_program::MonitorArguments& arguments) {
+  const std::map<std::string, ltl::BlockForm> forms = {{"table", ltl::BlockForm::Table},
+                                                       {"branches", ltl::BlockForm::Branches}};
+  app.add_option("formula", arguments.formula, kFormula)->required();
+  app.add_option("-o,--out", arguments.out_file, "the file (default: standard output)");
+  app.add_option("--name", arguments.name, "of the function block (default LTL_MONITOR)");
+  app.add_option("--form", arguments.form,
+                 "table, or branches to be read by people (default: a table within its bound)")
+      ->transform(CLI::CheckedTransformer(forms));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Judges traces by formulas of temporal logic, and makes automata and monitors of them",
+               "stepwright ltl");
+  app.require_subcommand(1);
+  ltl_program::CheckArguments check_arguments;
+  ltl_program::AutomatonArguments automaton_arguments;
+  ltl_program::MonitorArguments monitor_arguments;
+  CLI::App* check = app.add_subcommand("check", "judge a recorded trace");
+  CLI::App* automaton = app.add_subcommand("automaton", "write the minimal automaton");
+  CLI::App* monitor = app.add_subcommand("monitor", "write a function block in ST that watches in the scan");
+  describe_check(*check, check_arguments);
+  describe_automaton(*automaton, automaton_arguments);
+  describe_monitor(*monitor, monitor_arguments);
+  if (const auto exit = process::parse(app, argc, argv)) return *exit;
+  if (check->parsed()) return result::to_int(ltl_program::run_check(check_arguments));
+  if (automaton->parsed()) return result::to_int(ltl_program::run_automaton(automaton_arguments));
+  return result::to_int(ltl_program::run_monitor(monitor_arguments));
+}

@@ -1,0 +1,14 @@
+#pragma once
+
+// What is known of a word by its first letters.
+
+#include <cstdint>
+
+namespace stepwright::ltl {
+
+// The propositions that hold: bit k is the proposition of number k.
+using Letter = std::uint64_t;
+
+enum class Verdict : std::uint8_t { Undecided, True, False };
+
+}  // namespace stepwright::ltl

@@ -1,0 +1,56 @@
+#pragma once
+
+// A formula as it was written: operators with their places. Children have smaller numbers than their parents.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace stepwright::ltl {
+
+enum class Operator : std::uint8_t {
+  False,
+  True,
+  Name,
+  Not,
+  And,
+  Or,
+  Xor,
+  Iff,
+  Implies,
+  Next,
+  Eventually,
+  Always,
+  Until,
+  Release,
+  WeakUntil,
+  StrongRelease,
+};
+
+struct Place {
+  std::uint32_t line = 1;
+  std::uint32_t column = 1;
+};
+
+using SyntaxId = std::uint32_t;
+
+struct SyntaxNode {
+  Operator op = Operator::False;
+  std::vector<SyntaxId> children;
+  std::uint32_t proposition = 0;  // of a Name
+  Place at;
+};
+
+struct SyntaxTree {
+  std::vector<SyntaxNode> nodes;
+  std::vector<std::string> propositions;
+  SyntaxId root = 0;
+
+  SyntaxId add(Operator op, std::vector<SyntaxId> children, Place at);
+};
+
+// The formula in Spot's syntax, with as many parentheses as are needed; names in quotes where they are no
+// words. What is longer than `most` characters ends in "...".
+std::string to_text(const SyntaxTree& tree, SyntaxId from, std::size_t most = 1u << 20);
+
+}  // namespace stepwright::ltl

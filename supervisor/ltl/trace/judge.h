@@ -1,0 +1,48 @@
+#pragma once
+
+// What a trace says of a formula, from which row on, and which of its parts says so.
+//
+// Thread rule: pure functions. Example:
+//   const auto judgement = judge(*formula, trace);
+//   if (judgement->verdict == Verdict::False) show(judgement->decided_at);
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "runtime/ground/result/result.h"
+#include "supervisor/ltl/automaton/build.h"
+#include "supervisor/ltl/trace/read_trace.h"
+
+namespace stepwright::ltl {
+
+struct Judged {
+  Verdict verdict = Verdict::Undecided;
+  std::optional<std::size_t>
+      decided_at;           // of trace.changes; nothing if undecided, or decided without a letter
+  std::uint32_t state = 0;  // of the automaton at the end
+};
+
+// The automaton reads a letter for each label change.
+Judged judge(const Automaton& automaton, const Trace& trace);
+
+// One of the sentences, or operands of &, of which the formula is made.
+struct JudgedPart {
+  std::string text;
+  Place at;
+  Class kind = Class::CoSafe;
+  Judged judged;
+  bool told = true;  // false: no finite run decides it (L0014), or a bound was met
+};
+
+struct Judgement {
+  Judged whole;
+  std::vector<JudgedPart> parts;  // more than one, or none
+  StutterReport stutter;          // X was read as the next label change
+};
+
+// L0014: no finite run decides the formula; L0012, L0013, L0015: a bound was met.
+[[nodiscard]] result::Result<Judgement> judge(const Formula& formula, const Trace& trace,
+                                              const BuildOptions& options = {}, const std::string& file = {});
+
+}  // namespace stepwright::ltl

@@ -1,0 +1,183 @@
+#include "supervisor/ltl/trace/read_trace.h"
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+
+#include "runtime/ground/naming/ascii_names.h"
+#include "runtime/ground/result/closest.h"
+#include "supervisor/ltl/trace/csv_rows.h"
+
+namespace stepwright::ltl {
+
+namespace {
+
+std::optional<double> number(std::string_view text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+std::optional<bool> truth(std::string_view text) {
+  if (text == "1" || naming::same_name(text, "true")) return true;
+  if (text == "0" || naming::same_name(text, "false")) return false;
+  return std::nullopt;
+}
+
+template <typename T>
+bool compare(Relation relation, const T& a, const T& b) {
+  switch (relation) {
+    case Relation::Less:
+      return a < b;
+    case Relation::LessEqual:
+      return a <= b;
+    case Relation::Equal:
+      return a == b;
+    case Relation::Unequal:
+      return a != b;
+    case Relation::GreaterEqual:
+      return a >= b;
+    case Relation::Greater:
+      return a > b;
+    default:
+      return false;
+  }
+}
+
+// Whether a field satisfies a binding; nothing if it is of another kind.
+std::optional<bool> satisfied(const Binding& binding, const std::string& field) {
+  if (binding.relation == Relation::Holds || binding.relation == Relation::HoldsNot) {
+    const auto value = truth(field);
+    if (!value) return std::nullopt;
+    return *value == (binding.relation == Relation::Holds);
+  }
+  const auto left = number(field), right = number(binding.value);
+  if (left && right) return compare(binding.relation, *left, *right);
+  if (binding.relation != Relation::Equal && binding.relation != Relation::Unequal) return std::nullopt;
+  const auto is = truth(field), wanted = truth(binding.value);
+  if (is && wanted) return compare(binding.relation, *is, *wanted);
+  return compare(binding.relation, naming::upper(field), naming::upper(binding.value));
+}
+
+std::string without_unit(const std::string& column) {
+  const std::size_t unit = column.rfind(" [");
+  return unit == std::string::npos || !column.ends_with(']') ? column : column.substr(0, unit);
+}
+
+class Reader {
+ public:
+  Reader(std::string_view text, const std::string& file) : rows_(text, file), file_(file) {}
+
+  result::Result<Trace> run(const std::vector<std::string>& propositions,
+                            const std::vector<Binding>& bindings) {
+    if (!rows_.next())
+      return failed("L0041", {file_, 1, 1}, "there is no table", "its first line names the columns");
+    names_ = rows_.fields();
+    if (auto bound = bind(propositions, bindings); !bound) return result::forward(bound);
+    const auto scan = column("scan"), time = column("time_s");
+    Trace trace;
+    while (rows_.next()) {
+      if (rows_.fields().size() != names_.size())
+        return failed("L0041", rows_.where(0),
+                      "this row has " + std::to_string(rows_.fields().size()) + " fields, and " +
+                          std::to_string(names_.size()) + " columns have names",
+                      "each row has a field for each column");
+      const auto letter = read_letter();
+      if (!letter) return tl::unexpected<result::Diagnostics>(letter.error());
+      ++trace.rows;
+      if (!trace.changes.empty() && trace.changes.back().letter == *letter) continue;
+      trace.changes.push_back({trace.rows, rows_.line(), scan ? rows_.fields()[*scan] : "",
+                               time ? rows_.fields()[*time] : "", *letter});
+    }
+    if (rows_.error()) return tl::unexpected<result::Diagnostics>(*rows_.error());
+    return trace;
+  }
+
+ private:
+  // The first error is that of the table.
+  tl::unexpected<result::Diagnostics> failed(const char* code, const result::Location& where,
+                                             std::string message, std::string hint) const {
+    if (rows_.error()) return tl::unexpected<result::Diagnostics>(*rows_.error());
+    return result::fail(code, where, std::move(message), std::move(hint));
+  }
+
+  std::optional<std::size_t> column(std::string_view name) const {
+    const auto find = [&](const auto& same) -> std::optional<std::size_t> {
+      const auto found = std::ranges::find_if(names_, same);
+      if (found == names_.end()) return std::nullopt;
+      return static_cast<std::size_t>(found - names_.begin());
+    };
+    if (const auto exact = find([&](const std::string& each) { return each == name; })) return exact;
+    return find([&](const std::string& each) {
+      return naming::same_name(each, name) || naming::same_name(without_unit(each), name);
+    });
+  }
+
+  result::Result<void> bind(const std::vector<std::string>& propositions,
+                            const std::vector<Binding>& bindings) {
+    for (const Binding& each : bindings)
+      if (std::ranges::find(propositions, each.proposition) == propositions.end())
+        return result::fail("L0045", {}, "the formula has no proposition '" + each.proposition + "'",
+                            propositions.empty() ? "it has none at all" : "it has " + listed(propositions));
+    for (const std::string& name : propositions) {
+      const auto given = std::ranges::find(bindings, name, &Binding::proposition);
+      bindings_.push_back(given != bindings.end() ? *given : Binding{name, name, Relation::Holds, ""});
+      const auto found = column(bindings_.back().column);
+      if (!found) return missing(bindings_.back());
+      columns_.push_back(*found);
+    }
+    return {};
+  }
+
+  tl::unexpected<result::Diagnostics> missing(const Binding& binding) const {
+    const std::string* meant = result::closest(binding.column, names_, 3);
+    const std::string hint = "say what it means: --let " + binding.proposition + "=COLUMN or COLUMN>VALUE";
+    return result::fail(
+        "L0042", {file_, 1, 1},
+        "no column '" + binding.column + "' for the proposition '" + binding.proposition + "'",
+        meant != nullptr ? "did you mean '" + *meant + "'? " + hint : hint);
+  }
+
+  static std::string listed(const std::vector<std::string>& names) {
+    std::string text;
+    for (const std::string& each : names) text += (text.empty() ? "" : ", ") + each;
+    return text;
+  }
+
+  result::Result<Letter> read_letter() const {
+    Letter letter = 0;
+    for (std::size_t k = 0; k < columns_.size(); ++k) {
+      const std::string& field = rows_.fields()[columns_[k]];
+      const auto holds = satisfied(bindings_[k], field);
+      if (!holds) {
+        const bool plain =
+            bindings_[k].relation == Relation::Holds || bindings_[k].relation == Relation::HoldsNot;
+        return result::fail(
+            "L0044", rows_.where(columns_[k]),
+            "'" + field + "' of " + names_[columns_[k]] +
+                (plain ? " is neither 0 nor 1" : " cannot be compared with '" + bindings_[k].value + "'"),
+            "compare numbers with numbers, texts by = and <>: --let " + bindings_[k].proposition + "=" +
+                bindings_[k].column + ">VALUE");
+      }
+      if (*holds) letter |= Letter{1} << k;
+    }
+    return letter;
+  }
+
+  CsvRows rows_;
+  std::string file_;
+  std::vector<std::string> names_;
+  std::vector<Binding> bindings_;     // of each proposition
+  std::vector<std::size_t> columns_;  // of each proposition
+};
+
+}  // namespace
+
+result::Result<Trace> read_trace(std::string_view text, const std::string& file,
+                                 const std::vector<std::string>& propositions,
+                                 const std::vector<Binding>& bindings) {
+  return Reader(text, file).run(propositions, bindings);
+}
+
+}  // namespace stepwright::ltl

@@ -1,0 +1,77 @@
+#include "supervisor/ltl/trace/read_trace.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <string>
+
+namespace stepwright::ltl {
+namespace {
+
+const std::string kTable =
+    "scan,time_s,MAIN.run,MAIN.level,MAIN.delay [s],MAIN.mode\r\n"
+    "1,0.000000000,0,12,0.500000000,Idle\r\n"
+    "2,0.010000000,0,19,0.500000000,Idle\r\n"
+    "3,0.020000000,1,20,1.500000000,\"Run, fast\"\r\n"
+    "4,0.030000000,1,25.5,1.500000000,Idle\r\n";
+
+std::string refusal(const std::string& text, const std::vector<std::string>& propositions,
+                    const std::vector<Binding>& bindings = {}) {
+  const auto trace = read_trace(text, "run.csv", propositions, bindings);
+  if (trace) return "read";
+  const result::Diagnostic& first = trace.error().front();
+  EXPECT_FALSE(first.hint.empty()) << first.message;
+  return std::to_string(first.where.line) + ":" + std::to_string(first.where.column) + " " + first.code;
+}
+
+TEST(ReadTrace, Changes_WhenColumnsAreBound_ThenTheyAreTheWordOfLabels) {
+  const auto trace = read_trace(kTable, "run.csv", {"main.RUN", "full", "slow", "idle"},
+                                {*read_binding("full=main.level >= 20"), *read_binding("slow=MAIN.delay>1"),
+                                 *read_binding("idle=MAIN.mode=idle")});
+  ASSERT_TRUE(trace) << result::to_string(trace.error());
+  EXPECT_EQ(trace->rows, 4u);
+  ASSERT_EQ(trace->changes.size(), 3u);
+  EXPECT_EQ(trace->changes[0].letter, 0b1000u);
+  EXPECT_EQ(trace->changes[1].letter, 0b0111u);
+  EXPECT_EQ(trace->changes[1].row, 3u);
+  EXPECT_EQ(trace->changes[1].line, 4u);
+  EXPECT_EQ(trace->changes[1].scan, "3");
+  EXPECT_EQ(trace->changes[1].time_s, "0.020000000");
+  EXPECT_EQ(trace->changes[2].letter, 0b1111u);
+}
+
+TEST(ReadTrace, Refusal_WhenATableOrAColumnIsWrong_ThenThePlaceIsNamed) {
+  EXPECT_EQ(refusal("", {"a"}), "1:1 L0041");
+  EXPECT_EQ(refusal("a\n1\n\n0,1\n", {"a"}), "4:1 L0041");
+  EXPECT_EQ(refusal("a,b\n1,\"x\n", {"a"}), "2:3 L0041");
+  EXPECT_EQ(refusal("a,b\n1,\"x\"y\n", {"a"}), "2:3 L0041");
+  EXPECT_EQ(refusal(kTable, {"MAIN.runs"}), "1:1 L0042");
+  EXPECT_EQ(refusal(kTable, {"MAIN.level"}), "2:17 L0044");
+  EXPECT_EQ(refusal(kTable, {"x"}, {*read_binding("x=MAIN.mode<3")}), "2:32 L0044");
+  EXPECT_EQ(refusal(kTable, {"x"}, {*read_binding("y=MAIN.run")}), "0:0 L0045");
+  const auto misspelt = read_trace(kTable, "run.csv", {"MAIN.runs"}, {});
+  EXPECT_NE(misspelt.error().front().hint.find("did you mean 'MAIN.run'"), std::string::npos);
+}
+
+TEST(ReadTrace, Text_WhenBytesAreChanged_ThenReadOrRefused) {
+  std::mt19937 random(3);
+  int read = 0;
+  for (int round = 0; round < 20'000; ++round) {
+    std::string text = kTable;
+    for (auto k = random() % 4; k > 0; --k) {
+      const std::size_t at = random() % text.size();
+      if (random() % 2 == 0)
+        text[at] = random() % 2 == 0 ? "\",\r\n01"[random() % 6] : static_cast<char>(random());
+      else
+        text.erase(at, random() % 6);
+    }
+    const auto trace =
+        read_trace(text, "run.csv", {"MAIN.run", "full"}, {*read_binding("full=MAIN.level>20")});
+    ASSERT_TRUE(trace.has_value() || !trace.error().front().hint.empty());
+    if (trace) ++read;
+  }
+  EXPECT_GT(read, 1'000);
+}
+
+}  // namespace
+}  // namespace stepwright::ltl
