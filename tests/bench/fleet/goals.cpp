@@ -94,7 +94,7 @@ void add_goals(const Site& site, const MissionProblem& problem, const FleetPlan&
     const NewMission mission{.stops = {{StopKind::PickUp, "from", at[0], std::chrono::seconds(10), "new", 1},
                                        {StopKind::SetDown, "to", at[1], std::chrono::seconds(10), "new", 1}},
                              .vehicles = {v}};
-    const AddedMission added = add_mission(floor, plan, running, mission, {});
+    const AddedMission added = add_mission(floor, plan, running, mission, {.time = kWholeTime});
     times.total_ms.push_back(now_ms(settings) - begin_ms);
     times.paths_ms.push_back(added.paths_ms);
     if (added.verdict != Verdict::Scheduled) continue;
@@ -124,7 +124,8 @@ GoalsRow measure_goals(std::uint32_t instances, const Settings& settings) {
     const Site site = k % 2 == 0 ? mine(1 + k / 2) : warehouse_site(1 + k / 2);
     const MissionProblem problem = problem_of(site);
     FleetFloor floor = floor_of(problem, settings);
-    const auto answer = plan_fleet(problem, floor, {.objective = Objective::None, .path_factor = 1.2});
+    const auto answer =
+        plan_fleet(problem, floor, {.objective = Objective::None, .time = kWholeTime, .path_factor = 1.2});
     if (!answer || answer->verdict != Verdict::Scheduled) continue;
     ++row.floors;
     for (const bool known : {false, true}) add_goals(site, problem, answer->plan, known, settings, row);

@@ -12,6 +12,9 @@
 
 namespace stepwright::bench::fleet {
 
+// Of a planning that is measured: a machine that is busy takes longer, and finds as much.
+inline constexpr std::chrono::milliseconds kWholeTime{600'000};
+
 struct Settings {
   std::uint32_t least = 2;  // vehicles on one circle
   std::uint32_t most = 10;

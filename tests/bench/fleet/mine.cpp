@@ -68,7 +68,8 @@ FleetAnswer chain(const MissionProblem& problem, const Settings& settings, doubl
   const double begin_ms = now_ms(settings);
   FleetFloor floor = floor_of(problem, settings);
   prepare_ms = now_ms(settings) - begin_ms;
-  auto answer = plan_fleet(problem, floor, {.objective = Objective::None, .path_factor = path_factor});
+  auto answer = plan_fleet(problem, floor,
+                           {.objective = Objective::None, .time = kWholeTime, .path_factor = path_factor});
   total_ms = now_ms(settings) - begin_ms;
   return answer ? *std::move(answer) : FleetAnswer{};
 }
