@@ -68,6 +68,19 @@ TEST(ReadHoa, Refusal_WhenNotSupported_ThenThePlaceIsNamed) {
   EXPECT_EQ(refusal(text_of(kHeader, "State: 0\n[" + std::string(100'000, '(') + "0] 1\n")), "8:1003 L0026");
 }
 
+// Each round of the refinement alone would tell one state more from the others.
+TEST(ReadHoa, Automaton_WhenItIsALongChain_ThenItIsMinimalInAFewRounds) {
+  constexpr int kStates = 20'000;
+  std::string body;
+  for (int k = 0; k + 1 < kStates; ++k)
+    body += "State: " + std::to_string(k) + "\n[0] " + std::to_string(k + 1) + "\n[!0] 0\n";
+  body += "State: " + std::to_string(kStates - 1) + " {0}\n[t] " + std::to_string(kStates - 1) + "\n";
+  const auto read = read_hoa(text_of("Start: 0\nAP: 1 \"a\"\nAcceptance: 1 Inf(0)\n", body));
+  ASSERT_TRUE(read) << result::to_string(read.error());
+  EXPECT_EQ(read->automaton.size(), static_cast<std::size_t>(kStates));
+  EXPECT_EQ(read->automaton.distance[0], static_cast<std::uint32_t>(kStates - 1));
+}
+
 TEST(ReadHoa, Text_WhenBytesAreChanged_ThenReadOrRefused) {
   std::mt19937 random(5);
   const std::string good =
