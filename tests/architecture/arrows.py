@@ -91,6 +91,8 @@ ARROWS = {
     "supervisor/ltl/drawing": ["supervisor/ltl/automaton"],
     "supervisor/ltl/monitor": ["supervisor/ltl/automaton"],
     "supervisor/ltl/trace": ["supervisor/ltl/automaton", "runtime/ground/naming"],
+    "supervisor/ltl/guide": ["supervisor/ltl/automaton", "supervisor/ltl/regions"],
+    "supervisor/ltl/train": ["supervisor/ltl/regions"],
     "supervisor/ltl/regions": ["supervisor/geometry", "runtime/ground/result"],
     "supervisor/geometry": [],
     "supervisor/fleet/map": ["supervisor/geometry", "runtime/ground/result"],

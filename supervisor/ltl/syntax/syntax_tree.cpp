@@ -13,4 +13,18 @@ SyntaxId SyntaxTree::add(Operator op, std::vector<SyntaxId> children, Place at) 
   return static_cast<SyntaxId>(nodes.size() - 1);
 }
 
+std::vector<SyntaxId> conjuncts(const SyntaxTree& tree) {
+  std::vector<SyntaxId> open = {tree.root}, parts;
+  while (!open.empty()) {
+    const SyntaxId id = open.back();
+    open.pop_back();
+    const SyntaxNode& node = tree.nodes[id];
+    if (node.op == Operator::And)
+      open.insert(open.end(), node.children.rbegin(), node.children.rend());
+    else
+      parts.push_back(id);
+  }
+  return parts;
+}
+
 }  // namespace stepwright::ltl

@@ -49,6 +49,10 @@ struct SyntaxTree {
   SyntaxId add(Operator op, std::vector<SyntaxId> children, Place at);
 };
 
+// The operands of the conjunction that the text is, however it is nested; of other formulas the root. In the
+// order in which they are written.
+std::vector<SyntaxId> conjuncts(const SyntaxTree& tree);
+
 // The formula in Spot's syntax, with as many parentheses as are needed; names in quotes where they are no
 // words. What is longer than `most` characters ends in "...".
 std::string to_text(const SyntaxTree& tree, SyntaxId from, std::size_t most = 1u << 20);

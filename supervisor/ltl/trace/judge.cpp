@@ -6,17 +6,9 @@ namespace {
 
 constexpr std::size_t kMostParts = 200, kTextWidth = 200;
 
+// Of a conjunction; a formula that is none, or has too many, has no parts.
 std::vector<SyntaxId> parts_of(const SyntaxTree& tree) {
-  std::vector<SyntaxId> open = {tree.root}, parts;
-  while (!open.empty() && parts.size() <= kMostParts) {
-    const SyntaxId id = open.back();
-    open.pop_back();
-    const SyntaxNode& node = tree.nodes[id];
-    if (node.op == Operator::And)
-      open.insert(open.end(), node.children.rbegin(), node.children.rend());
-    else
-      parts.push_back(id);
-  }
+  std::vector<SyntaxId> parts = conjuncts(tree);
   if (parts.size() < 2 || parts.size() > kMostParts) parts.clear();
   return parts;
 }

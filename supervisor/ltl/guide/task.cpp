@@ -1,0 +1,43 @@
+#include "supervisor/ltl/guide/task.h"
+
+#include <utility>
+
+#include "runtime/ground/result/closest.h"
+
+namespace stepwright::ltl {
+
+namespace {
+
+result::Diagnostics unknown_places(const Formula& formula, const std::vector<std::string>& places,
+                                   const std::string& file) {
+  result::Diagnostics problems;
+  std::vector<bool> told(formula.tree.propositions.size(), false);
+  for (const SyntaxNode& node : formula.tree.nodes) {
+    if (node.op != Operator::Name || node.proposition < places.size() || told[node.proposition]) continue;
+    told[node.proposition] = true;
+    const std::string& name = formula.tree.propositions[node.proposition];
+    const std::string* meant = result::closest(name, places, 3);
+    result::Diagnostic problem;
+    problem.code = "L0311";
+    problem.where = {file, node.at.line, node.at.column};
+    problem.message = "the floor has no place '" + name + "'";
+    problem.hint = meant != nullptr ? "did you mean '" + *meant + "'?" : "name a proposition of the scene";
+    problems.push_back(std::move(problem));
+  }
+  return problems;
+}
+
+}  // namespace
+
+result::Result<Task> read_task(const std::string& text, const std::vector<std::string>& places,
+                               const std::string& file, const BuildOptions& options) {
+  auto formula = parse_formula(text, file, places);
+  if (!formula) return result::forward(formula);
+  if (auto unknown = unknown_places(*formula, places, file); !unknown.empty())
+    return tl::unexpected(std::move(unknown));
+  auto automaton = task_automaton(*formula, options, file);
+  if (!automaton) return result::forward(automaton);
+  return Task{*std::move(formula), *std::move(automaton)};
+}
+
+}  // namespace stepwright::ltl
