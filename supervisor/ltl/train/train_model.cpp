@@ -15,7 +15,7 @@ void require(result::Diagnostics& problems, bool holds, const std::string& messa
   result::Diagnostic problem;
   problem.code = "L0301";
   problem.message = message;
-  problem.hint = "supervisor/doc/ltl_planner.md has the figures of a train";
+  problem.hint = "supervisor/doc/ltl.md has the figures of a train";
   problems.push_back(std::move(problem));
 }
 
