@@ -11,7 +11,7 @@ namespace {
 using geometry::Point;
 
 constexpr double kMostCells = 4e6;
-constexpr double kTouch_m = 1e-9;  // a side that comes no further into a box only touches it
+constexpr double kBarely_m = 1e-9;  // a side that comes no further into a box only touches it
 
 double distance_to(Point at, Point from, Point to) {
   const Point along = to - from;
@@ -101,7 +101,7 @@ bool Walls::crosses(const Side& side, const LinkBox& box) const {
   const Point along = side.to - side.from;
   const double places[2] = {dot(from, box.ahead), cross(box.ahead, from)};
   const double ways[2] = {dot(along, box.ahead), cross(box.ahead, along)};
-  const double halves[2] = {half_length_m_ - kTouch_m, half_width_m_ - kTouch_m};
+  const double halves[2] = {half_length_m_ - kBarely_m, half_width_m_ - kBarely_m};
   double enters = 0.0;
   double leaves = 1.0;
   for (std::size_t axis = 0; axis < 2; ++axis) {
