@@ -9,7 +9,7 @@ import { join } from 'node:path';
 import { startBench } from './bench_processes.mjs';
 import { asksApi, axeFile, claims, isAccessible, logsIn } from './people.mjs';
 import { KEEPS_RECORDS, LEVEL_ALARM, PROGRAM, startMixer } from './recipe_cell.mjs';
-import { check, endInTime, launchBrowser, openPage, options, until, waitFor } from './support.mjs';
+import { check, endInTime, eventually, launchBrowser, openPage, options, until, waitFor } from './support.mjs';
 
 const CLOCK_MS = 400; // a snapshot and an answer may be so old on a busy machine
 const STILL_MS = 2_500; // less than after which a page takes its connection for lost
@@ -139,15 +139,28 @@ async function theServerIsKilled(page, cell) {
 const imagesLost = async (page) =>
   (await get(page, '/api/scan')).runtimes[0].dds.find(({ topic }) => topic.includes('/snapshot/')).lost;
 
+// Half a second of which the history has everything: on a busy machine not any one.
+async function wholeHalfSecond(page) {
+  let whole;
+  await eventually('half a second of the history is whole', async () => {
+    const to = Date.now() - SHIFT_MS;
+    whole = { from: to - 500, to };
+    const { series } = await get(page, `/api/history/trend?tags=Main.total&from_ms=${whole.from}&to_ms=${to}&columns=25`);
+    return series[0].last.length > 0 && series[0].last.every((value) => value !== null);
+  });
+  return whole;
+}
+
 // What was sent meanwhile never comes: the history must not draw what nobody saw. For `ms`; the part of it, in ms, of which
 // the history knows nothing.
 async function theServerStandsStill(page, cell, ms) {
+  const whole = await wholeHalfSecond(page);
   const fromMs = Date.now();
   process.kill(cell.pid('hmi'), 'SIGSTOP');
   await new Promise((resolve) => setTimeout(resolve, ms));
   const toMs = Date.now();
   process.kill(cell.pid('hmi'), 'SIGCONT');
-  const window = `tags=Main.total&from_ms=${fromMs - 500}&to_ms=${toMs + 1_000}`;
+  const window = `tags=Main.total&from_ms=${whole.from}&to_ms=${toMs + 1_000}`;
   const trend = () => get(page, `/api/history/trend?${window}&columns=200`);
   await until(`after ${toMs - fromMs} ms the history goes on`, async () => {
     const { now_ms: now, series } = await trend();
@@ -156,7 +169,7 @@ async function theServerStandsStill(page, cell, ms) {
   const table = await page.evaluate(async (where) => (await fetch(where)).text(), `/api/history/export.csv?${window}`);
   const { from_ms: first, column_ms: width, series } = await trend();
   const known = series[0].last.map((value, i) => ({ at: first + i * width, value }));
-  check(known.filter(({ at }) => at + width < fromMs - SHIFT_MS).every(({ value }) => value !== null), 'it has what was before');
+  check(known.filter(({ at }) => at + width < whole.to).every(({ value }) => value !== null), 'it has what was before');
   // What has waited in its socket is seen late, with the time of its scan.
   const still = known.filter(({ at }) => at > fromMs && at + width < toMs);
   const unknown = Math.round(still.filter(({ value }) => value === null).length * width);
