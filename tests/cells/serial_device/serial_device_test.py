@@ -65,7 +65,7 @@ SETTINGS
 [[modbus.device]]
 name = "plc"
 line = "DEVICE"
-timeout_ms = 20000
+timeout_ms = 2000
 loss_after_ms = 60000
 [[modbus.device.group]]
 period_ms = 50
