@@ -34,7 +34,9 @@ class Carrot {
   }
   bool run(Point from, double ahead_m) {
     bool moved = false;
-    while (next_ < route_.size() && geometry::distance(from, at_) < ahead_m) {
+    // On while it is too near, or comes nearer.
+    while (next_ < route_.size() &&
+           (geometry::distance(from, at_) < ahead_m || dot(route_[next_].at - at_, from - at_) > 0.0)) {
       const double to_next = geometry::distance(at_, route_[next_].at);
       const double step = std::min(0.05, to_next);
       if (to_next > 1e-9) at_ = at_ + (step / to_next) * (route_[next_].at - at_);
@@ -89,13 +91,18 @@ class Carrot {
 TrainControl steer(const TrainModel& model, const TrainState& state, Point target, const DriveStyle& style) {
   const Point to = target - Point{state[kTrainX], state[kTrainY]};
   const double distance = std::max(0.05, std::hypot(to.x_m, to.y_m));
-  const double off = std::remainder(std::atan2(to.y_m, to.x_m) - state[kTrainHeading], 2.0 * std::numbers::pi);
+  // The wheels turn slowly: what the train still turns while they go back to straight counts already.
+  const double lag = state[kTrainSpeed] * std::tan(state[kTrainLock]) * std::abs(state[kTrainLock]) /
+                     (2.0 * model.wheelbase_m * model.most_lock_rate_rad_s);
+  const double off =
+      std::remainder(std::atan2(to.y_m, to.x_m) - state[kTrainHeading] - lag, 2.0 * std::numbers::pi);
   const double most = std::min(0.98 * model.most_lock_rad, std::atan(model.wheelbase_m / style.tightest_m));
   double lock = std::atan(2.0 * model.wheelbase_m * std::sin(off) / distance);
   if (std::abs(off) > 0.5 * std::numbers::pi) lock = off > 0.0 ? most : -most;
   lock = std::clamp(lock, -most, most);
   const double change = lock - state[kTrainLock];
-  const double speed = std::max(kSlowest_m_s, style.cruise_m_s / (1.0 + 3.0 * std::abs(change)));
+  const double bend = std::abs(change) + 0.7 * std::abs(state[kTrainLock]);
+  const double speed = std::max(kSlowest_m_s, style.cruise_m_s / (1.0 + 2.5 * bend));
   return {std::clamp((speed - state[kTrainSpeed]) / kPeriod_s, -model.most_acceleration_m_s2,
                      model.most_acceleration_m_s2),
           std::clamp(change / kPeriod_s, -model.most_lock_rate_rad_s, model.most_lock_rate_rad_s)};

@@ -72,7 +72,7 @@ TrainSearch::Routes& TrainSearch::routes(std::size_t level) {
 
 DriveStyle TrainSearch::style(bool by_chance) {
   const double tightest = tightest_m(model_);
-  DriveStyle style{.lookahead_m = model_.trailers == 0 ? 0.7 : 1.0, .tightest_m = tightest, .cruise_m_s = 1.6};
+  DriveStyle style{.lookahead_m = model_.trailers == 0 ? 0.8 : 1.0, .tightest_m = tightest, .cruise_m_s = 1.6};
   if (!by_chance) return style;
   const double least = 1.02 * model_.wheelbase_m / std::tan(0.98 * model_.most_lock_rad);
   style.lookahead_m *= 0.7 + 1.6 * chance();
