@@ -10,9 +10,11 @@ namespace {
 
 using geometry::Point;
 
+constexpr double kTolerance = 1e-8;
 constexpr double kPeriod_s = 0.1;
 constexpr double kMarkEvery_m = 1.0;
 constexpr double kSlowest_m_s = 0.4;
+constexpr double kBackwards_rad = 1.9;  // what lies behind may be turned to on either side
 constexpr double kPatience_m = 8.0;  // beyond a full circle
 
 // A point that runs ahead along the route and waits at each place that is not entered yet.
@@ -99,6 +101,7 @@ TrainControl steer(const TrainModel& model, const TrainState& state, Point targe
   const double most = std::min(0.98 * model.most_lock_rad, std::atan(model.wheelbase_m / style.tightest_m));
   double lock = std::atan(2.0 * model.wheelbase_m * std::sin(off) / distance);
   if (std::abs(off) > 0.5 * std::numbers::pi) lock = off > 0.0 ? most : -most;
+  if (std::abs(off) > kBackwards_rad && style.side != 0) lock = style.side > 0 ? most : -most;
   lock = std::clamp(lock, -most, most);
   const double change = lock - state[kTrainLock];
   const double bend = std::abs(change) + 0.7 * std::abs(state[kTrainLock]);
@@ -118,22 +121,37 @@ bool Driver::valid(const TrainState& state) const {
 Driver::Event Driver::advance(TrainMotion& motion, const TrainControl& control, double duration_s,
                               DriveMark& at, Drive& drive) {
   DriveMark next = at;
+  const std::size_t pieces = drive.pieces.size();
   changes_.clear();
-  double done_s = 0.0;
+  TrainControl used = motion.within_limits(next.state, control);
+  double left_s = duration_s, piece_s = 0.0;
   bool accepted = false;
-  while (done_s < duration_s - 1e-9 && !accepted) {
+  const auto refused = [&](Event event) {
+    drive.pieces.resize(pieces);
+    return event;
+  };
+  while (left_s > 1e-9 && !accepted) {
     const Point from{next.state[kTrainX], next.state[kTrainY]};
-    done_s += motion.step(next.state, control, duration_s - done_s);
+    const double step_s = motion.step(next.state, used, left_s);
+    left_s -= step_s;
+    piece_s += step_s;
     ++steps_;
+    // A limit that was met is a piece's end: each piece is what its control says.
+    const TrainControl held = motion.within_limits(next.state, control);
+    if (held != used) {
+      drive.pieces.push_back({used, piece_s});
+      piece_s = 0.0;
+      used = held;
+    }
     const Point to{next.state[kTrainX], next.state[kTrainY]};
-    if (!valid(next.state)) return Event::Blocked;
+    if (!valid(next.state)) return refused(Event::Blocked);
     letters_.clear();
     places_.read(from, to, places_.label(from), letters_);
     for (const Label letter : letters_) {
       const std::uint32_t task = states_.next(next.task, letter);
       if (task != next.task) changes_.push_back(task);
       next.task = task;
-      if (states_.rejecting(task)) return Event::Broken;
+      if (states_.rejecting(task)) return refused(Event::Broken);
       if (states_.accepting(task)) {
         accepted = true;
         break;
@@ -141,7 +159,7 @@ Driver::Event Driver::advance(TrainMotion& motion, const TrainControl& control, 
     }
     next.length_m += geometry::distance(from, to);
   }
-  drive.pieces.push_back({control, done_s});
+  if (piece_s > 0.0) drive.pieces.push_back({used, piece_s});
   next.pieces = drive.pieces.size();
   at = next;
   if (accepted) return Event::Done;
@@ -150,7 +168,7 @@ Driver::Event Driver::advance(TrainMotion& motion, const TrainControl& control, 
 
 Drive Driver::along(const Route& route, const TrainState& from, const DriveStyle& style) {
   Drive drive;
-  TrainMotion motion(model_);
+  TrainMotion motion(model_, kTolerance);
   Carrot carrot(route);
   carrot.start();
   DriveMark at{from, route.front().state, 0, 0.0, carrot.left_m()};
@@ -194,7 +212,7 @@ Drive Driver::along(const Route& route, const TrainState& from, const DriveStyle
 Drive Driver::hold(const TrainState& from, std::uint32_t task, const TrainControl& control,
                    double duration_s) {
   Drive drive;
-  TrainMotion motion(model_);
+  TrainMotion motion(model_, kTolerance);
   DriveMark at{from, task, 0, 0.0, 0.0};
   for (double left_s = duration_s; left_s > 1e-6; left_s -= kPeriod_s) {
     const Event event = advance(motion, control, std::min(left_s, kPeriod_s), at, drive);

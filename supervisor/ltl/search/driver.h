@@ -22,6 +22,7 @@ struct DriveStyle {
   double lookahead_m = 1.0;
   double tightest_m = 1.0;  // radius of the tightest turn
   double cruise_m_s = 1.5;
+  int side = 0;  // of turns to what lies behind: 1 left, -1 right, 0 the shorter one
 };
 
 // A state on the way, and what is left of the route from there.

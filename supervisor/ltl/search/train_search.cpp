@@ -78,6 +78,7 @@ DriveStyle TrainSearch::style(bool by_chance) {
   style.lookahead_m *= 0.7 + 1.6 * chance();
   style.tightest_m = std::max(least, tightest * (0.6 + 1.2 * chance()));
   style.cruise_m_s = 0.8 + 1.2 * chance();
+  style.side = static_cast<int>(3.0 * chance()) - 1;
   return style;
 }
 
@@ -154,7 +155,9 @@ TrainPlan TrainSearch::plan_to(std::size_t node) const {
 
 // Any control from there; whether that ended the task.
 bool TrainSearch::explore(std::size_t from, SearchAnswer& answer) {
-  const TrainControl control{model_.most_acceleration_m_s2 * (2.0 * chance() - 1.0),
+  const bool reverse = model_.trailers <= 1 ? chance() < 0.5 : chance() < 0.1;
+  const double push = model_.most_acceleration_m_s2 * chance();
+  const TrainControl control{reverse ? -push : push,
                              model_.most_lock_rate_rad_s * (2.0 * chance() - 1.0)};
   Drive drive = driver_.hold(nodes_[from].state, nodes_[from].task, control, 0.2 + 2.0 * chance());
   for (DriveMark& mark : drive.marks) mark.left_m = nodes_[from].left_m;

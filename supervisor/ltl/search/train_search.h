@@ -86,7 +86,6 @@ class TrainSearch {
   std::vector<std::unique_ptr<Routes>> routes_;
   std::mt19937_64 dice_;
   std::deque<Node> nodes_;
-  std::vector<bool> used_;  // states of the task that the first route has
 };
 
 }  // namespace stepwright::ltl
