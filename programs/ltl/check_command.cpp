@@ -111,7 +111,8 @@ void print(const Answer& answer) {
 
 void add_judged(nlohmann::json& json, const Answer& answer, const ltl::Judged& judged) {
   json["verdict"] = name_of(judged.verdict);
-  json["state"] = judged.state;
+  json["stepwise"] = judged.stepwise;
+  if (!judged.stepwise) json["state"] = judged.state;
   if (!judged.decided_at) return;
   const ltl::TraceChange& change = answer.trace.changes[*judged.decided_at];
   json["row"] = change.row;
@@ -147,6 +148,8 @@ ExitCode run_check(const CheckArguments& arguments) {
   const auto answer = judge(arguments);
   if (!answer) return fail(answer.error());
   print_note(answer->judgement.stutter);
+  if (answer->judgement.whole.stepwise)
+    std::fputs("note: too large for an automaton: told when it follows without looking ahead\n", stderr);
   if (arguments.json_file != "-") print(*answer);
   if (!arguments.json_file.empty())
     if (const ExitCode written = write(arguments.json_file, json_of(*answer)); written != ExitCode::Done)
