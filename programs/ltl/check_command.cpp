@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "programs/ltl/formula_input.h"
 #include "runtime/ground/process/files.h"
@@ -32,20 +33,31 @@ result::Result<Answer> judge(const CheckArguments& arguments) {
     if (!binding) return result::forward(binding);
     bindings.push_back(*std::move(binding));
   }
-  auto watched = read_watched(arguments.formula);
-  if (!watched) return result::forward(watched);
+  // Of a formula the automaton is left to the judge: where it is too large, he does without.
+  std::optional<Watched> watched;
+  std::optional<ltl::Formula> formula;
+  if (is_automaton(arguments.formula)) {
+    auto read = read_watched(arguments.formula);
+    if (!read) return result::forward(read);
+    watched = *std::move(read);
+  } else {
+    auto read = read_formula(arguments.formula);
+    if (!read) return result::forward(read);
+    formula = *std::move(read);
+  }
   const auto text = process::read_file(arguments.trace);
   if (!text) return tl::unexpected<result::Diagnostics>(text.error());
-  Answer answer{arguments.trace, watched->automaton.propositions, {}, {}};
+  Answer answer{
+      arguments.trace, watched ? watched->automaton.propositions : formula->tree.propositions, {}, {}};
   auto trace = ltl::read_trace(*text, arguments.trace, answer.propositions, bindings);
   if (!trace) return result::forward(trace);
   answer.trace = *std::move(trace);
-  if (!watched->formula) {
+  if (watched) {
     answer.judgement.whole = ltl::judge(watched->automaton, answer.trace);
     answer.judgement.stutter = watched->stutter;
     return answer;
   }
-  auto judgement = ltl::judge(*watched->formula, answer.trace, {}, file_of(arguments.formula));
+  auto judgement = ltl::judge(*formula, answer.trace, {}, file_of(arguments.formula));
   if (!judgement) return result::forward(judgement);
   answer.judgement = *std::move(judgement);
   return answer;
@@ -111,7 +123,8 @@ void print(const Answer& answer) {
 
 void add_judged(nlohmann::json& json, const Answer& answer, const ltl::Judged& judged) {
   json["verdict"] = name_of(judged.verdict);
-  json["state"] = judged.state;
+  json["stepwise"] = judged.stepwise;
+  if (!judged.stepwise) json["state"] = judged.state;
   if (!judged.decided_at) return;
   const ltl::TraceChange& change = answer.trace.changes[*judged.decided_at];
   json["row"] = change.row;
@@ -147,6 +160,8 @@ ExitCode run_check(const CheckArguments& arguments) {
   const auto answer = judge(arguments);
   if (!answer) return fail(answer.error());
   print_note(answer->judgement.stutter);
+  if (answer->judgement.whole.stepwise)
+    std::fputs("note: too large for an automaton: told when it follows without looking ahead\n", stderr);
   if (arguments.json_file != "-") print(*answer);
   if (!arguments.json_file.empty())
     if (const ExitCode written = write(arguments.json_file, json_of(*answer)); written != ExitCode::Done)

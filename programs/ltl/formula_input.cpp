@@ -32,22 +32,30 @@ result::Result<Watched> read_automaton(const std::string& file) {
 }  // namespace
 
 std::string file_of(const std::string& argument) {
-  return argument.ends_with(".ltl") || argument.ends_with(".hoa") ? argument : "";
+  return argument.ends_with(".ltl") || is_automaton(argument) ? argument : "";
 }
 
 bool decides(const ltl::Automaton& automaton, ltl::Verdict verdict) {
   return std::ranges::find(automaton.verdicts, verdict) != automaton.verdicts.end();
 }
 
-result::Result<Watched> read_watched(const std::string& argument) {
-  if (argument.ends_with(".hoa")) return read_automaton(argument);
+bool is_automaton(const std::string& argument) {
+  return argument.ends_with(".hoa");
+}
+
+result::Result<ltl::Formula> read_formula(const std::string& argument) {
   std::string text = argument;
   if (argument.ends_with(".ltl")) {
     auto read = process::read_file(argument);
     if (!read) return result::forward(read);
     text = *std::move(read);
   }
-  auto formula = ltl::parse_formula(text, file_of(argument));
+  return ltl::parse_formula(text, file_of(argument));
+}
+
+result::Result<Watched> read_watched(const std::string& argument) {
+  if (is_automaton(argument)) return read_automaton(argument);
+  auto formula = read_formula(argument);
   if (!formula) return result::forward(formula);
   auto monitor = ltl::monitor_automaton(*formula, {}, file_of(argument));
   if (!monitor) return result::forward(monitor);

@@ -21,6 +21,12 @@ struct Watched {
   ltl::StutterReport stutter;
 };
 
+// Whether the argument is an automaton and no formula.
+bool is_automaton(const std::string& argument);
+
+// Of what is a formula. Builds nothing.
+[[nodiscard]] result::Result<ltl::Formula> read_formula(const std::string& argument);
+
 [[nodiscard]] result::Result<Watched> read_watched(const std::string& argument);
 
 // Whether any word gets this verdict.

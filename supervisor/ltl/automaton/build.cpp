@@ -130,7 +130,7 @@ result::Result<Monitor> monitor_automaton(const Formula& formula, const BuildOpt
   const std::vector<Verdict>& told = monitor.automaton.verdicts;
   if (std::ranges::all_of(told, [](Verdict each) { return each == Verdict::Undecided; })) {
     return result::fail(
-        "L0014", place(formula, file, formula.tree.root),
+        kNotMonitorable, place(formula, file, formula.tree.root),
         "'" + to_text(formula.tree, formula.tree.root, 60) +
             "' cannot be monitored: whatever was read, it may still come true and may still fail",
         "give what shall happen a last moment, such as 'a U b' in place of 'F b' within G");

@@ -41,6 +41,7 @@ struct BuildOptions {
 // The minimal monitor of any formula: True after good prefixes (every continuation satisfies it), False after
 // bad ones (none does), and exact in that. Source: A. Bauer, M. Leucker, C. Schallhart, Runtime Verification
 // for LTL and TLTL, ACM TOSEM 20(4), 2011.
+inline constexpr const char* kNotMonitorable = "L0014";
 struct Monitor {
   Automaton automaton;
   Class kind = Class::CoSafe;

@@ -98,6 +98,7 @@ class Reader {
 
   void acceptance(const HoaToken& name) {
     const auto count = number();
+    set_count_ = count.value_or(0);
     const HoaToken word = scan_.take();
     if (word.text == "t") {
       sets_ = Sets::All;
@@ -266,7 +267,13 @@ class Reader {
   bool marks() {
     bool marked = false;
     if (!scan_.accept('{')) return marked;
-    while (scan_.peek().kind == HoaTokenKind::Number) marked = scan_.take().number == 0 || marked;
+    while (scan_.peek().kind == HoaTokenKind::Number) {
+      const HoaToken set = scan_.take();
+      if (set.number >= set_count_)
+        scan_.fail("L0021", set, "there is no acceptance set " + set.text,
+                   "sets are those of Acceptance:, from 0");
+      marked = true;
+    }
     if (!scan_.accept('}')) scan_.fail_here("'}'");
     return marked;
   }
@@ -278,6 +285,7 @@ class Reader {
   HoaAutomaton read_;
   std::optional<std::uint32_t> start_;
   std::optional<Sets> sets_;
+  std::uint32_t set_count_ = 0;
   std::vector<HoaToken> places_;  // of each state
   std::vector<bool> marked_;
   std::vector<Diagram::Node> after_;

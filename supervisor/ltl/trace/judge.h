@@ -21,6 +21,8 @@ struct Judged {
   std::optional<std::size_t>
       decided_at;           // of trace.changes; nothing if undecided, or decided without a letter
   std::uint32_t state = 0;  // of the automaton at the end
+  bool stepwise = false;    // without an automaton, which would be too large: told when it follows without
+                            // looking ahead, which may be later
 };
 
 // The automaton reads a letter for each label change.
@@ -41,7 +43,8 @@ struct Judgement {
   StutterReport stutter;          // X was read as the next label change
 };
 
-// L0014: no finite run decides the formula; L0012, L0013, L0015: a bound was met.
+// By automata where they are within the bounds, else step by step (Progression). L0014: no finite run decides
+// the formula; L0012, L0013, L0015: a bound was met, and not even steps are possible.
 [[nodiscard]] result::Result<Judgement> judge(const Formula& formula, const Trace& trace,
                                               const BuildOptions& options = {}, const std::string& file = {});
 

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/support/command_run.h"
+#include "tests/unit/supervisor/ltl/paper_formulas.h"
 
 namespace stepwright::ltl_test {
 namespace {
@@ -60,6 +61,23 @@ TEST_F(LtlCommand, Check_WhenTheTraceDecidesNothing_ThenUndecidedAndWhatIsOpen) 
   EXPECT_THAT(output, HasSubstr("is still to be satisfied"));
   EXPECT_THAT(errors, HasSubstr("note: X is the next change of what holds"));
   EXPECT_EQ(run(formula + trace + " --decided"), 5);
+}
+
+// Its automaton would have more than a million states.
+TEST_F(LtlCommand, Check_WhenTheAutomatonIsTooLarge_ThenItIsToldStepByStepAndSaysSo) {
+  std::string table = "p1,p2,p3,p4,p5,p6,p7,p8\n";
+  for (const char place : std::string("1230142"))
+    for (char k = '1'; k <= '8'; ++k) table += std::string(k == place ? "1" : "0") + (k == '8' ? "\n" : ",");
+  write("places.csv", table);
+  write("visits.ltl", ltl::test::five_visits(8, true));
+  EXPECT_EQ(
+      run("ltl check " + path("visits.ltl") + " " + path("places.csv") + " --json " + path("verdict.json")),
+      0)
+      << errors;
+  EXPECT_THAT(output, StartsWith("TRUE at row 7 "));
+  EXPECT_THAT(errors, HasSubstr("too large for an automaton"));
+  EXPECT_EQ(nlohmann::json::parse(text("verdict.json"))["stepwise"], true);
+  EXPECT_EQ(run("ltl monitor " + path("visits.ltl")), 4);
 }
 
 TEST_F(LtlCommand, Check_WhenTheInputIsWrong_ThenItsPlaceIsNamed) {

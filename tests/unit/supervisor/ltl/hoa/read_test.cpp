@@ -58,6 +58,7 @@ TEST(ReadHoa, Refusal_WhenNotSupported_ThenThePlaceIsNamed) {
   EXPECT_EQ(refusal(text_of(kHeader, "State: 0\n[t] 1\n")), "9:1 L0023");
   EXPECT_EQ(refusal(text_of(kHeader, "State: 0\n[2] 1\n")), "8:2 L0021");
   EXPECT_EQ(refusal(text_of(kHeader, "State: 0\n[t] 0&1\n")), "8:1 L0025");
+  EXPECT_EQ(refusal(text_of(kHeader, "State: 0 {1}\n[t] 0\nState: 1\n[t] 1\n")), "7:11 L0021");
   EXPECT_EQ(refusal(text_of("Start: 0\nStart: 1\nAP: 0\nAcceptance: 0 t\n", "State: 0\n[t] 0\n")),
             "3:1 L0025");
   EXPECT_EQ(refusal(text_of("Start: 0\nAP: 0\nAcceptance: 2 Inf(0)&Inf(1)\n", "")), "4:1 L0024");

@@ -4,6 +4,8 @@
 
 #include <string>
 
+#include "tests/unit/supervisor/ltl/paper_formulas.h"
+
 namespace stepwright::ltl {
 namespace {
 
@@ -54,6 +56,29 @@ TEST(Judge, Part_WhenNoFiniteRunDecidesIt_ThenItIsNotTold) {
   const auto refused = judge(*formula, *trace);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().front().code, "L0014");
+}
+
+// Whose automaton would have more than a million states.
+TEST(Judge, Verdict_WhenTheAutomatonIsTooLarge_ThenItIsToldStepByStep) {
+  const auto formula = parse_formula(test::five_visits(8, true));
+  const auto run = [&](const std::string& places, const BuildOptions& options) {
+    std::string table = "p1,p2,p3,p4,p5,p6,p7,p8\n";
+    for (const char place : places) {
+      for (char k = '1'; k <= '8'; ++k) table += std::string(k > '1' ? "," : "") + (k == place ? "1" : "0");
+      table += "\n";
+    }
+    return judge(*formula, *read_trace(table, "run.csv", formula->tree.propositions, {}), options);
+  };
+  const BuildOptions few{.most_nodes = 100'000};
+  const auto done = run("1230142", few);
+  ASSERT_TRUE(done) << result::to_string(done.error());
+  EXPECT_TRUE(done->whole.stepwise);
+  EXPECT_EQ(done->whole.verdict, Verdict::True);
+  EXPECT_EQ(*done->whole.decided_at, 6u);
+  EXPECT_EQ(run("1230147", few)->whole.verdict, Verdict::Undecided);
+  const auto refused = run("1", {.most_nodes = 100});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().front().code, "L0013");
 }
 
 // Scans 1 and 2 are one letter.
