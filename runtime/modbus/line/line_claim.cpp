@@ -65,7 +65,15 @@ int LineClaim::take(const std::string& device) {
   const int error = ::isatty(descriptor_) == 1 ? lock(descriptor_) : ENOTTY;
   if (error != 0) release();
   if (error == 0 && is_pseudo_terminal(descriptor_)) make_settable(descriptor_);
+  device_ = device;
   return error;
+}
+
+bool LineClaim::moved() const {
+  struct stat locked {};
+  struct stat there {};
+  if (descriptor_ < 0 || ::fstat(descriptor_, &locked) != 0) return false;
+  return ::stat(device_.c_str(), &there) == 0 && there.st_rdev != locked.st_rdev;
 }
 
 void LineClaim::release() {

@@ -44,9 +44,13 @@ class LineClaim {
   // Opens without waiting for a carrier. Requires that nothing is taken.
   int take(const std::string& device);
   void release();
+  // The path leads to another device than the one that is locked, as a link does whose adapter was exchanged. Not
+  // while nothing is taken, and not while the path leads nowhere.
+  bool moved() const;
 
  private:
   int descriptor_ = -1;
+  std::string device_;
 };
 
 }  // namespace stepwright::modbus::line

@@ -302,6 +302,10 @@ bool Master::connected() const {
   return state_->open();
 }
 
+bool Master::moved() const {
+  return state_->claim.moved();
+}
+
 Outcome Master::select_unit(std::uint8_t unit) {
   const bool known = state_->serial() ? unit >= 1 && unit <= kLastUnit : unit <= kLastUnit || unit == 255;
   if (!known || modbus_set_slave(state_->context.get(), unit) != 0) return kBadRequest;

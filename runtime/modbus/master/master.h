@@ -60,6 +60,8 @@ class Master {
   Outcome connect();  // anew, if it is connected
   void close();
   bool connected() const;
+  // The path of the line leads to another device now: whoever hears nothing there had better connect anew.
+  bool moved() const;
 
   // The slave of the following requests: 1 to 247 on a line, 0 to 247 or 255 over TCP. BadRequest otherwise.
   Outcome select_unit(std::uint8_t unit);

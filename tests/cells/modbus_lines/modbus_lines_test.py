@@ -95,8 +95,8 @@ END_CONFIGURATION
 class BreakableLine:
     """A pair of pseudo terminals, of which the master's goes with the socat that makes it; the slave's stays."""
 
-    def __init__(self, folder):
-        self.master = folder / "line"
+    def __init__(self, folder, name="line"):
+        self.master = folder / name
         self.ours, self.theirs = os.openpty()
         tty.setraw(self.theirs)
         self.slave = os.ttyname(self.theirs)
@@ -104,11 +104,12 @@ class BreakableLine:
         self.mend()
 
     def cut(self, number=signal.SIGKILL):
+        # The number of its pseudo terminal is free at once, and may be another test's before the client looks.
+        self.master.unlink(missing_ok=True)
         self.process.send_signal(number)
         self.process.wait()
 
     def mend(self):
-        self.master.unlink(missing_ok=True)  # a killed socat leaves its link
         self.process = subprocess.Popen(["socat", f"FD:{self.ours}", f"pty,raw,echo=0,link={self.master}"], pass_fds=[self.ours])
         assert eventually(self.master.exists, PATIENCE_S, 0.001), "socat made no line"
 
@@ -135,13 +136,13 @@ class OnALine(unittest.TestCase):
         self.cell.write(more)
 
     def start_slave(self, arguments, said, **options):
-        slave = Process(arguments, self.cell.folder / "slave.log", **options)
+        slave = Process(arguments, self.cell.folder / f"slave{len(self.cell.processes)}.log", **options)
         self.cell.processes.append(slave)
         slave.wait_for(said, PATIENCE_S)
         return slave
 
-    def start_plc(self, *units):
-        return self.start_slave(["/usr/bin/python3", PLC, "line", self.line.slave, *units], "PLC at")
+    def start_plc(self, *units, line=None):
+        return self.start_slave(["/usr/bin/python3", PLC, "line", (line or self.line).slave, *units], "PLC at")
 
     def devices(self):
         """What the client says, by name of the device; nothing if it does not answer."""
@@ -284,7 +285,7 @@ read = ["all"]
 class Breaks(OnALine):
     def start_all(self, loss):
         self.make(BREAKING.replace("LOSS", loss), PROGRAM)
-        self.start_plc(1)
+        self.plc = self.start_plc(1)
         self.client = self.cell.start("modbus-client")
         self.assertTrue(eventually(lambda: (self.tag("plc", "half") or {}).get("quality") == GOOD, PATIENCE_S), self.client.output())
         self.runtime = self.cell.start("runtime")
@@ -346,6 +347,21 @@ class Breaks(OnALine):
         self.client.end(signal.SIGKILL)
         again = self.cell.start("modbus-client")
         self.assertTrue(eventually(lambda: (self.tag("plc", "half") or {}).get("quality") == GOOD, PATIENCE_S), again.output())
+
+    def test_a_path_that_leads_to_another_line_is_followed(self):
+        self.start_all("hold")
+        other = BreakableLine(self.cell.folder, "other")
+        self.addCleanup(other.close)
+        self.start_plc(1, line=other)
+        # As a link of udev after an adapter was exchanged, while something still holds the old device open.
+        self.line.master.unlink()
+        self.line.master.symlink_to(other.master.resolve())
+        self.assertEqual(self.tag("plc", "half")["quality"], GOOD)  # nobody leaves a line that answers
+        begin = time.monotonic()
+        self.plc.end(signal.SIGKILL)
+        self.mark = None
+        self.assertTrue(eventually(lambda: not self.devices()["plc"]["online"], PATIENCE_S), self.client.output())
+        self.assertTrue(eventually(lambda: self.fresh(begin) and self.devices()["plc"]["online"], PATIENCE_S), self.client.output())
 
     def test_a_second_client_of_another_cell_does_not_get_the_line(self):
         self.start_all("hold")

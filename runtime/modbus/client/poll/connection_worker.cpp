@@ -300,7 +300,7 @@ void ConnectionWorker::on_silence(std::size_t index, const std::string& error, C
                                   Clock::time_point now) {
   const PollSchedule::Silence silence = schedule_.silent(index, sent, now);
   if (silence.dead) cache_.offline(index, Quality::CommFailure, error, now);
-  if (!silence.of_connection) return;
+  if (!silence.of_connection && !(silence.dead && master_.moved())) return;
   master_.close();
   cache_.count(index,
                [](DeviceCounters& counters, std::vector<GroupStatus>&) { ++counters.connection_losses; });
