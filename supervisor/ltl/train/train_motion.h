@@ -25,10 +25,12 @@ class TrainMotion {
   // finite state within the limits.
   double step(TrainState& state, const TrainControl& control, double most_s);
 
+  // What of a control has an effect in that state: the parts that lead beyond a limit are nothing.
+  TrainControl within_limits(const TrainState& state, const TrainControl& control) const;
+
   std::uint64_t steps() const { return steps_; }
 
  private:
-  TrainControl within_limits(const TrainState& state, const TrainControl& control) const;
   double until_limit(const TrainState& state, const TrainControl& control, double most_s) const;
   double attempt(const TrainState& state, const TrainControl& control, double length_s,
                  TrainState& next) const;

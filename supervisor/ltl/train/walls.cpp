@@ -11,6 +11,7 @@ namespace {
 using geometry::Point;
 
 constexpr double kMostCells = 4e6;
+constexpr std::size_t kBlock = 8;  // cells of a block in each direction
 constexpr double kBarely_m = 1e-9;  // a side that comes no further into a box only touches it
 
 double distance_to(Point at, Point from, Point to) {
@@ -75,15 +76,37 @@ void Walls::sort_into_cells() {
   each_cell([&](std::size_t cell, std::uint32_t side) { inside_[next[cell]++] = side; });
 }
 
+// Block by block: which sides can be the nearest one of any of its cells is asked once for all of them.
 void Walls::measure_cells() {
-  const double half_diagonal = cell_m_ * std::sqrt(0.5);
   clearance_m_.resize(columns_ * rows_);
-  for (std::size_t r = 0; r < rows_; ++r) {
-    for (std::size_t c = 0; c < columns_; ++c) {
-      const Point middle{bounds_.low.x_m + (static_cast<double>(c) + 0.5) * cell_m_,
-                         bounds_.low.y_m + (static_cast<double>(r) + 0.5) * cell_m_};
+  std::vector<double> from_middle_m(sides_.size());
+  std::vector<std::uint32_t> candidates;
+  for (std::size_t r = 0; r < rows_; r += kBlock) {
+    for (std::size_t c = 0; c < columns_; c += kBlock) {
+      const double half = 0.5 * static_cast<double>(kBlock);
+      const Point middle = cell_m_ * Point{static_cast<double>(c) + half, static_cast<double>(r) + half} + bounds_.low;
       double nearest = std::numeric_limits<double>::infinity();
-      for (const Side& side : sides_) nearest = std::min(nearest, distance_to(middle, side.from, side.to));
+      for (std::size_t k = 0; k < sides_.size(); ++k) {
+        from_middle_m[k] = distance_to(middle, sides_[k].from, sides_[k].to);
+        nearest = std::min(nearest, from_middle_m[k]);
+      }
+      candidates.clear();
+      for (std::uint32_t k = 0; k < sides_.size(); ++k)
+        if (from_middle_m[k] <= nearest + 2.0 * std::sqrt(2.0) * half * cell_m_) candidates.push_back(k);
+      measure_block(r, c, candidates);
+    }
+  }
+}
+
+void Walls::measure_block(std::size_t row, std::size_t column, const std::vector<std::uint32_t>& candidates) {
+  const double half_diagonal = cell_m_ * std::sqrt(0.5);
+  for (std::size_t r = row; r < std::min(rows_, row + kBlock); ++r) {
+    for (std::size_t c = column; c < std::min(columns_, column + kBlock); ++c) {
+      const Point middle =
+          cell_m_ * Point{static_cast<double>(c) + 0.5, static_cast<double>(r) + 0.5} + bounds_.low;
+      double nearest = std::numeric_limits<double>::infinity();
+      for (const std::uint32_t k : candidates)
+        nearest = std::min(nearest, distance_to(middle, sides_[k].from, sides_[k].to));
       clearance_m_[r * columns_ + c] = std::max(0.0, nearest - half_diagonal);
     }
   }

@@ -38,6 +38,7 @@ class Walls {
   void add(const std::vector<geometry::Point>& ring);
   void sort_into_cells();
   void measure_cells();
+  void measure_block(std::size_t row, std::size_t column, const std::vector<std::uint32_t>& candidates);
   std::size_t column(double x_m) const;
   std::size_t row(double y_m) const;
   bool crosses(const Side& side, const LinkBox& box) const;

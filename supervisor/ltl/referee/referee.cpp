@@ -1,0 +1,247 @@
+#include "supervisor/ltl/referee/referee.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "plant_models/ode/cvode_solver.h"
+
+namespace stepwright::ltl {
+
+namespace {
+
+using geometry::Point;
+
+constexpr double kTouch_m = 1e-7;
+constexpr double kLimit = 1e-6;  // of speed, steering and controls beyond theirs
+
+// The equations once more, written as the paper has them: each trailer with the product of the cosines before
+// it.
+class Train : public ode::OdeSystem {
+ public:
+  explicit Train(const TrainModel& model) : model_(model) {}
+
+  TrainControl control;
+
+  std::size_t state_size() const override { return model_.states(); }
+  std::size_t root_count() const override { return 0; }
+  void roots(double, std::span<const double>, std::span<double>) const override {}
+  void derivative(double, std::span<const double> y, std::span<double> change) const override {
+    change[0] = y[3] * std::cos(y[2]);
+    change[1] = y[3] * std::sin(y[2]);
+    change[2] = y[3] * std::tan(y[4]) / model_.wheelbase_m;
+    change[3] = control.acceleration_m_s2;
+    change[4] = control.lock_rate_rad_s;
+    double product = 1.0;
+    for (std::size_t i = 1; i <= model_.trailers; ++i) {
+      if (i > 1) product *= std::cos(angle(y, i - 2) - angle(y, i - 1));
+      const double front = angle(y, i - 1), own = angle(y, i);
+      const double factor = model_.reading == HitchReading::Pulled ? std::sin(front - own)
+                                                                   : std::sin(front) - std::sin(own);
+      change[4 + i] = y[3] / model_.hitch_m * product * factor;
+    }
+  }
+
+ private:
+  static double angle(std::span<const double> y, std::size_t link) { return link == 0 ? y[2] : y[4 + link]; }
+
+  const TrainModel& model_;
+};
+
+using Corners = std::array<Point, 4>;
+
+Corners corners_of(Point middle, double heading, double length, double width) {
+  const Point ahead{0.5 * length * std::cos(heading), 0.5 * length * std::sin(heading)};
+  const Point left{-0.5 * width * std::sin(heading), 0.5 * width * std::cos(heading)};
+  return {middle + ahead + left, middle - ahead + left, middle - ahead - left, middle + ahead - left};
+}
+
+bool within(std::span<const Point> ring, Point at) {
+  bool in = false;
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    const Point a = ring[k], b = ring[(k + 1) % ring.size()];
+    if ((a.y_m <= at.y_m) != (b.y_m <= at.y_m) &&
+        (cross(b - a, at - a) > 0.0) == (b.y_m > a.y_m))
+      in = !in;
+  }
+  return in;
+}
+
+// Whether the side goes through the inside of the convex box: what is left of it in front of each face.
+bool cuts(const Corners& box, Point from, Point to) {
+  double enters = 0.0, leaves = 1.0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Point face = box[(k + 1) % 4] - box[k];
+    const double size = std::hypot(face.x_m, face.y_m);
+    const double at_from = cross(face, from - box[k]) / size - kTouch_m;
+    const double at_to = cross(face, to - box[k]) / size - kTouch_m;
+    if (at_from <= 0.0 && at_to <= 0.0) return false;
+    if (at_from < 0.0) enters = std::max(enters, at_from / (at_from - at_to));
+    if (at_to < 0.0) leaves = std::min(leaves, at_from / (at_from - at_to));
+  }
+  return enters < leaves;
+}
+
+bool share(const Corners& a, const Corners& b) {
+  const auto apart = [](const Corners& one, const Corners& other) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Point face = one[(k + 1) % 4] - one[k];
+      const double size = std::hypot(face.x_m, face.y_m);
+      if (std::ranges::all_of(other, [&](Point p) { return cross(face, p - one[k]) <= kTouch_m * size; }))
+        return true;
+    }
+    return false;
+  };
+  return !apart(a, b) && !apart(b, a);
+}
+
+class Referee {
+ public:
+  Referee(const Floor& floor, const TrainModel& model, const RefereeOptions& options, Judgement& judgement)
+      : floor_(floor), model_(model), options_(options), judgement_(judgement) {}
+
+  bool replay(const TrainPlan& plan) {
+    Train train(model_);
+    const std::size_t count = model_.states();
+    state_.assign(plan.start.begin(), plan.start.begin() + static_cast<std::ptrdiff_t>(count));
+    look();
+    auto solver = ode::CvodeSolver::create(
+        train, state_, 0.0,
+        {.relative_tolerance = options_.relative_tolerance,
+         .absolute_tolerance = std::vector<double>(count, options_.relative_tolerance),
+         .max_order = 12});
+    if (!solver) return refuse("the integration does not begin");
+    double begin = 0.0;
+    bool first = true;
+    for (const TrainPiece& piece : plan.pieces) {
+      if (!(piece.duration_s > 0.0)) return refuse("a control lasts no time");
+      if (!sound(piece.control)) return false;
+      train.control = effective(piece.control);
+      if (!first && !solver->restart(begin, state_)) return refuse("the integration ends");
+      first = false;
+      if (!follow(*solver, begin, begin + piece.duration_s)) return false;
+      begin += piece.duration_s;
+    }
+    judgement_.duration_s = begin;
+    for (std::size_t k = 0; k < 2; ++k)
+      judgement_.end_error_m = std::max(judgement_.end_error_m, std::abs(state_[k] - plan.end[k]));
+    if (judgement_.end_error_m > options_.most_end_error_m) return refuse("the plan ends elsewhere");
+    return true;
+  }
+
+ private:
+  bool refuse(const std::string& reason) {
+    if (judgement_.reason.empty()) judgement_.reason = reason;
+    return false;
+  }
+
+  bool sound(const TrainControl& control) {
+    const bool holds = std::abs(control.acceleration_m_s2) <= model_.most_acceleration_m_s2 + kLimit &&
+                       std::abs(control.lock_rate_rad_s) <= model_.most_lock_rate_rad_s + kLimit;
+    return holds || refuse("a control is beyond its limits");
+  }
+
+  // What is at its limit stays there.
+  TrainControl effective(TrainControl control) const {
+    if (std::abs(state_[3]) >= model_.most_speed_m_s - kLimit && state_[3] * control.acceleration_m_s2 > 0.0)
+      control.acceleration_m_s2 = 0.0;
+    if (std::abs(state_[4]) >= model_.most_lock_rad - kLimit && state_[4] * control.lock_rate_rad_s > 0.0)
+      control.lock_rate_rad_s = 0.0;
+    return control;
+  }
+
+  bool follow(ode::CvodeSolver& solver, double from, double to) {
+    double seen = from;
+    std::vector<double> at(state_.size());
+    while (seen < to) {
+      const double step = std::min(to - seen, options_.look_every_m / model_.most_speed_m_s);
+      const double next = to - seen - step < 1e-9 ? to : seen + step;
+      while (solver.time() < next)
+        if (solver.step() != ode::StepOutcome::Stepped) return refuse("the integration ends");
+      if (!solver.state_at(next, at)) return refuse("the integration ends");
+      judgement_.length_m += std::hypot(at[0] - state_[0], at[1] - state_[1]);
+      state_ = at;
+      seen = next;
+      if (!look()) return false;
+    }
+    return true;
+  }
+
+  std::string place() const {
+    return " at (" + std::to_string(state_[0]) + ", " + std::to_string(state_[1]) + ")";
+  }
+
+  bool look() {
+    ++judgement_.looks;
+    if (!std::ranges::all_of(state_, [](double value) { return std::isfinite(value); }))
+      return refuse("a state is no number");
+    if (std::abs(state_[3]) > model_.most_speed_m_s + kLimit) return refuse("too fast" + place());
+    if (std::abs(state_[4]) > model_.most_lock_rad + kLimit) return refuse("steers too far" + place());
+    Label label = 0;
+    for (std::size_t k = 0; k < floor_.propositions.size(); ++k)
+      if (within(floor_.propositions[k].ring, {state_[0], state_[1]})) label |= Label{1} << k;
+    if (judgement_.word.empty() || judgement_.word.back() != label) judgement_.word.push_back(label);
+    return clear();
+  }
+
+  bool clear() {
+    boxes_.clear();
+    middles_.clear();
+    Point middle{state_[0], state_[1]};
+    for (std::size_t link = 0; link < model_.links(); ++link) {
+      const double heading = link == 0 ? state_[2] : state_[4 + link];
+      if (link > 0) middle = middle - model_.spacing_m * Point{std::cos(heading), std::sin(heading)};
+      boxes_.push_back(corners_of(middle, heading, model_.length_m, model_.width_m));
+      middles_.push_back(middle);
+    }
+    for (std::size_t link = 0; link < boxes_.size(); ++link) {
+      if (!within(floor_.border.ring, middles_[link]) || meets(link, floor_.border))
+        return refuse("link " + std::to_string(link) + " leaves the floor" + place());
+      for (const Area& obstacle : floor_.obstacles)
+        if (within(obstacle.ring, middles_[link]) || meets(link, obstacle))
+          return refuse("link " + std::to_string(link) + " meets '" + obstacle.name + "'" + place());
+    }
+    const double reach = std::hypot(model_.length_m, model_.width_m);
+    for (std::size_t i = 0; i < boxes_.size(); ++i)
+      for (std::size_t k = i + 2; k < boxes_.size(); ++k)
+        if (geometry::distance(middles_[i], middles_[k]) < reach && share(boxes_[i], boxes_[k]))
+          return refuse("links " + std::to_string(i) + " and " + std::to_string(k) + " meet" + place());
+    return true;
+  }
+
+  bool meets(std::size_t link, const Area& area) const {
+    const double reach = 0.5 * std::hypot(model_.length_m, model_.width_m);
+    const Point at = middles_[link];
+    for (std::size_t k = 0; k < area.ring.size(); ++k)
+      if (reaches(area.ring[k], area.ring[(k + 1) % area.ring.size()], at, reach) &&
+          cuts(boxes_[link], area.ring[k], area.ring[(k + 1) % area.ring.size()]))
+        return true;
+    return false;
+  }
+
+  static bool reaches(Point a, Point b, Point at, double far) {
+    return std::min(a.x_m, b.x_m) <= at.x_m + far && std::max(a.x_m, b.x_m) >= at.x_m - far &&
+           std::min(a.y_m, b.y_m) <= at.y_m + far && std::max(a.y_m, b.y_m) >= at.y_m - far;
+  }
+
+  const Floor& floor_;
+  const TrainModel& model_;
+  RefereeOptions options_;
+  Judgement& judgement_;
+  std::vector<double> state_;
+  std::vector<Corners> boxes_;
+  std::vector<Point> middles_;
+};
+
+}  // namespace
+
+Judgement judge(const Floor& floor, const TrainModel& model, const Formula& formula, const TrainPlan& plan,
+                const RefereeOptions& options) {
+  Judgement judgement;
+  Referee referee(floor, model, options, judgement);
+  if (!referee.replay(plan)) return judgement;
+  if (!satisfies(formula, judgement.word)) judgement.reason = "the way does not satisfy the task";
+  return judgement;
+}
+
+}  // namespace stepwright::ltl

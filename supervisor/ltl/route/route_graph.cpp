@@ -1,0 +1,141 @@
+#include "supervisor/ltl/route/route_graph.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace stepwright::ltl {
+
+namespace {
+
+using geometry::Point;
+
+constexpr double kClose_m = 0.4;  // a place that near may be entered by who drives along
+
+double area_m2(const std::vector<Point>& ring) {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < ring.size(); ++k) sum += cross(ring[k], ring[(k + 1) % ring.size()]);
+  return 0.5 * sum;
+}
+
+Point unit(Point v) {
+  const double length = std::hypot(v.x_m, v.y_m);
+  return length > 0.0 ? (1.0 / length) * v : Point{};
+}
+
+// Of a corner: outwards of an anticlockwise ring, halfway between its sides; nothing where it is no corner
+// that bulges that way.
+std::optional<Point> outwards(Point before, Point at, Point after) {
+  const Point in = unit(at - before), out = unit(after - at);
+  if (cross(in, out) < 1e-3) return std::nullopt;
+  return unit(in - out);
+}
+
+}  // namespace
+
+RouteGraph::RouteGraph(const Floor& floor, const Places& places, const Walls& walls,
+                       const RouteOptions& options)
+    : places_(places), walls_(walls), options_(options) {
+  for (const Area& obstacle : floor.obstacles) add_corners(obstacle.ring, false);
+  add_corners(floor.border.ring, true);
+  add_places();
+  connect();
+}
+
+void RouteGraph::add(Point at, double margin_m) {
+  if (walls_.clearance_m(at) < margin_m) return;
+  points_.push_back(at);
+  labels_.push_back(places_.label(at));
+}
+
+void RouteGraph::add_corners(const std::vector<Point>& outline, bool hole) {
+  std::vector<Point> ring = outline;
+  if ((area_m2(ring) < 0.0) != hole) std::ranges::reverse(ring);
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    const auto out = outwards(ring[(k + ring.size() - 1) % ring.size()], ring[k], ring[(k + 1) % ring.size()]);
+    if (!out) continue;
+    for (const double distance : {options_.margin_m + 0.25, options_.wanted_m + 0.25})
+      add(ring[k] + distance * *out, options_.margin_m);
+  }
+}
+
+void RouteGraph::add_places() {
+  for (std::size_t k = 0; k < places_.size(); ++k) {
+    std::vector<Point> ring(places_.outline(k).begin(), places_.outline(k).end());
+    if (area_m2(ring) < 0.0) std::ranges::reverse(ring);
+    const std::size_t before = points_.size();
+    Point middle;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Point from = ring[i], to = ring[(i + 1) % ring.size()], along = unit(to - from);
+      middle = middle + (1.0 / static_cast<double>(ring.size())) * from;
+      const double side = geometry::distance(from, to);
+      const auto count = static_cast<std::size_t>(std::ceil(side / options_.spread_m));
+      for (std::size_t n = 0; n < count; ++n) {
+        const double share = (static_cast<double>(n) + 0.5) / static_cast<double>(count);
+        const Point at = from + share * (to - from) + options_.depth_m * Point{-along.y_m, along.x_m};
+        if (inside(ring, at)) add(at, options_.margin_m);
+      }
+    }
+    if (inside(ring, middle)) add(middle, points_.size() == before ? 0.0 : options_.margin_m);
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const auto out = outwards(ring[(i + ring.size() - 1) % ring.size()], ring[i], ring[(i + 1) % ring.size()]);
+      if (out) add(ring[i] + (2.0 * kClose_m) * *out, options_.margin_m);
+    }
+  }
+}
+
+std::uint32_t RouteGraph::Words::number(const std::vector<Label>& word) {
+  const auto found = std::ranges::find(all, word);
+  const auto at = static_cast<std::uint32_t>(found - all.begin());
+  if (found == all.end()) all.push_back(word);
+  return at;
+}
+
+void RouteGraph::read(Way& way, Point from, Point to, Words& words) const {
+  const Label here = places_.label(from);
+  std::vector<Label> letters;
+  places_.read(from, to, here, letters);
+  way.word = letters.empty() ? 0 : words.number(letters);
+  way.near = places_.near(from, to, kClose_m) & ~here;
+}
+
+std::optional<RouteGraph::Way> RouteGraph::way(Point from, Point to, Words& words) const {
+  const double length = geometry::distance(from, to);
+  const double least = std::min({options_.margin_m, walls_.clearance_m(from), walls_.clearance_m(to)});
+  double cost = length;
+  for (double done = 0.0; done < length;) {
+    const double clear = walls_.clearance_m(from + (done / length) * (to - from));
+    if (clear < least - 1e-9 || clear <= 0.0) return std::nullopt;
+    const double step = std::min(length - done, std::max(0.15, clear - least));
+    const double short_m = options_.wanted_m - clear;
+    if (short_m > 0.0) cost += step * options_.weight * short_m / options_.wanted_m;
+    done += step;
+  }
+  Way found{.cost_m = cost, .length_m = length};
+  read(found, from, to, words);
+  return found;
+}
+
+void RouteGraph::connect() {
+  const auto count = static_cast<std::uint32_t>(points_.size());
+  std::vector<std::vector<Way>> from(count);
+  for (std::uint32_t a = 0; a < count; ++a) {
+    for (std::uint32_t b = a + 1; b < count; ++b) {
+      auto there = way(points_[a], points_[b], words_);
+      if (!there) continue;
+      Way back = *there;
+      there->to = b;
+      back.to = a;
+      if (there->word != 0 || there->near != 0 || labels_[a] != 0) read(back, points_[b], points_[a], words_);
+      from[a].push_back(*there);
+      from[b].push_back(back);
+    }
+  }
+  first_.push_back(0);
+  for (const auto& each : from) {
+    ways_.insert(ways_.end(), each.begin(), each.end());
+    first_.push_back(static_cast<std::uint32_t>(ways_.size()));
+  }
+}
+
+}  // namespace stepwright::ltl

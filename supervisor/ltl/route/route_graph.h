@@ -1,0 +1,79 @@
+#pragma once
+
+// Straight ways of a point between points of a floor that matter: beside corners of walls, at two distances;
+// within propositions, where they are entered; beside corners of propositions, for tasks that must not enter
+// them. Each way keeps a clearance from walls, costs more where that is small, and knows the labels that it
+// reads (Plaku 2012, section 3.2, has triangles in this place; the ways of this graph are as long as they are
+// driven).
+//
+// Immutable; any thread may read. Places and walls must outlive it. Example:
+//   const RouteGraph graph(floor, places, walls, {.margin_m = 0.5});
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "supervisor/ltl/scene/places.h"
+#include "supervisor/ltl/train/walls.h"
+
+namespace stepwright::ltl {
+
+struct RouteOptions {
+  double margin_m = 0.4;  // no way comes nearer to a wall
+  double wanted_m = 1.5;  // ways that come nearer than this cost more
+  double weight = 2.0;    // cost of a metre at the walls, beyond its length
+  double depth_m = 0.25;  // of points within propositions from their outline
+  double spread_m = 2.0;  // between such points
+};
+
+class RouteGraph {
+ public:
+  struct Way {
+    std::uint32_t to = 0;
+    double cost_m = 0.0;
+    double length_m = 0.0;
+    std::uint32_t word = 0;  // the labels that it reads
+    Label near = 0;          // places that it passes closely
+  };
+
+  RouteGraph(const Floor& floor, const Places& places, const Walls& walls, const RouteOptions& options);
+
+  std::span<const geometry::Point> points() const { return points_; }
+  std::span<const Way> ways(std::uint32_t from) const {
+    return {ways_.data() + first_[from], ways_.data() + first_[from + 1]};
+  }
+  Label label(std::uint32_t point) const { return labels_[point]; }
+  // Words by their numbers; 0 is the empty one.
+  const std::vector<Label>& word(std::uint32_t number) const { return words_.all[number]; }
+  std::size_t words() const { return words_.all.size(); }
+  const Places& places() const { return places_; }
+  const RouteOptions& options() const { return options_; }
+
+  // Different words, each once.
+  struct Words {
+    std::vector<std::vector<Label>> all = {{}};
+    std::uint32_t number(const std::vector<Label>& word);
+  };
+  // The way between any two points, whose word is among `words`; nothing where it comes too near to a wall.
+  std::optional<Way> way(geometry::Point from, geometry::Point to, Words& words) const;
+  const Words& all_words() const { return words_; }
+
+ private:
+  void add(geometry::Point at, double margin_m);
+  void add_corners(const std::vector<geometry::Point>& ring, bool hole);
+  void add_places();
+  void connect();
+  void read(Way& way, geometry::Point from, geometry::Point to, Words& words) const;
+
+  const Places& places_;
+  const Walls& walls_;
+  RouteOptions options_;
+  std::vector<geometry::Point> points_;
+  std::vector<Label> labels_;
+  std::vector<Way> ways_;
+  std::vector<std::uint32_t> first_;
+  Words words_;
+};
+
+}  // namespace stepwright::ltl

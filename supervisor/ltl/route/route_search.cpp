@@ -1,0 +1,150 @@
+#include "supervisor/ltl/route/route_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <queue>
+
+namespace stepwright::ltl {
+
+namespace {
+
+using geometry::Point;
+
+constexpr double kCloseCost_m = 6.0;  // of passing a place closely that must not be entered
+constexpr double kTrust = 0.85;      // share of the guide's ways, which are not taut
+constexpr std::uint32_t kStart = 0xFFFF'FFFF;
+
+double turn_rad(Point in, Point out) {
+  if ((in.x_m == 0.0 && in.y_m == 0.0) || (out.x_m == 0.0 && out.y_m == 0.0)) return 0.0;
+  return std::abs(std::atan2(cross(in, out), dot(in, out)));
+}
+
+double chance(std::uint64_t seed, std::uint64_t a, std::uint64_t b) {
+  std::uint64_t x = seed * 0x9E3779B97F4A7C15u + std::min(a, b) * 0xC2B2AE3D27D4EB4Fu + std::max(a, b);
+  x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9u;
+  x = (x ^ (x >> 27)) * 0x94D049BB133111EBu;
+  return static_cast<double>((x ^ (x >> 31)) >> 11) * 0x1.0p-53;
+}
+
+}  // namespace
+
+RouteSearch::RouteSearch(const RouteGraph& graph, TaskStates states, const RouteGuide& guide)
+    : graph_(graph), states_(std::move(states)), guide_(guide) {
+  if (guide_.guide == nullptr) return;
+  for (const Point at : graph_.points()) regions_.push_back(guide_.map->locate(at));
+}
+
+std::uint32_t RouteSearch::after(std::uint32_t row, const RouteGraph::Way& way, const RouteGraph::Words& words) {
+  if (way.word == 0) return row_[row].state;
+  const bool is_known = way.word < row_[row].after.size();
+  if (is_known && row_[row].after[way.word] != kUnknown) return row_[row].after[way.word];
+  std::uint32_t state = row_[row].state;
+  for (const Label letter : words.all[way.word]) {
+    state = states_.next(state, letter);
+    if (states_.accepting(state)) break;
+    if (states_.rejecting(state)) {
+      state = kBroken;
+      break;
+    }
+  }
+  if (is_known) row_[row].after[way.word] = state;
+  return state;
+}
+
+bool RouteSearch::close(std::uint32_t row, Label near) {
+  if (near == 0) return false;
+  const auto [known, is_new] = row_[row].broken_by.try_emplace(near, false);
+  if (is_new) known->second = states_.rejecting(states_.next(row_[row].state, near));
+  return known->second;
+}
+
+std::uint32_t RouteSearch::row(std::uint32_t state) {
+  const auto [found, is_new] = rows_.try_emplace(state, static_cast<std::uint32_t>(rows_.size()));
+  if (is_new) row_.push_back({state, std::vector<std::uint32_t>(graph_.words(), kUnknown), {}});
+  const std::size_t needed = row_.size() * graph_.points().size();
+  if (nodes_.size() < needed)
+    nodes_.resize(needed, {std::numeric_limits<double>::infinity(), kStart, nullptr, false});
+  return found->second;
+}
+
+double RouteSearch::to_go_m(std::uint32_t point, std::uint32_t state) const {
+  if (guide_.guide == nullptr || regions_[point] == kNoRegion) return 0.0;
+  return kTrust * guide_.guide->to_go_m(regions_[point], state);
+}
+
+Route RouteSearch::route(const RouteQuery& query) {
+  const auto count = static_cast<std::uint32_t>(graph_.points().size());
+  nodes_.clear();
+  if (states_.accepting(query.state)) return {{query.at, query.state, {}}};
+  using Open = std::pair<double, std::uint32_t>;
+  std::priority_queue<Open, std::vector<Open>, std::greater<>> open;
+  RouteGraph::Words own = graph_.all_words();
+  std::vector<RouteGraph::Way> first;
+  const Point heading{std::cos(query.heading_rad), std::sin(query.heading_rad)};
+  const auto relax = [&](std::uint32_t before, std::uint32_t before_row, Point at, Point came, double cost,
+                         const RouteGraph::Way& way) {
+    const std::uint32_t state = after(before_row, way, own);
+    if (state == kBroken || (query.only != nullptr && (state >= query.only->size() || !(*query.only)[state])))
+      return;
+    const std::uint32_t from = before == kStart ? count : before % count;
+    double more = way.cost_m + (close(before_row, way.near) ? kCloseCost_m : 0.0);
+    if (query.noise > 0.0) more *= 1.0 + query.noise * (2.0 * chance(query.seed, from, way.to) - 1.0);
+    const std::uint32_t index = row(state) * count + way.to;
+    if (nodes_[index].done || cost + more >= nodes_[index].cost_m) return;
+    more += query.turn_m * turn_rad(came, graph_.points()[way.to] - at);
+    Node& next = nodes_[index];
+    if (cost + more >= next.cost_m) return;
+    const double left = to_go_m(way.to, state);
+    if (left == Guide::kNever) return;
+    next.cost_m = cost + more;
+    next.before = before;
+    next.way = &way;
+    open.emplace(next.cost_m + left, index);
+  };
+  for (std::uint32_t k = 0; k < count; ++k) {
+    auto way = graph_.way(query.at, graph_.points()[k], own);
+    if (!way) continue;
+    way->to = k;
+    first.push_back(*way);
+  }
+  const std::uint32_t start_row = row(query.state);
+  for (const auto& way : first) relax(kStart, start_row, query.at, heading, 0.0, way);
+  while (!open.empty() && nodes_.size() < query.most_nodes) {
+    const std::uint32_t index = open.top().second;
+    open.pop();
+    if (nodes_[index].done) continue;
+    nodes_[index].done = true;
+    ++expanded_;
+    const std::uint32_t at_row = index / count, at = index % count;
+    if (states_.accepting(row_[at_row].state)) return path(index, query, own);
+    const std::uint32_t before = nodes_[index].before;
+    const double cost = nodes_[index].cost_m;
+    const Point came = graph_.points()[at] - (before == kStart ? query.at : graph_.points()[before % count]);
+    for (const auto& way : graph_.ways(at)) relax(index, at_row, graph_.points()[at], came, cost, way);
+  }
+  return {};
+}
+
+Route RouteSearch::path(std::uint32_t last, const RouteQuery& query, const RouteGraph::Words& own) {
+  const auto count = static_cast<std::uint32_t>(graph_.points().size());
+  std::vector<std::uint32_t> order;
+  for (std::uint32_t at = last; at != kStart; at = nodes_[at].before) order.push_back(at);
+  Route route = {{query.at, query.state, {}}};
+  std::uint32_t state = query.state;
+  for (auto at = order.rbegin(); at != order.rend(); ++at) {
+    RoutePoint point{graph_.points()[*at % count], state, {}};
+    for (const Label letter : own.all[nodes_[*at].way->word]) {
+      if (states_.accepting(state)) break;
+      const std::uint32_t next = states_.next(state, letter);
+      if (next != state) point.through.push_back(next);
+      state = next;
+    }
+    point.state = state;
+    route.push_back(std::move(point));
+  }
+  return route;
+}
+
+}  // namespace stepwright::ltl

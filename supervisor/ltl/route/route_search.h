@@ -1,0 +1,88 @@
+#pragma once
+
+// The cheapest way of a point that does a task, in the product of a route graph and the task's states
+// (forwards; only states that are met exist, so that a task may be a progression). Turns cost what a train
+// needs for them; as what a turn costs depends on the way to it, the result is near to the cheapest. The
+// guide, where there is one, tells which way is worth trying first (A*).
+//
+// Thread rule: one thread at a time. Graph and guide must outlive it. Example:
+//   RouteSearch search(graph, states, {&map, &guide});
+//   auto route = search.route({.at = {0, 0}, .heading_rad = 0.0, .state = states.start()});
+
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "supervisor/ltl/guide/guide.h"
+#include "supervisor/ltl/guide/task_states.h"
+#include "supervisor/ltl/route/route_graph.h"
+
+namespace stepwright::ltl {
+
+struct RoutePoint {
+  geometry::Point at;
+  std::uint32_t state = 0;             // of the task, once the point is reached
+  std::vector<std::uint32_t> through;  // states on the way to it that differ from the one before; the last
+                                       // is `state` unless nothing changed
+};
+using Route = std::vector<RoutePoint>;  // begins where the train is
+
+struct RouteQuery {
+  geometry::Point at;
+  double heading_rad = 0.0;
+  std::uint32_t state = 0;  // has read the label at that point
+  double turn_m = 1.0;      // cost of a turn of one radian
+  double noise = 0.0;       // ways cost up to so much more or less, as a share, by chance
+  std::uint64_t seed = 0;
+  std::size_t most_nodes = 4'000'000;
+  const std::vector<bool>* only = nullptr;  // by state: no others
+};
+
+// Costs to go on the floor's regions; of automata only.
+struct RouteGuide {
+  const RegionMap* map = nullptr;
+  const Guide* guide = nullptr;
+};
+
+class RouteSearch {
+ public:
+  RouteSearch(const RouteGraph& graph, TaskStates states, const RouteGuide& guide = {});
+
+  // From there to acceptance; empty if there is no way, or the bound was met.
+  Route route(const RouteQuery& query);
+  const RouteGraph& graph() const { return graph_; }
+  std::size_t expanded() const { return expanded_; }
+
+ private:
+  static constexpr std::uint32_t kBroken = 0xFFFF'FFFF;  // after a word that breaks the task
+  static constexpr std::uint32_t kUnknown = 0xFFFF'FFFE;
+
+  struct Node {
+    double cost_m = 0.0;
+    std::uint32_t before = 0;
+    const RouteGraph::Way* way = nullptr;
+    bool done = false;
+  };
+  struct Row {
+    std::uint32_t state = 0;
+    std::vector<std::uint32_t> after;                 // by word
+    std::unordered_map<Label, bool> broken_by;        // places close by
+  };
+
+  std::uint32_t after(std::uint32_t row, const RouteGraph::Way& way, const RouteGraph::Words& words);
+  bool close(std::uint32_t row, Label near);
+  std::uint32_t row(std::uint32_t state);
+  double to_go_m(std::uint32_t point, std::uint32_t state) const;
+  Route path(std::uint32_t last, const RouteQuery& query, const RouteGraph::Words& own);
+
+  const RouteGraph& graph_;
+  TaskStates states_;
+  RouteGuide guide_;
+  std::vector<std::uint32_t> regions_;                     // of each point
+  std::unordered_map<std::uint32_t, std::uint32_t> rows_;  // of each state that was met
+  std::vector<Row> row_;
+  std::vector<Node> nodes_;
+  std::size_t expanded_ = 0;
+};
+
+}  // namespace stepwright::ltl

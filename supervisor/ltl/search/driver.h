@@ -1,0 +1,80 @@
+#pragma once
+
+// Drives a train along a route in closed loop, forwards: pure pursuit (R. C. Coulter 1992) within the limits
+// of steering and speed, checked at each step of the integration for walls, itself and the task.
+//
+// Thread rule: one thread at a time; what it borrows must outlive it. Example:
+//   Driver driver(model, walls, places, states);
+//   const Drive drive = driver.along(route, state, {.lookahead_m = 1.0});
+//   if (drive.end == DriveEnd::Done) ...
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "supervisor/ltl/route/route_search.h"
+#include "supervisor/ltl/train/train_motion.h"
+#include "supervisor/ltl/train/train_plan.h"
+
+namespace stepwright::ltl {
+
+struct DriveStyle {
+  double lookahead_m = 1.0;
+  double tightest_m = 1.0;  // radius of the tightest turn
+  double cruise_m_s = 1.5;
+  int side = 0;  // of turns to what lies behind: 1 left, -1 right, 0 the shorter one
+};
+
+// A state on the way, and what is left of the route from there.
+struct DriveMark {
+  TrainState state{};
+  std::uint32_t task = 0;
+  std::size_t pieces = 0;  // that lead here
+  double length_m = 0.0;   // driven so far
+  double left_m = 0.0;     // of the route
+};
+
+enum class DriveEnd : std::uint8_t {
+  Done,     // the task is accepted
+  Blocked,  // the next step meets a wall or the train itself
+  Broken,   // the next step breaks the task
+  Astray,   // a state of the task that the route does not have: another route must be found
+  Stuck,    // it circles around the next point
+  Over,     // the end of the route
+};
+
+struct Drive {
+  DriveEnd end = DriveEnd::Over;
+  std::vector<TrainPiece> pieces;
+  std::vector<DriveMark> marks;  // the last one is where it ended
+};
+
+class Driver {
+ public:
+  Driver(const TrainModel& model, const Walls& walls, const Places& places, TaskStates states)
+      : model_(model), walls_(walls), places_(places), states_(std::move(states)) {}
+
+  Drive along(const Route& route, const TrainState& from, const DriveStyle& style);
+
+  // One control from a state: marks as above. Ends with Over where nothing stops it.
+  Drive hold(const TrainState& from, std::uint32_t task, const TrainControl& control, double duration_s);
+
+  bool valid(const TrainState& state) const;
+  std::uint64_t steps() const { return steps_; }
+
+ private:
+  enum class Event : std::uint8_t { None, Changed, Done, Blocked, Broken };
+
+  Event advance(TrainMotion& motion, const TrainControl& control, double duration_s, DriveMark& at,
+                Drive& drive);
+
+  const TrainModel& model_;
+  const Walls& walls_;
+  const Places& places_;
+  TaskStates states_;
+  std::vector<Label> letters_;
+  std::vector<std::uint32_t> changes_;
+  std::uint64_t steps_ = 0;
+};
+
+}  // namespace stepwright::ltl

@@ -1,0 +1,91 @@
+#pragma once
+
+// Plans for a train that do a task: a tree of states that are driven to in closed loop along routes of a
+// point. Most often the first route is the plan; where a train fails to follow one, the tree grows from the
+// states before that, by other routes, other styles of driving and, now and then, by any control, so that no
+// state that can be reached is left out for ever. Forwards first; in reverse by chance controls only.
+//
+// Source of the tree: E. Plaku 2012, Algorithm 1; what is ours is the guide and the driver.
+// Thread rule: one thread at a time; several searches with different seeds may share floor and model.
+// Example:
+//   TrainSearch search(floor, places, model, states);
+//   const SearchAnswer answer = search.first({.start = state, .seed = 1, .most_s = 10.0});
+//   if (answer.plan) ...
+
+#include <chrono>
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <random>
+#include <vector>
+
+#include "supervisor/ltl/search/driver.h"
+
+namespace stepwright::ltl {
+
+struct SearchQuery {
+  TrainState start{};
+  std::uint64_t seed = 1;
+  double most_s = 10.0;
+};
+
+struct SearchAnswer {
+  std::optional<TrainPlan> plan;
+  std::size_t drives = 0;  // along routes
+  std::size_t nodes = 0;   // of the tree
+  std::uint64_t steps = 0;  // of the integration
+  double prepared_s = 0.0;  // until the first route was asked for
+  double spent_s = 0.0;
+};
+
+class TrainSearch {
+ public:
+  // What is borrowed must outlive it.
+  TrainSearch(const Floor& floor, const RegionMap& map, const Places& places, const TrainModel& model,
+              TaskStates states);
+  ~TrainSearch();
+
+  // The first plan that is found.
+  SearchAnswer first(const SearchQuery& query);
+  // A shorter one than that, by other routes and styles, until the time is over.
+  SearchAnswer shorter(const SearchQuery& query, double than_m);
+
+ private:
+  struct Node {
+    TrainState state{};
+    std::uint32_t task = 0;
+    std::uint32_t parent = 0;
+    std::vector<TrainPiece> pieces;
+    double length_m = 0.0;  // from the root
+    double left_m = 0.0;
+    double fails = 0.0;
+  };
+  struct Routes;
+  using Clock = std::chrono::steady_clock;
+
+  Routes& routes(std::size_t level);
+  DriveStyle style(bool by_chance);
+  std::size_t choose();
+  void add(std::size_t parent, const Drive& drive);
+  void blame(std::size_t parent, std::size_t first_new, const Drive& drive);
+  bool explore(std::size_t from, SearchAnswer& answer);
+  TrainPlan plan_to(std::size_t node) const;
+  bool begin(const SearchQuery& query);
+  double chance() { return std::uniform_real_distribution<double>(0.0, 1.0)(dice_); }
+
+  const Floor& floor_;
+  const RegionMap& map_;
+  const Places& places_;
+  TrainModel model_;
+  TaskStates states_;
+  TrainModel wide_;  // a little larger, for what happens between two steps
+  Walls walls_;
+  Driver driver_;
+  std::optional<Guide> guide_;  // of automata
+  std::vector<std::unique_ptr<Routes>> routes_;
+  std::mt19937_64 dice_;
+  std::deque<Node> nodes_;
+};
+
+}  // namespace stepwright::ltl
