@@ -22,8 +22,8 @@ class TaskStates {
   // The automaton must outlive this.
   explicit TaskStates(const Automaton& automaton) : automaton_(&automaton) {}
   explicit TaskStates(const Formula& formula)
-      : progression_(std::make_shared<Progression>(formula.terms, formula.root, formula.proposition_count())) {
-  }
+      : progression_(
+            std::make_shared<Progression>(formula.terms, formula.root, formula.proposition_count())) {}
 
   std::uint32_t start() const { return automaton_ != nullptr ? automaton_->initial : progression_->start(); }
   std::uint32_t next(std::uint32_t state, Letter letter) const {

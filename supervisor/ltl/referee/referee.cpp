@@ -1,10 +1,12 @@
 #include "supervisor/ltl/referee/referee.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 
 #include "plant_models/ode/cvode_solver.h"
+#include "supervisor/ltl/referee/internal/within.h"
 
 namespace stepwright::ltl {
 
@@ -36,8 +38,8 @@ class Train : public ode::OdeSystem {
     for (std::size_t i = 1; i <= model_.trailers; ++i) {
       if (i > 1) product *= std::cos(angle(y, i - 2) - angle(y, i - 1));
       const double front = angle(y, i - 1), own = angle(y, i);
-      const double factor = model_.reading == HitchReading::Pulled ? std::sin(front - own)
-                                                                   : std::sin(front) - std::sin(own);
+      const double factor =
+          model_.reading == HitchReading::Pulled ? std::sin(front - own) : std::sin(front) - std::sin(own);
       change[4 + i] = y[3] / model_.hitch_m * product * factor;
     }
   }
@@ -54,17 +56,6 @@ Corners corners_of(Point middle, double heading, double length, double width) {
   const Point ahead{0.5 * length * std::cos(heading), 0.5 * length * std::sin(heading)};
   const Point left{-0.5 * width * std::sin(heading), 0.5 * width * std::cos(heading)};
   return {middle + ahead + left, middle - ahead + left, middle - ahead - left, middle + ahead - left};
-}
-
-bool within(std::span<const Point> ring, Point at) {
-  bool in = false;
-  for (std::size_t k = 0; k < ring.size(); ++k) {
-    const Point a = ring[k], b = ring[(k + 1) % ring.size()];
-    if ((a.y_m <= at.y_m) != (b.y_m <= at.y_m) &&
-        (cross(b - a, at - a) > 0.0) == (b.y_m > a.y_m))
-      in = !in;
-  }
-  return in;
 }
 
 // Whether the side goes through the inside of the convex box: what is left of it in front of each face.
@@ -100,11 +91,12 @@ class Referee {
   Referee(const Floor& floor, const TrainModel& model, const RefereeOptions& options, Judgement& judgement)
       : floor_(floor), model_(model), options_(options), judgement_(judgement) {}
 
-  bool replay(const TrainPlan& plan) {
+  bool replay(const TrainPlan& plan, const TrainState& start) {
     Train train(model_);
     const std::size_t count = model_.states();
     state_.assign(plan.start.begin(), plan.start.begin() + static_cast<std::ptrdiff_t>(count));
-    look();
+    if (plan.start != start) return refuse("the plan begins elsewhere");
+    if (!look()) return false;
     auto solver = ode::CvodeSolver::create(
         train, state_, 0.0,
         {.relative_tolerance = options_.relative_tolerance,
@@ -115,6 +107,7 @@ class Referee {
     bool first = true;
     for (const TrainPiece& piece : plan.pieces) {
       if (!(piece.duration_s > 0.0)) return refuse("a control lasts no time");
+      if (!(begin + piece.duration_s <= options_.longest_s)) return refuse("the plan lasts too long");
       if (!sound(piece.control)) return false;
       train.control = effective(piece.control);
       if (!first && !solver->restart(begin, state_)) return refuse("the integration ends");
@@ -123,9 +116,10 @@ class Referee {
       begin += piece.duration_s;
     }
     judgement_.duration_s = begin;
-    for (std::size_t k = 0; k < 2; ++k)
-      judgement_.end_error_m = std::max(judgement_.end_error_m, std::abs(state_[k] - plan.end[k]));
-    if (judgement_.end_error_m > options_.most_end_error_m) return refuse("the plan ends elsewhere");
+    for (std::size_t k = 0; k < count; ++k)
+      judgement_.end_error = std::max(judgement_.end_error, std::abs(state_[k] - plan.end[k]));
+    const bool numbers = std::ranges::all_of(plan.end, [](double value) { return std::isfinite(value); });
+    if (!numbers || judgement_.end_error > options_.most_end_error) return refuse("the plan ends elsewhere");
     return true;
   }
 
@@ -160,14 +154,17 @@ class Referee {
         if (solver.step() != ode::StepOutcome::Stepped) return refuse("the integration ends");
       if (!solver.state_at(next, at)) return refuse("the integration ends");
       judgement_.length_m += std::hypot(at[0] - state_[0], at[1] - state_[1]);
+      const Point before = place();
       state_ = at;
       seen = next;
+      read_way(floor_.propositions, before, place(), judgement_.word);
       if (!look()) return false;
     }
     return true;
   }
 
-  std::string place() const {
+  Point place() const { return {state_[0], state_[1]}; }
+  std::string there() const {
     return " at (" + std::to_string(state_[0]) + ", " + std::to_string(state_[1]) + ")";
   }
 
@@ -175,12 +172,9 @@ class Referee {
     ++judgement_.looks;
     if (!std::ranges::all_of(state_, [](double value) { return std::isfinite(value); }))
       return refuse("a state is no number");
-    if (std::abs(state_[3]) > model_.most_speed_m_s + kLimit) return refuse("too fast" + place());
-    if (std::abs(state_[4]) > model_.most_lock_rad + kLimit) return refuse("steers too far" + place());
-    Label label = 0;
-    for (std::size_t k = 0; k < floor_.propositions.size(); ++k)
-      if (within(floor_.propositions[k].ring, {state_[0], state_[1]})) label |= Label{1} << k;
-    if (judgement_.word.empty() || judgement_.word.back() != label) judgement_.word.push_back(label);
+    if (std::abs(state_[3]) > model_.most_speed_m_s + kLimit) return refuse("too fast" + there());
+    if (std::abs(state_[4]) > model_.most_lock_rad + kLimit) return refuse("steers too far" + there());
+    if (judgement_.word.empty()) read_way(floor_.propositions, place(), place(), judgement_.word);
     return clear();
   }
 
@@ -195,17 +189,17 @@ class Referee {
       middles_.push_back(middle);
     }
     for (std::size_t link = 0; link < boxes_.size(); ++link) {
-      if (!within(floor_.border.ring, middles_[link]) || meets(link, floor_.border))
-        return refuse("link " + std::to_string(link) + " leaves the floor" + place());
+      if (!internal::within(floor_.border.ring, middles_[link]) || meets(link, floor_.border))
+        return refuse("link " + std::to_string(link) + " leaves the floor" + there());
       for (const Area& obstacle : floor_.obstacles)
-        if (within(obstacle.ring, middles_[link]) || meets(link, obstacle))
-          return refuse("link " + std::to_string(link) + " meets '" + obstacle.name + "'" + place());
+        if (internal::within(obstacle.ring, middles_[link]) || meets(link, obstacle))
+          return refuse("link " + std::to_string(link) + " meets '" + obstacle.name + "'" + there());
     }
     const double reach = std::hypot(model_.length_m, model_.width_m);
     for (std::size_t i = 0; i < boxes_.size(); ++i)
       for (std::size_t k = i + 2; k < boxes_.size(); ++k)
         if (geometry::distance(middles_[i], middles_[k]) < reach && share(boxes_[i], boxes_[k]))
-          return refuse("links " + std::to_string(i) + " and " + std::to_string(k) + " meet" + place());
+          return refuse("links " + std::to_string(i) + " and " + std::to_string(k) + " meet" + there());
     return true;
   }
 
@@ -235,11 +229,11 @@ class Referee {
 
 }  // namespace
 
-Judgement judge(const Floor& floor, const TrainModel& model, const Formula& formula, const TrainPlan& plan,
-                const RefereeOptions& options) {
+Judgement judge(const Floor& floor, const TrainModel& model, const TrainState& start, const Formula& formula,
+                const TrainPlan& plan, const RefereeOptions& options) {
   Judgement judgement;
   Referee referee(floor, model, options, judgement);
-  if (!referee.replay(plan)) return judgement;
+  if (!referee.replay(plan, start)) return judgement;
   if (!satisfies(formula, judgement.word)) judgement.reason = "the way does not satisfy the task";
   return judgement;
 }

@@ -5,7 +5,7 @@
 // become a word, and the formula is evaluated on that word by its definition, without automata.
 //
 // Pure functions; any thread. Example:
-//   const Judgement judgement = judge(floor, model, formula, plan);
+//   const Judgement judgement = judge(floor, model, start, formula, plan);
 //   if (!judgement.accepted()) std::puts(judgement.reason.c_str());
 
 #include <string>
@@ -20,13 +20,14 @@ namespace stepwright::ltl {
 
 struct RefereeOptions {
   double relative_tolerance = 1e-10;
-  double look_every_m = 0.01;  // on the way of the fastest link
-  double most_end_error_m = 1e-3;
+  double look_every_m = 0.01;    // on the way of the car at its most speed
+  double most_end_error = 1e-3;  // of each state: m, rad, m/s
+  double longest_s = 86'400.0;
 };
 
 struct Judgement {
   std::string reason;  // empty: the plan holds
-  double end_error_m = 0.0;
+  double end_error = 0.0;
   double length_m = 0.0;  // of the car's way
   double duration_s = 0.0;
   std::vector<Label> word;  // labels of the car's reference point, each one other than the one before
@@ -35,12 +36,18 @@ struct Judgement {
   bool accepted() const { return reason.empty(); }
 };
 
-Judgement judge(const Floor& floor, const TrainModel& model, const Formula& formula, const TrainPlan& plan,
-                const RefereeOptions& options = {});
+// `start` is where the train stands: the plan must begin there.
+Judgement judge(const Floor& floor, const TrainModel& model, const TrainState& start, const Formula& formula,
+                const TrainPlan& plan, const RefereeOptions& options = {});
 
-// Whether the word satisfies the formula by itself, by the definition of each operator on finite words (strong:
-// X and U ask for letters that are there). Requires a formula without Release where it is to be exact for
-// co-safe tasks; R holds to the end of the word.
+// The labels of a straight way, each one other than the one before, appended to a word. A strip is read
+// however thin it is.
+void read_way(const std::vector<Area>& propositions, geometry::Point from, geometry::Point to,
+              std::vector<Label>& word);
+
+// Whether the word satisfies the formula by itself, by the definition of each operator on finite words
+// (strong: X and U ask for letters that are there). Requires a formula without Release where it is to be
+// exact for co-safe tasks; R holds to the end of the word.
 bool satisfies(const Formula& formula, const std::vector<Letter>& word);
 
 }  // namespace stepwright::ltl

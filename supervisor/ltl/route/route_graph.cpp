@@ -10,7 +10,9 @@ namespace {
 
 using geometry::Point;
 
-constexpr double kClose_m = 0.4;  // a place that near may be entered by who drives along
+constexpr double kClose_m = 0.4;        // a place that near may be entered by who drives along
+constexpr double kAtWall_m = 0.005;     // no way begins, ends or passes that near
+constexpr double kLeastDepth_m = 1e-3;  // of a point in a narrow place
 
 double area_m2(const std::vector<Point>& ring) {
   double sum = 0.0;
@@ -38,6 +40,7 @@ RouteGraph::RouteGraph(const Floor& floor, const Places& places, const Walls& wa
     : places_(places), walls_(walls), options_(options) {
   for (const Area& obstacle : floor.obstacles) add_corners(obstacle.ring, false);
   add_corners(floor.border.ring, true);
+  thin_out();
   add_places();
   connect();
 }
@@ -52,10 +55,39 @@ void RouteGraph::add_corners(const std::vector<Point>& outline, bool hole) {
   std::vector<Point> ring = outline;
   if ((area_m2(ring) < 0.0) != hole) std::ranges::reverse(ring);
   for (std::size_t k = 0; k < ring.size(); ++k) {
-    const auto out = outwards(ring[(k + ring.size() - 1) % ring.size()], ring[k], ring[(k + 1) % ring.size()]);
+    const auto out =
+        outwards(ring[(k + ring.size() - 1) % ring.size()], ring[k], ring[(k + 1) % ring.size()]);
     if (!out) continue;
     for (const double distance : {options_.margin_m + 0.25, options_.wanted_m + 0.25})
       add(ring[k] + distance * *out, options_.margin_m);
+  }
+}
+
+void RouteGraph::thin_out() {
+  const std::size_t most = std::max<std::size_t>(options_.most_corners, 1);
+  const std::size_t stride = (points_.size() + most - 1) / most;
+  if (stride < 2) return;
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < points_.size(); k += stride, ++kept) {
+    points_[kept] = points_[k];
+    labels_[kept] = labels_[k];
+  }
+  points_.resize(kept);
+  labels_.resize(kept);
+}
+
+// Along a side of an anticlockwise ring, within it; less deep where it is narrow.
+void RouteGraph::add_side(std::span<const Point> ring, Point from, Point to) {
+  const Point along = unit(to - from), inwards{-along.y_m, along.x_m};
+  const auto count = static_cast<std::size_t>(std::ceil(geometry::distance(from, to) / options_.spread_m));
+  for (std::size_t n = 0; n < count; ++n) {
+    const double share = (static_cast<double>(n) + 0.5) / static_cast<double>(count);
+    for (double depth = options_.depth_m; depth > kLeastDepth_m; depth *= 0.5) {
+      const Point at = from + share * (to - from) + depth * inwards;
+      if (!inside(ring, at)) continue;
+      add(at, options_.margin_m);
+      break;
+    }
   }
 }
 
@@ -66,19 +98,13 @@ void RouteGraph::add_places() {
     const std::size_t before = points_.size();
     Point middle;
     for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Point from = ring[i], to = ring[(i + 1) % ring.size()], along = unit(to - from);
-      middle = middle + (1.0 / static_cast<double>(ring.size())) * from;
-      const double side = geometry::distance(from, to);
-      const auto count = static_cast<std::size_t>(std::ceil(side / options_.spread_m));
-      for (std::size_t n = 0; n < count; ++n) {
-        const double share = (static_cast<double>(n) + 0.5) / static_cast<double>(count);
-        const Point at = from + share * (to - from) + options_.depth_m * Point{-along.y_m, along.x_m};
-        if (inside(ring, at)) add(at, options_.margin_m);
-      }
+      middle = middle + (1.0 / static_cast<double>(ring.size())) * ring[i];
+      add_side(ring, ring[i], ring[(i + 1) % ring.size()]);
     }
     if (inside(ring, middle)) add(middle, points_.size() == before ? 0.0 : options_.margin_m);
     for (std::size_t i = 0; i < ring.size(); ++i) {
-      const auto out = outwards(ring[(i + ring.size() - 1) % ring.size()], ring[i], ring[(i + 1) % ring.size()]);
+      const auto out =
+          outwards(ring[(i + ring.size() - 1) % ring.size()], ring[i], ring[(i + 1) % ring.size()]);
       if (out) add(ring[i] + (2.0 * kClose_m) * *out, options_.margin_m);
     }
   }
@@ -105,8 +131,9 @@ std::optional<RouteGraph::Way> RouteGraph::way(Point from, Point to, Words& word
   double cost = length;
   for (double done = 0.0; done < length;) {
     const double clear = walls_.clearance_m(from + (done / length) * (to - from));
-    if (clear < least - 1e-9 || clear <= 0.0) return std::nullopt;
-    const double step = std::min(length - done, std::max(0.15, clear - least));
+    if (clear < least - 1e-9 || clear < kAtWall_m) return std::nullopt;
+    // No wall is nearer than `clear`: a step as long as that cannot lead through one.
+    const double step = std::min(length - done, std::max(std::min(0.15, clear), clear - least));
     const double short_m = options_.wanted_m - clear;
     if (short_m > 0.0) cost += step * options_.weight * short_m / options_.wanted_m;
     done += step;

@@ -6,6 +6,9 @@
 // reads (Plaku 2012, section 3.2, has triangles in this place; the ways of this graph are as long as they are
 // driven).
 //
+// A floor of very many corners, such as that of a map, gives only each n-th of them, so that there are at
+// most `most_corners`: ways are between any two points.
+//
 // Immutable; any thread may read. Places and walls must outlive it. Example:
 //   const RouteGraph graph(floor, places, walls, {.margin_m = 0.5});
 
@@ -25,6 +28,7 @@ struct RouteOptions {
   double weight = 2.0;    // cost of a metre at the walls, beyond its length
   double depth_m = 0.25;  // of points within propositions from their outline
   double spread_m = 2.0;  // between such points
+  std::size_t most_corners = 1500;
 };
 
 class RouteGraph {
@@ -62,6 +66,8 @@ class RouteGraph {
  private:
   void add(geometry::Point at, double margin_m);
   void add_corners(const std::vector<geometry::Point>& ring, bool hole);
+  void thin_out();
+  void add_side(std::span<const geometry::Point> ring, geometry::Point from, geometry::Point to);
   void add_places();
   void connect();
   void read(Way& way, geometry::Point from, geometry::Point to, Words& words) const;

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
-#include <queue>
 
 namespace stepwright::ltl {
 
@@ -12,8 +10,7 @@ namespace {
 
 using geometry::Point;
 
-constexpr double kCloseCost_m = 6.0;  // of passing a place closely that must not be entered
-constexpr double kTrust = 0.85;      // share of the guide's ways, which are not taut
+constexpr double kTrust = 0.85;  // share of the guide's ways, which are not taut
 constexpr std::uint32_t kStart = 0xFFFF'FFFF;
 
 double turn_rad(Point in, Point out) {
@@ -36,7 +33,8 @@ RouteSearch::RouteSearch(const RouteGraph& graph, TaskStates states, const Route
   for (const Point at : graph_.points()) regions_.push_back(guide_.map->locate(at));
 }
 
-std::uint32_t RouteSearch::after(std::uint32_t row, const RouteGraph::Way& way, const RouteGraph::Words& words) {
+std::uint32_t RouteSearch::after(std::uint32_t row, const RouteGraph::Way& way,
+                                 const RouteGraph::Words& words) {
   if (way.word == 0) return row_[row].state;
   const bool is_known = way.word < row_[row].after.size();
   if (is_known && row_[row].after[way.word] != kUnknown) return row_[row].after[way.word];
@@ -74,35 +72,42 @@ double RouteSearch::to_go_m(std::uint32_t point, std::uint32_t state) const {
   return kTrust * guide_.guide->to_go_m(regions_[point], state);
 }
 
+// What a way costs from there, and whether that is better than what was known of its end.
+void RouteSearch::relax(const Step& step, const RouteQuery& query, const RouteGraph::Words& words) {
+  const RouteGraph::Way& way = *step.way;
+  const std::uint32_t state = after(step.row, way, words);
+  if (state == kBroken) return;
+  const auto count = static_cast<std::uint32_t>(graph_.points().size());
+  double more = way.cost_m + (close(step.row, way.near) ? query.close_m : 0.0);
+  if (query.noise > 0.0) {
+    const std::uint32_t from = step.before == kStart ? count : step.before % count;
+    more *= 1.0 + query.noise * (2.0 * chance(query.seed, from, way.to) - 1.0);
+  }
+  more += query.turn_m * turn_rad(step.came, graph_.points()[way.to] - step.at);
+  const std::uint32_t index = row(state) * count + way.to;
+  Node& next = nodes_[index];
+  if (next.done || step.cost_m + more >= next.cost_m) return;
+  const double left = to_go_m(way.to, state);
+  if (left == Guide::kNever) return;
+  next.cost_m = step.cost_m + more;
+  next.before = step.before;
+  next.way = &way;
+  open_.emplace(next.cost_m + left, index);
+}
+
 Route RouteSearch::route(const RouteQuery& query) {
   const auto count = static_cast<std::uint32_t>(graph_.points().size());
   nodes_.clear();
+  open_ = {};
+  // States of earlier questions take their place in the product: too many of them are forgotten.
+  if (row_.size() * count > query.most_nodes / 2) {
+    rows_.clear();
+    row_.clear();
+  }
   if (states_.accepting(query.state)) return {{query.at, query.state, {}}};
-  using Open = std::pair<double, std::uint32_t>;
-  std::priority_queue<Open, std::vector<Open>, std::greater<>> open;
+  if (states_.rejecting(query.state)) return {};
   RouteGraph::Words own = graph_.all_words();
   std::vector<RouteGraph::Way> first;
-  const Point heading{std::cos(query.heading_rad), std::sin(query.heading_rad)};
-  const auto relax = [&](std::uint32_t before, std::uint32_t before_row, Point at, Point came, double cost,
-                         const RouteGraph::Way& way) {
-    const std::uint32_t state = after(before_row, way, own);
-    if (state == kBroken || (query.only != nullptr && (state >= query.only->size() || !(*query.only)[state])))
-      return;
-    const std::uint32_t from = before == kStart ? count : before % count;
-    double more = way.cost_m + (close(before_row, way.near) ? kCloseCost_m : 0.0);
-    if (query.noise > 0.0) more *= 1.0 + query.noise * (2.0 * chance(query.seed, from, way.to) - 1.0);
-    const std::uint32_t index = row(state) * count + way.to;
-    if (nodes_[index].done || cost + more >= nodes_[index].cost_m) return;
-    more += query.turn_m * turn_rad(came, graph_.points()[way.to] - at);
-    Node& next = nodes_[index];
-    if (cost + more >= next.cost_m) return;
-    const double left = to_go_m(way.to, state);
-    if (left == Guide::kNever) return;
-    next.cost_m = cost + more;
-    next.before = before;
-    next.way = &way;
-    open.emplace(next.cost_m + left, index);
-  };
   for (std::uint32_t k = 0; k < count; ++k) {
     auto way = graph_.way(query.at, graph_.points()[k], own);
     if (!way) continue;
@@ -110,10 +115,11 @@ Route RouteSearch::route(const RouteQuery& query) {
     first.push_back(*way);
   }
   const std::uint32_t start_row = row(query.state);
-  for (const auto& way : first) relax(kStart, start_row, query.at, heading, 0.0, way);
-  while (!open.empty() && nodes_.size() < query.most_nodes) {
-    const std::uint32_t index = open.top().second;
-    open.pop();
+  const Point heading{std::cos(query.heading_rad), std::sin(query.heading_rad)};
+  for (const auto& way : first) relax({kStart, start_row, query.at, heading, 0.0, &way}, query, own);
+  while (!open_.empty() && nodes_.size() < query.most_nodes && !states_.exhausted()) {
+    const std::uint32_t index = open_.top().second;
+    open_.pop();
     if (nodes_[index].done) continue;
     nodes_[index].done = true;
     ++expanded_;
@@ -121,8 +127,9 @@ Route RouteSearch::route(const RouteQuery& query) {
     if (states_.accepting(row_[at_row].state)) return path(index, query, own);
     const std::uint32_t before = nodes_[index].before;
     const double cost = nodes_[index].cost_m;
-    const Point came = graph_.points()[at] - (before == kStart ? query.at : graph_.points()[before % count]);
-    for (const auto& way : graph_.ways(at)) relax(index, at_row, graph_.points()[at], came, cost, way);
+    const Point here = graph_.points()[at];
+    const Point came = here - (before == kStart ? query.at : graph_.points()[before % count]);
+    for (const auto& way : graph_.ways(at)) relax({index, at_row, here, came, cost, &way}, query, own);
   }
   return {};
 }

@@ -5,12 +5,14 @@
 // needs for them; as what a turn costs depends on the way to it, the result is near to the cheapest. The
 // guide, where there is one, tells which way is worth trying first (A*).
 //
-// Thread rule: one thread at a time. Graph and guide must outlive it. Example:
+// Thread rule: one thread at a time. Graph and guide must outlive it. The same questions in the same order
+// have the same answers. Example:
 //   RouteSearch search(graph, states, {&map, &guide});
 //   auto route = search.route({.at = {0, 0}, .heading_rad = 0.0, .state = states.start()});
 
-#include <span>
+#include <queue>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "supervisor/ltl/guide/guide.h"
@@ -32,10 +34,10 @@ struct RouteQuery {
   double heading_rad = 0.0;
   std::uint32_t state = 0;  // has read the label at that point
   double turn_m = 1.0;      // cost of a turn of one radian
+  double close_m = 6.0;     // cost of passing a place closely that must not be entered
   double noise = 0.0;       // ways cost up to so much more or less, as a share, by chance
   std::uint64_t seed = 0;
-  std::size_t most_nodes = 4'000'000;
-  const std::vector<bool>* only = nullptr;  // by state: no others
+  std::size_t most_nodes = 4'000'000;  // of the product
 };
 
 // Costs to go on the floor's regions; of automata only.
@@ -48,7 +50,8 @@ class RouteSearch {
  public:
   RouteSearch(const RouteGraph& graph, TaskStates states, const RouteGuide& guide = {});
 
-  // From there to acceptance; empty if there is no way, or the bound was met.
+  // From there to acceptance; empty if there is no way, or a bound was met (most_nodes, that of a
+  // progression).
   Route route(const RouteQuery& query);
   const RouteGraph& graph() const { return graph_; }
   std::size_t expanded() const { return expanded_; }
@@ -63,15 +66,26 @@ class RouteSearch {
     const RouteGraph::Way* way = nullptr;
     bool done = false;
   };
+  // From a node, or from where the query begins, along a way.
+  struct Step {
+    std::uint32_t before = 0;  // the node
+    std::uint32_t row = 0;     // of its state
+    geometry::Point at;
+    geometry::Point came;  // from where, as a vector
+    double cost_m = 0.0;
+    const RouteGraph::Way* way = nullptr;
+  };
+  using Open = std::pair<double, std::uint32_t>;
   struct Row {
     std::uint32_t state = 0;
-    std::vector<std::uint32_t> after;                 // by word
-    std::unordered_map<Label, bool> broken_by;        // places close by
+    std::vector<std::uint32_t> after;           // by word
+    std::unordered_map<Label, bool> broken_by;  // places close by
   };
 
   std::uint32_t after(std::uint32_t row, const RouteGraph::Way& way, const RouteGraph::Words& words);
   bool close(std::uint32_t row, Label near);
   std::uint32_t row(std::uint32_t state);
+  void relax(const Step& step, const RouteQuery& query, const RouteGraph::Words& words);
   double to_go_m(std::uint32_t point, std::uint32_t state) const;
   Route path(std::uint32_t last, const RouteQuery& query, const RouteGraph::Words& own);
 
@@ -82,6 +96,7 @@ class RouteSearch {
   std::unordered_map<std::uint32_t, std::uint32_t> rows_;  // of each state that was met
   std::vector<Row> row_;
   std::vector<Node> nodes_;
+  std::priority_queue<Open, std::vector<Open>, std::greater<>> open_;
   std::size_t expanded_ = 0;
 };
 

@@ -38,8 +38,7 @@ Places::Places(std::span<const Area> propositions) {
   for (const Area& area : propositions) {
     Outline outline{area.ring, {{kFar, kFar}, {-kFar, -kFar}}};
     for (const Point p : area.ring) {
-      outline.bounds.low = {std::min(outline.bounds.low.x_m, p.x_m),
-                            std::min(outline.bounds.low.y_m, p.y_m)};
+      outline.bounds.low = {std::min(outline.bounds.low.x_m, p.x_m), std::min(outline.bounds.low.y_m, p.y_m)};
       outline.bounds.high = {std::max(outline.bounds.high.x_m, p.x_m),
                              std::max(outline.bounds.high.y_m, p.y_m)};
     }
@@ -50,7 +49,8 @@ Places::Places(std::span<const Area> propositions) {
 namespace {
 
 bool apart(const geometry::Box& box, Point a, Point b, double margin_m) {
-  return std::max(a.x_m, b.x_m) < box.low.x_m - margin_m || std::min(a.x_m, b.x_m) > box.high.x_m + margin_m ||
+  return std::max(a.x_m, b.x_m) < box.low.x_m - margin_m ||
+         std::min(a.x_m, b.x_m) > box.high.x_m + margin_m ||
          std::max(a.y_m, b.y_m) < box.low.y_m - margin_m || std::min(a.y_m, b.y_m) > box.high.y_m + margin_m;
 }
 

@@ -11,11 +11,13 @@ namespace {
 using geometry::Point;
 
 constexpr double kTolerance = 1e-8;
+constexpr double kStep_m = 0.05;  // between two looks
 constexpr double kPeriod_s = 0.1;
 constexpr double kMarkEvery_m = 1.0;
 constexpr double kSlowest_m_s = 0.4;
-constexpr double kBackwards_rad = 1.9;  // what lies behind may be turned to on either side
-constexpr double kPatience_m = 8.0;  // beyond a full circle
+constexpr double kBackwards_rad = 1.9;         // what lies behind may be turned to on either side
+constexpr double kPatience_m = 8.0;            // beyond a full circle
+constexpr std::uint64_t kMostSteps = 300'000;  // of the integration, in one drive
 
 // A point that runs ahead along the route and waits at each place that is not entered yet.
 class Carrot {
@@ -115,7 +117,11 @@ TrainControl steer(const TrainModel& model, const TrainState& state, Point targe
 
 bool Driver::valid(const TrainState& state) const {
   const LinkBoxes boxes = link_boxes(model_, state);
-  return !walls_.meet(boxes, model_.links()) && !meets_itself(model_, boxes);
+  return !walls_.meet(boxes, model_.links()) && !meets_itself(shape_, boxes);
+}
+
+DriveMark Driver::stand(const TrainState& state, std::uint32_t task) const {
+  return {state, task, places_.label({state[kTrainX], state[kTrainY]}), 0, 0.0, 0.0};
 }
 
 Driver::Event Driver::advance(TrainMotion& motion, const TrainControl& control, double duration_s,
@@ -146,7 +152,8 @@ Driver::Event Driver::advance(TrainMotion& motion, const TrainControl& control, 
     const Point to{next.state[kTrainX], next.state[kTrainY]};
     if (!valid(next.state)) return refused(Event::Blocked);
     letters_.clear();
-    places_.read(from, to, places_.label(from), letters_);
+    // On with the last label: what a step ends on is read by one of two steps, and by one only.
+    next.label = places_.read(from, to, next.label, letters_);
     for (const Label letter : letters_) {
       const std::uint32_t task = states_.next(next.task, letter);
       if (task != next.task) changes_.push_back(task);
@@ -166,12 +173,12 @@ Driver::Event Driver::advance(TrainMotion& motion, const TrainControl& control, 
   return changes_.empty() ? Event::None : Event::Changed;
 }
 
-Drive Driver::along(const Route& route, const TrainState& from, const DriveStyle& style) {
+Drive Driver::along(const Route& route, const DriveMark& from, const DriveStyle& style) {
   Drive drive;
-  TrainMotion motion(model_, kTolerance);
+  TrainMotion motion(model_, kTolerance, kStep_m);
   Carrot carrot(route);
   carrot.start();
-  DriveMark at{from, route.front().state, 0, 0.0, carrot.left_m()};
+  DriveMark at{from.state, from.task, from.label, 0, 0.0, carrot.left_m()};
   const double patience_m = kPatience_m + 2.0 * std::numbers::pi * style.tightest_m;
   double moved_at_m = 0.0;
   double marked_at_m = 0.0;
@@ -185,7 +192,7 @@ Drive Driver::along(const Route& route, const TrainState& from, const DriveStyle
     if (carrot.run(here, style.lookahead_m)) moved_at_m = at.length_m;
     at.left_m = carrot.left_m() + geometry::distance(here, carrot.at());
     if (carrot.over()) return end(DriveEnd::Over);
-    if (at.length_m - moved_at_m > patience_m || drive.pieces.size() > 200'000) return end(DriveEnd::Stuck);
+    if (at.length_m - moved_at_m > patience_m || motion.steps() > kMostSteps) return end(DriveEnd::Stuck);
     if (at.length_m - marked_at_m >= kMarkEvery_m) {
       drive.marks.push_back(at);
       marked_at_m = at.length_m;
@@ -209,11 +216,10 @@ Drive Driver::along(const Route& route, const TrainState& from, const DriveStyle
   }
 }
 
-Drive Driver::hold(const TrainState& from, std::uint32_t task, const TrainControl& control,
-                   double duration_s) {
+Drive Driver::hold(const DriveMark& from, const TrainControl& control, double duration_s) {
   Drive drive;
-  TrainMotion motion(model_, kTolerance);
-  DriveMark at{from, task, 0, 0.0, 0.0};
+  TrainMotion motion(model_, kTolerance, kStep_m);
+  DriveMark at{from.state, from.task, from.label, 0, 0.0, 0.0};
   for (double left_s = duration_s; left_s > 1e-6; left_s -= kPeriod_s) {
     const Event event = advance(motion, control, std::min(left_s, kPeriod_s), at, drive);
     if (event == Event::Blocked || event == Event::Broken || event == Event::Done) {

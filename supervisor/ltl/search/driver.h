@@ -4,8 +4,8 @@
 // of steering and speed, checked at each step of the integration for walls, itself and the task.
 //
 // Thread rule: one thread at a time; what it borrows must outlive it. Example:
-//   Driver driver(model, walls, places, states);
-//   const Drive drive = driver.along(route, state, {.lookahead_m = 1.0});
+//   Driver driver(model, shape, walls, places, states);
+//   const Drive drive = driver.along(route, driver.stand(state, task), {.lookahead_m = 1.0});
 //   if (drive.end == DriveEnd::Done) ...
 
 #include <cstdint>
@@ -29,6 +29,7 @@ struct DriveStyle {
 struct DriveMark {
   TrainState state{};
   std::uint32_t task = 0;
+  Label label = 0;         // that was read last
   std::size_t pieces = 0;  // that lead here
   double length_m = 0.0;   // driven so far
   double left_m = 0.0;     // of the route
@@ -39,7 +40,7 @@ enum class DriveEnd : std::uint8_t {
   Blocked,  // the next step meets a wall or the train itself
   Broken,   // the next step breaks the task
   Astray,   // a state of the task that the route does not have: another route must be found
-  Stuck,    // it circles around the next point
+  Stuck,    // it circles around the next point, or a bound was met
   Over,     // the end of the route
 };
 
@@ -51,13 +52,19 @@ struct Drive {
 
 class Driver {
  public:
-  Driver(const TrainModel& model, const Walls& walls, const Places& places, TaskStates states)
-      : model_(model), walls_(walls), places_(places), states_(std::move(states)) {}
+  // `shape` has the links' size for what they must not meet: a little more than the model's.
+  Driver(const TrainModel& model, const TrainModel& shape, const Walls& walls, const Places& places,
+         TaskStates states)
+      : model_(model), shape_(shape), walls_(walls), places_(places), states_(std::move(states)) {}
 
-  Drive along(const Route& route, const TrainState& from, const DriveStyle& style);
+  // Where a drive may begin: the task's state has read the label there.
+  DriveMark stand(const TrainState& state, std::uint32_t task) const;
 
-  // One control from a state: marks as above. Ends with Over where nothing stops it.
-  Drive hold(const TrainState& from, std::uint32_t task, const TrainControl& control, double duration_s);
+  // Requires a route that is not empty; `from` counts as length 0.
+  Drive along(const Route& route, const DriveMark& from, const DriveStyle& style);
+
+  // One control from there: marks as above. Ends with Over where nothing stops it.
+  Drive hold(const DriveMark& from, const TrainControl& control, double duration_s);
 
   bool valid(const TrainState& state) const;
   std::uint64_t steps() const { return steps_; }
@@ -69,6 +76,7 @@ class Driver {
                 Drive& drive);
 
   const TrainModel& model_;
+  const TrainModel& shape_;
   const Walls& walls_;
   const Places& places_;
   TaskStates states_;

@@ -11,8 +11,9 @@ namespace {
 
 using geometry::Point;
 
-constexpr double kSwell_m = 0.04;  // of links, against what a step of 0.1 m does not see
+constexpr double kSwell_m = 0.05;  // of links, against what two looks do not see between them
 constexpr std::size_t kLevels = 3;
+constexpr std::size_t kMostNodes = 100'000;  // beyond them the tree begins anew
 
 TrainModel swollen(TrainModel model) {
   model.length_m += kSwell_m;
@@ -22,7 +23,8 @@ TrainModel swollen(TrainModel model) {
 
 // How far the last trailer may cut a corner, roughly; growing with what is pulled.
 double wanted_m(const TrainModel& model) {
-  return 0.5 * model.width_m + 0.3 + 0.13 * static_cast<double>(model.trailers) * std::min(1.0, model.hitch_m);
+  return 0.5 * model.width_m + 0.3 +
+         0.13 * static_cast<double>(model.trailers) * std::min(1.0, model.hitch_m);
 }
 
 double tightest_m(const TrainModel& model) {
@@ -44,15 +46,16 @@ struct TrainSearch::Routes {
 };
 
 TrainSearch::TrainSearch(const Floor& floor, const RegionMap& map, const Places& places,
-                         const TrainModel& model, TaskStates states)
+                         const TrainModel& model, TaskStates states, SearchGuide use)
     : floor_(floor),
       map_(map),
       places_(places),
       model_(model),
       states_(states),
+      use_(use),
       wide_(swollen(model)),
       walls_(floor, wide_),
-      driver_(model_, walls_, places, states),
+      driver_(model_, wide_, walls_, places, states),
       routes_(kLevels) {}
 
 TrainSearch::~TrainSearch() = default;
@@ -63,7 +66,8 @@ TrainSearch::Routes& TrainSearch::routes(std::size_t level) {
     RouteOptions options{.margin_m = half + 0.1, .wanted_m = wanted_m(model_)};
     if (level == 1) options.wanted_m *= 1.5;
     if (level == 2) options.wanted_m = half + 0.3;
-    if (!guide_ && states_.automaton() != nullptr) guide_.emplace(map_, *states_.automaton());
+    if (use_ == SearchGuide::OnTheRegions && !guide_ && states_.automaton() != nullptr)
+      guide_.emplace(map_, *states_.automaton());
     const RouteGuide guide = guide_ ? RouteGuide{&map_, &*guide_} : RouteGuide{};
     routes_[level] = std::make_unique<Routes>(floor_, places_, walls_, options, states_, guide);
   }
@@ -72,7 +76,8 @@ TrainSearch::Routes& TrainSearch::routes(std::size_t level) {
 
 DriveStyle TrainSearch::style(bool by_chance) {
   const double tightest = tightest_m(model_);
-  DriveStyle style{.lookahead_m = model_.trailers == 0 ? 0.8 : 1.0, .tightest_m = tightest, .cruise_m_s = 1.6};
+  DriveStyle style{
+      .lookahead_m = model_.trailers == 0 ? 0.8 : 1.0, .tightest_m = tightest, .cruise_m_s = 1.6};
   if (!by_chance) return style;
   const double least = 1.02 * model_.wheelbase_m / std::tan(0.98 * model_.most_lock_rad);
   style.lookahead_m *= 0.7 + 1.6 * chance();
@@ -82,15 +87,42 @@ DriveStyle TrainSearch::style(bool by_chance) {
   return style;
 }
 
-bool TrainSearch::begin(const SearchQuery& query) {
+// Within the floor as a whole: walls know sides only.
+bool TrainSearch::stands(const TrainState& state) const {
+  if (!std::ranges::all_of(state, [](double value) { return std::isfinite(value); })) return false;
+  if (std::abs(state[kTrainSpeed]) > model_.most_speed_m_s ||
+      std::abs(state[kTrainLock]) > model_.most_lock_rad)
+    return false;
+  const LinkBoxes boxes = link_boxes(model_, state);
+  for (std::size_t link = 0; link < model_.links(); ++link)
+    if (map_.locate(boxes[link].middle) == kNoRegion) return false;
+  return driver_.valid(state);
+}
+
+// How it ends before it begins, if it does.
+std::optional<SearchEnd> TrainSearch::begin(const SearchQuery& query) {
   dice_.seed(query.seed);
   nodes_.clear();
+  if (!stands(query.start)) return SearchEnd::BadStart;
+  const Point here{query.start[kTrainX], query.start[kTrainY]};
+  const std::uint32_t task = states_.next(states_.start(), places_.label(here));
   Node root;
-  root.state = query.start;
-  root.task = states_.next(states_.start(), places_.label({query.start[kTrainX], query.start[kTrainY]}));
+  root.at = driver_.stand(query.start, task);
   root.left_m = std::numeric_limits<double>::infinity();
-  nodes_.push_back(root);
-  return driver_.valid(query.start) && !states_.rejecting(root.task);
+  nodes_.push_back(std::move(root));
+  if (states_.rejecting(task)) return SearchEnd::BadStart;
+  if (states_.accepting(task)) return SearchEnd::Found;
+  routes(0);
+  if (guide_ && guide_->to_go_m(map_.locate(here), task) == Guide::kNever) return SearchEnd::NoWay;
+  return std::nullopt;
+}
+
+std::optional<SearchEnd> TrainSearch::over(const SearchQuery& query, Clock::time_point began,
+                                           std::size_t rounds) const {
+  if (query.cancel != nullptr && query.cancel->load()) return SearchEnd::Cancelled;
+  const bool in_time = std::chrono::duration<double>(Clock::now() - began).count() < query.most_s;
+  if (!in_time || rounds >= query.most_rounds || states_.exhausted()) return SearchEnd::Bound;
+  return std::nullopt;
 }
 
 // The least that is left to drive, where what failed nearby counts as a detour.
@@ -105,14 +137,14 @@ std::size_t TrainSearch::choose() {
   return best;
 }
 
-void TrainSearch::add(std::size_t parent, const Drive& drive) {
+// The marks of a drive as a branch; the last node of it.
+std::size_t TrainSearch::add(std::size_t parent, const Drive& drive) {
   std::size_t used = 0;
   double driven = 0.0;
   for (const DriveMark& mark : drive.marks) {
     if (mark.pieces == used) continue;
     Node node;
-    node.state = mark.state;
-    node.task = mark.task;
+    node.at = mark;
     node.parent = static_cast<std::uint32_t>(parent);
     node.pieces.assign(drive.pieces.begin() + static_cast<std::ptrdiff_t>(used),
                        drive.pieces.begin() + static_cast<std::ptrdiff_t>(mark.pieces));
@@ -123,6 +155,7 @@ void TrainSearch::add(std::size_t parent, const Drive& drive) {
     nodes_.push_back(std::move(node));
     parent = nodes_.size() - 1;
   }
+  return parent;
 }
 
 // What lies shortly before a failure leads there again.
@@ -143,8 +176,8 @@ void TrainSearch::blame(std::size_t parent, std::size_t first_new, const Drive& 
 
 TrainPlan TrainSearch::plan_to(std::size_t node) const {
   TrainPlan plan;
-  plan.start = nodes_[0].state;
-  plan.end = nodes_[node].state;
+  plan.start = nodes_[0].at.state;
+  plan.end = nodes_[node].at.state;
   plan.length_m = nodes_[node].length_m;
   std::vector<std::size_t> order;
   for (std::size_t at = node; at != 0; at = nodes_[at].parent) order.push_back(at);
@@ -153,18 +186,42 @@ TrainPlan TrainSearch::plan_to(std::size_t node) const {
   return plan;
 }
 
-// Any control from there; whether that ended the task.
-bool TrainSearch::explore(std::size_t from, SearchAnswer& answer) {
+Route TrainSearch::route_from(const Node& node, Routes& ways, double turn_m, double noise) {
+  const TrainState& state = node.at.state;
+  return ways.search.route({.at = {state[kTrainX], state[kTrainY]},
+                            .heading_rad = state[kTrainHeading],
+                            .state = node.at.task,
+                            .turn_m = turn_m,
+                            .noise = noise,
+                            .seed = dice_()});
+}
+
+// Any control from there; whether that ended the task: then the last node did.
+bool TrainSearch::explore(std::size_t from) {
   const bool reverse = model_.trailers <= 1 ? chance() < 0.5 : chance() < 0.1;
   const double push = model_.most_acceleration_m_s2 * chance();
-  const TrainControl control{reverse ? -push : push,
-                             model_.most_lock_rate_rad_s * (2.0 * chance() - 1.0)};
-  Drive drive = driver_.hold(nodes_[from].state, nodes_[from].task, control, 0.2 + 2.0 * chance());
+  const TrainControl control{reverse ? -push : push, model_.most_lock_rate_rad_s * (2.0 * chance() - 1.0)};
+  Drive drive = driver_.hold(nodes_[from].at, control, 0.2 + 2.0 * chance());
   for (DriveMark& mark : drive.marks) mark.left_m = nodes_[from].left_m;
   add(from, drive);
-  if (drive.end != DriveEnd::Done) return false;
-  answer.plan = plan_to(nodes_.size() - 1);
-  return true;
+  return drive.end == DriveEnd::Done;
+}
+
+// Along a route from there; whether that ended the task: then the last node did.
+bool TrainSearch::drive_from(std::size_t from, bool by_chance, SearchAnswer& answer) {
+  Routes& ways = routes(by_chance ? static_cast<std::size_t>(chance() * 2.99) : 0);
+  const Route route = route_from(nodes_[from], ways, tightest_m(model_), by_chance ? 0.6 * chance() : 0.0);
+  if (route.empty()) {
+    nodes_[from].fails += 1.0;
+    return false;
+  }
+  ++answer.drives;
+  const Drive drive = driver_.along(route, nodes_[from].at, style(by_chance));
+  const std::size_t first_new = nodes_.size();
+  add(from, drive);
+  if (drive.end == DriveEnd::Done) return true;
+  blame(from, first_new, drive);
+  return false;
 }
 
 SearchAnswer TrainSearch::first(const SearchQuery& query) {
@@ -172,38 +229,25 @@ SearchAnswer TrainSearch::first(const SearchQuery& query) {
   const auto spent_s = [&] { return std::chrono::duration<double>(Clock::now() - began).count(); };
   SearchAnswer answer;
   const std::uint64_t steps = driver_.steps();
-  const bool possible = begin(query);
-  routes(0);
+  std::optional<SearchEnd> end = begin(query);
   answer.prepared_s = spent_s();
-  for (std::size_t round = 0; possible && !answer.plan && spent_s() < query.most_s; ++round) {
-    const std::size_t from = choose();
-    if (round > 0 && chance() < 0.1) {
-      explore(static_cast<std::size_t>(chance() * static_cast<double>(nodes_.size() - 1)), answer);
-      continue;
+  std::size_t most_nodes = nodes_.size();
+  for (std::size_t round = 0; !end; ++round) {
+    if ((end = over(query, began, round))) break;
+    if (nodes_.size() > kMostNodes) {
+      nodes_.resize(1);
+      nodes_[0].fails = 0.0;
     }
-    const bool by_chance = round > 0 && chance() < 0.8;
-    Routes& ways = routes(by_chance ? static_cast<std::size_t>(chance() * 2.99) : 0);
-    const TrainState& state = nodes_[from].state;
-    const Route route = ways.search.route({.at = {state[kTrainX], state[kTrainY]},
-                                             .heading_rad = state[kTrainHeading],
-                                             .state = nodes_[from].task,
-                                             .turn_m = tightest_m(model_),
-                                             .noise = by_chance ? 0.6 * chance() : 0.0,
-                                             .seed = dice_()});
-    if (route.empty()) {
-      nodes_[from].fails += 1.0;
-      continue;
-    }
-    ++answer.drives;
-    const Drive drive = driver_.along(route, state, style(by_chance));
-    const std::size_t first_new = nodes_.size();
-    add(from, drive);
-    if (drive.end == DriveEnd::Done)
-      answer.plan = plan_to(nodes_.size() - 1);
-    else
-      blame(from, first_new, drive);
+    const auto any = static_cast<std::size_t>(chance() * static_cast<double>(nodes_.size()));
+    const bool done = round > 0 && chance() < 0.1
+                          ? explore(std::min(any, nodes_.size() - 1))
+                          : drive_from(choose(), (round > 0 || query.by_chance) && chance() < 0.8, answer);
+    most_nodes = std::max(most_nodes, nodes_.size());
+    if (done) end = SearchEnd::Found;
   }
-  answer.nodes = nodes_.size();
+  answer.end = *end;
+  if (answer.end == SearchEnd::Found) answer.plan = plan_to(nodes_.size() - 1);
+  answer.nodes = most_nodes;
   answer.steps = driver_.steps() - steps;
   answer.spent_s = spent_s();
   return answer;
@@ -211,30 +255,27 @@ SearchAnswer TrainSearch::first(const SearchQuery& query) {
 
 SearchAnswer TrainSearch::shorter(const SearchQuery& query, double than_m) {
   const auto began = Clock::now();
-  const auto spent_s = [&] { return std::chrono::duration<double>(Clock::now() - began).count(); };
   SearchAnswer best;
   const std::uint64_t steps = driver_.steps();
-  if (!begin(query)) return best;
+  std::optional<SearchEnd> end = begin(query);
   double least = than_m;
-  while (spent_s() < query.most_s) {
+  for (std::size_t round = 0; !end; ++round) {
+    if ((end = over(query, began, round))) break;
     Routes& ways = routes(chance() < 0.5 ? 0 : 2);
-    const Route route = ways.search.route({.at = {query.start[kTrainX], query.start[kTrainY]},
-                                             .heading_rad = query.start[kTrainHeading],
-                                             .state = nodes_[0].task,
-                                             .turn_m = tightest_m(model_) * chance(),
-                                             .noise = 0.15 * chance(),
-                                             .seed = dice_()});
-    if (route.empty()) break;
-    for (std::size_t n = 0; n < 4 && spent_s() < query.most_s; ++n) {
+    const double turn_m = tightest_m(model_) * chance();
+    const Route route = route_from(nodes_[0], ways, turn_m, 0.15 * chance());
+    for (std::size_t n = 0; n < 4 && !route.empty() && !over(query, began, round); ++n) {
       ++best.drives;
-      const Drive drive = driver_.along(route, query.start, style(true));
+      const Drive drive = driver_.along(route, nodes_[0].at, style(true));
       if (drive.end != DriveEnd::Done || drive.marks.back().length_m >= least) continue;
       least = drive.marks.back().length_m;
       best.plan = TrainPlan{query.start, drive.pieces, drive.marks.back().state, least};
     }
   }
+  best.end = best.plan ? SearchEnd::Found : *end == SearchEnd::Found ? SearchEnd::Bound : *end;
+  best.nodes = nodes_.size();
   best.steps = driver_.steps() - steps;
-  best.spent_s = spent_s();
+  best.spent_s = std::chrono::duration<double>(Clock::now() - began).count();
   return best;
 }
 

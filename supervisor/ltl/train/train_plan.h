@@ -16,7 +16,7 @@ struct TrainPiece {
 struct TrainPlan {
   TrainState start{};
   std::vector<TrainPiece> pieces;
-  TrainState end{};      // where the planner's integration of them ends
+  TrainState end{};       // where the planner's integration of them ends
   double length_m = 0.0;  // of the way of the car's reference point, as the sum of its chords
 
   double duration_s() const {

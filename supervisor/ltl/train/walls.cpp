@@ -11,7 +11,7 @@ namespace {
 using geometry::Point;
 
 constexpr double kMostCells = 4e6;
-constexpr std::size_t kBlock = 8;  // cells of a block in each direction
+constexpr std::size_t kBlock = 8;   // cells of a block in each direction
 constexpr double kBarely_m = 1e-9;  // a side that comes no further into a box only touches it
 
 double distance_to(Point at, Point from, Point to) {
@@ -84,7 +84,8 @@ void Walls::measure_cells() {
   for (std::size_t r = 0; r < rows_; r += kBlock) {
     for (std::size_t c = 0; c < columns_; c += kBlock) {
       const double half = 0.5 * static_cast<double>(kBlock);
-      const Point middle = cell_m_ * Point{static_cast<double>(c) + half, static_cast<double>(r) + half} + bounds_.low;
+      const Point middle =
+          cell_m_ * Point{static_cast<double>(c) + half, static_cast<double>(r) + half} + bounds_.low;
       double nearest = std::numeric_limits<double>::infinity();
       for (std::size_t k = 0; k < sides_.size(); ++k) {
         from_middle_m[k] = distance_to(middle, sides_[k].from, sides_[k].to);

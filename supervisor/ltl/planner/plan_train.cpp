@@ -1,0 +1,150 @@
+#include "supervisor/ltl/planner/plan_train.h"
+
+#include <chrono>
+#include <optional>
+#include <utility>
+
+#include "supervisor/ltl/guide/impossible.h"
+#include "supervisor/ltl/guide/task.h"
+
+namespace stepwright::ltl {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr const char* kTaskName = "task";  // in place of a file
+
+// A task with its automaton, or without one where it would be too large.
+struct PlannedTask {
+  Formula formula;
+  std::optional<Automaton> automaton;
+
+  TaskStates states() const { return automaton ? TaskStates(*automaton) : TaskStates(formula); }
+};
+
+// Acceptance is strong, as the referee reads it.
+result::Result<PlannedTask> read_planned(const Problem& problem) {
+  auto task = read_task(problem.task, problem.places(), kTaskName, {.acceptance = Acceptance::Strong});
+  if (task) return PlannedTask{std::move(task->formula), std::move(task->automaton)};
+  auto formula = parse_formula(problem.task, kTaskName, problem.places());
+  const bool only_too_large = formula && formula->proposition_count() == problem.places().size() &&
+                              !formula->terms.has_release(formula->root);
+  if (!only_too_large) return result::forward(task);
+  return PlannedTask{*std::move(formula), std::nullopt};
+}
+
+result::Diagnostics blame(const Impossible& why) {
+  result::Diagnostics found;
+  for (const ImpossiblePart& part : why.parts)
+    found.push_back({kImpossible,
+                     result::Severity::Error,
+                     {kTaskName, part.at.line, part.at.column},
+                     "'" + part.text + "' cannot be done" +
+                         (why.parts.size() > 1 ? " together with the other parts" : "") + ": " + why.reason,
+                     "even a point without size and turning circle finds no way"});
+  return found;
+}
+
+class Planner {
+ public:
+  Planner(const Problem& problem, const PlanOptions& options, const RegionMap& map, const PlannedTask& task)
+      : problem_(problem),
+        options_(options),
+        task_(task),
+        start_(standing_at(problem.train, problem.start)),
+        places_(problem.floor.propositions),
+        search_(problem.floor, map, places_, problem.train, task.states(), options.guide) {}
+
+  result::Result<PlanAnswer> plan() {
+    PlanAnswer answer;
+    for (std::size_t k = 0; k < options_.most_tries; ++k) {
+      answer.tries = k + 1;
+      answer.search = search_.first(query(k));
+      if (!answer.search.plan) break;
+      answer.plan = *answer.search.plan;
+      answer.judgement = judged(answer.plan);
+      if (!answer.judgement.accepted()) continue;
+      if (options_.shorten_s > 0.0) shorten(answer);
+      return answer;
+    }
+    return failed(answer);
+  }
+
+ private:
+  SearchQuery query(std::size_t attempt) const {
+    const double spent_s = std::chrono::duration<double>(Clock::now() - began_).count();
+    return {.start = start_,
+            .seed = options_.seed + 0x9E37'79B9u * attempt,
+            .most_s = options_.most_s - spent_s,
+            .most_rounds = options_.most_rounds,
+            .by_chance = attempt > 0,
+            .cancel = options_.cancel};
+  }
+
+  Judgement judged(const TrainPlan& plan) const {
+    return judge(problem_.floor, problem_.train, start_, task_.formula, plan);
+  }
+
+  void shorten(PlanAnswer& answer) {
+    SearchQuery more = query(0);
+    more.most_s = options_.shorten_s;
+    more.most_rounds = options_.shorten_rounds;
+    const SearchAnswer found = search_.shorter(more, answer.plan.length_m);
+    if (!found.plan) return;
+    Judgement judgement = judged(*found.plan);
+    if (!judgement.accepted()) return;
+    answer.plan = *found.plan;
+    answer.judgement = std::move(judgement);
+    answer.shortened = true;
+  }
+
+  result::Result<PlanAnswer> failed(const PlanAnswer& answer) const {
+    const result::Location nowhere;
+    const std::string refused = answer.judgement.reason;
+    switch (answer.search.end) {
+      case SearchEnd::BadStart:
+        return result::fail(kStartDoesNotFit, nowhere, "the train does not fit where it begins",
+                            "no link may be nearer than 3 cm to a wall, or meet another one");
+      case SearchEnd::Cancelled:
+        return result::fail(kPlanCancelled, nowhere, "the planning was cancelled");
+      case SearchEnd::NoWay:
+        return result::fail(kImpossible, {kTaskName, 1, 1}, "the task cannot be done on this floor");
+      case SearchEnd::Bound:
+      case SearchEnd::Found:
+        break;
+    }
+    if (!refused.empty())
+      return result::fail(kAllRefused, nowhere, "the referee refused what was found: " + refused,
+                          "another seed, or more time");
+    return result::fail(kNoPlan, nowhere, "no plan was found in the time that there was",
+                        "another seed, more time, or fewer trailers: a point can do the task");
+  }
+
+  const Problem& problem_;
+  const PlanOptions& options_;
+  const PlannedTask& task_;
+  const Clock::time_point began_ = Clock::now();
+  const TrainState start_;
+  Places places_;
+  TrainSearch search_;
+};
+
+}  // namespace
+
+result::Result<PlanAnswer> plan_train(const Problem& problem, const PlanOptions& options) {
+  if (auto sound = validate(problem.train); !sound) return result::forward(sound);
+  auto map = make_regions(problem.floor);
+  if (!map) return result::forward(map);
+  auto task = read_planned(problem);
+  if (!task) return result::forward(task);
+  const std::uint32_t here = map->locate(problem.start.position());
+  if (task->automaton && here != kNoRegion) {
+    const Task known{task->formula, *task->automaton};
+    if (const auto why = why_impossible(*map, known, problem.places(), here))
+      return tl::unexpected(blame(*why));
+  }
+  return Planner(problem, options, *map, *task).plan();
+}
+
+}  // namespace stepwright::ltl

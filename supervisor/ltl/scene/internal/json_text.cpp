@@ -1,0 +1,85 @@
+#include "supervisor/ltl/scene/internal/json_text.h"
+
+#include <algorithm>
+#include <sstream>
+#include <utility>
+
+namespace stepwright::ltl::internal {
+
+using nlohmann::json;
+
+namespace {
+
+result::Location place_of(std::string_view text, std::size_t byte, const std::string& file) {
+  const std::string_view before = text.substr(0, std::min(byte > 0 ? byte - 1 : 0, text.size()));
+  const auto line = static_cast<std::uint32_t>(std::ranges::count(before, '\n')) + 1;
+  const std::size_t start = before.rfind('\n');
+  const std::size_t column = before.size() - (start == std::string_view::npos ? 0 : start + 1);
+  return {file, line, static_cast<std::uint32_t>(column) + 1};
+}
+
+std::string range(double least, double most) {
+  std::ostringstream text;
+  text << "from " << least << " to " << most;
+  return text.str();
+}
+
+}  // namespace
+
+void Complaints::add(const char* code, const std::string& key, const std::string& message, std::string hint) {
+  found.push_back({code,
+                   result::Severity::Error,
+                   {file_, 0, 0},
+                   (key.empty() ? "" : key + ": ") + message,
+                   std::move(hint)});
+}
+
+void Complaints::take(result::Diagnostics&& more) {
+  for (auto& each : more) {
+    if (each.where.file.empty()) each.where.file = file_;
+    found.push_back(std::move(each));
+  }
+}
+
+result::Result<json> parse(std::string_view text, const std::string& file) try {
+  return json::parse(text);
+} catch (const json::parse_error& error) {
+  return result::fail("L0401", place_of(text, error.byte, file), "this is no JSON",
+                      "a member or a bracket is missing, or one too many");
+} catch (const json::exception& error) {
+  return result::fail("L0401", {file, 0, 0}, std::string("this is no JSON: ") + error.what());
+}
+
+const json& member(const json& object, const char* name) {
+  static const json kNone;
+  if (!object.is_object()) return kNone;
+  const auto found = object.find(name);
+  return found == object.end() ? kNone : *found;
+}
+
+std::optional<double> number(const json& value, const std::string& key, double least, double most,
+                             Complaints& wrong) {
+  if (!value.is_number()) {
+    wrong.add("L0402", key, "is no number");
+    return std::nullopt;
+  }
+  const double read = value.get<double>();
+  if (read >= least && read <= most) return read;
+  wrong.add("L0403", key, "is out of range", range(least, most));
+  return std::nullopt;
+}
+
+bool is_object(const json& value, const std::string& key, std::initializer_list<const char*> names,
+               Complaints& wrong) {
+  if (!value.is_object()) {
+    wrong.add("L0402", key, "is no object");
+    return false;
+  }
+  for (const auto& each : value.items()) {
+    const bool known = std::ranges::any_of(names, [&](const char* name) { return each.key() == name; });
+    if (!known) wrong.add("L0402", key.empty() ? each.key() : key + "." + each.key(), "is not known here");
+  }
+  return true;
+}
+
+}  // namespace stepwright::ltl::internal
