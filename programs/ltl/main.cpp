@@ -3,10 +3,13 @@
 #include <CLI/CLI.hpp>
 
 #include <map>
+#include <string_view>
+#include <vector>
 
 #include "programs/ltl/automaton_command.h"
 #include "programs/ltl/check_command.h"
 #include "programs/ltl/monitor_command.h"
+#include "programs/ltl/plan_command.h"
 #include "runtime/ground/process/command_line.h"
 
 namespace {
@@ -51,22 +54,53 @@ void describe_monitor(CLI::App& app, ltl_program::MonitorArguments& arguments) {
       ->transform(CLI::CheckedTransformer(forms));
 }
 
+void describe_plan(CLI::App& app, ltl_program::PlanArguments& arguments) {
+  app.add_option("problem", arguments.problem, "the problem, JSON (supervisor/doc/ltl.md)")->required();
+  app.add_option("--json", arguments.json_file, "write the plan: controls, way, word, figures");
+  app.add_option("--svg", arguments.svg_file, "draw the plan on its floor");
+  app.add_option("--seed", arguments.seed, "of what is tried by chance (default 1)");
+  app.add_option("--time", arguments.time_s, "seconds until a plan must be there (default 10)")
+      ->check(CLI::Range(0.0, 86'400.0));
+  app.add_option("--shorten", arguments.shorten_s, "seconds for a shorter one after it (default 1)")
+      ->check(CLI::Range(0.0, 86'400.0));
+  app.footer(
+      "Exit codes: 0 a plan that the referee accepts, 1 wrong input, 2 wrong usage, 3 even a point cannot do "
+      "the task, 4 no plan in that time.");
+}
+
+// `stepwright ltl PROBLEM.json` is `stepwright ltl plan PROBLEM.json`.
+std::vector<char*> with_its_command(int argc, char** argv) {
+  static char plan[] = "plan";
+  std::vector<char*> all(argv, argv + argc);
+  const std::size_t first = argc > 1 && std::string_view(argv[1]) == "ltl" ? 2 : 1;
+  if (first < all.size() && std::string_view(all[first]).ends_with(".json"))
+    all.insert(all.begin() + static_cast<std::ptrdiff_t>(first), plan);
+  return all;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Judges traces by formulas of temporal logic, and makes automata and monitors of them",
-               "stepwright ltl");
+  CLI::App app(
+      "Plans drives that do a task of temporal logic, judges traces by formulas, and makes automata and "
+      "monitors of them",
+      "stepwright ltl");
   app.require_subcommand(1);
   ltl_program::CheckArguments check_arguments;
   ltl_program::AutomatonArguments automaton_arguments;
   ltl_program::MonitorArguments monitor_arguments;
+  ltl_program::PlanArguments plan_arguments;
+  CLI::App* plan = app.add_subcommand("plan", "plan a drive of a train; `ltl PROBLEM.json` is the same");
   CLI::App* check = app.add_subcommand("check", "judge a recorded trace");
   CLI::App* automaton = app.add_subcommand("automaton", "write the minimal automaton");
   CLI::App* monitor = app.add_subcommand("monitor", "write a function block in ST that watches in the scan");
   describe_check(*check, check_arguments);
   describe_automaton(*automaton, automaton_arguments);
   describe_monitor(*monitor, monitor_arguments);
-  if (const auto exit = process::parse(app, argc, argv)) return *exit;
+  describe_plan(*plan, plan_arguments);
+  std::vector<char*> words = with_its_command(argc, argv);
+  if (const auto exit = process::parse(app, static_cast<int>(words.size()), words.data())) return *exit;
+  if (plan->parsed()) return result::to_int(ltl_program::run_plan(plan_arguments));
   if (check->parsed()) return result::to_int(ltl_program::run_check(check_arguments));
   if (automaton->parsed()) return result::to_int(ltl_program::run_automaton(automaton_arguments));
   return result::to_int(ltl_program::run_monitor(monitor_arguments));

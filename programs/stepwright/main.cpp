@@ -32,7 +32,7 @@ constexpr std::array kCommands = {
     Command{"plan", "stepwright-plan", "find a plan for a PDDL problem"},
     Command{"validate", "stepwright-plan", "check a plan step by step"},
     Command{"fleet", "stepwright-fleet", "plan vehicles on one floor: loads, paths, envelopes, schedule"},
-    Command{"ltl", "stepwright-ltl", "temporal logic: judge traces, write automata and monitors"},
+    Command{"ltl", "stepwright-ltl", "temporal logic: plan drives, judge traces, write automata and monitors"},
     Command{"translate", "stepwright-translate",
             "turn a plan into SFC, Ladder, PLCopen XML or Omron mnemonics"},
     Command{"compile", "stepwright-compile", "compile ST and PLCopen sources to a bytecode image"},

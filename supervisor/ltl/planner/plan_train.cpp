@@ -82,8 +82,8 @@ class Planner {
             .cancel = options_.cancel};
   }
 
-  Judgement judged(const TrainPlan& plan) const {
-    return judge(problem_.floor, problem_.train, start_, task_.formula, plan);
+  PlanJudgement judged(const TrainPlan& plan) const {
+    return judge_plan(problem_.floor, problem_.train, start_, task_.formula, plan);
   }
 
   void shorten(PlanAnswer& answer) {
@@ -92,7 +92,7 @@ class Planner {
     more.most_rounds = options_.shorten_rounds;
     const SearchAnswer found = search_.shorter(more, answer.plan.length_m);
     if (!found.plan) return;
-    Judgement judgement = judged(*found.plan);
+    PlanJudgement judgement = judged(*found.plan);
     if (!judgement.accepted()) return;
     answer.plan = *found.plan;
     answer.judgement = std::move(judgement);

@@ -39,10 +39,10 @@ struct PlanOptions {
 
 struct PlanAnswer {
   TrainPlan plan;
-  Judgement judgement;     // accepted
-  SearchAnswer search;     // that found the first plan
-  std::size_t tries = 1;   // searches until the referee agreed
-  bool shortened = false;  // the plan is a shorter one than the first
+  PlanJudgement judgement;  // accepted
+  SearchAnswer search;      // that found the first plan
+  std::size_t tries = 1;    // searches until the referee agreed
+  bool shortened = false;   // the plan is a shorter one than the first
 };
 
 // L0201 to L0207: the floor; L0301: the train; L0001 to L0011, L0311: the task. L0411: the train does not fit

@@ -88,7 +88,8 @@ bool share(const Corners& a, const Corners& b) {
 
 class Referee {
  public:
-  Referee(const Floor& floor, const TrainModel& model, const RefereeOptions& options, Judgement& judgement)
+  Referee(const Floor& floor, const TrainModel& model, const RefereeOptions& options,
+          PlanJudgement& judgement)
       : floor_(floor), model_(model), options_(options), judgement_(judgement) {}
 
   bool replay(const TrainPlan& plan, const TrainState& start) {
@@ -221,7 +222,7 @@ class Referee {
   const Floor& floor_;
   const TrainModel& model_;
   RefereeOptions options_;
-  Judgement& judgement_;
+  PlanJudgement& judgement_;
   std::vector<double> state_;
   std::vector<Corners> boxes_;
   std::vector<Point> middles_;
@@ -229,9 +230,9 @@ class Referee {
 
 }  // namespace
 
-Judgement judge(const Floor& floor, const TrainModel& model, const TrainState& start, const Formula& formula,
-                const TrainPlan& plan, const RefereeOptions& options) {
-  Judgement judgement;
+PlanJudgement judge_plan(const Floor& floor, const TrainModel& model, const TrainState& start,
+                         const Formula& formula, const TrainPlan& plan, const RefereeOptions& options) {
+  PlanJudgement judgement;
   Referee referee(floor, model, options, judgement);
   if (!referee.replay(plan, start)) return judgement;
   if (!satisfies(formula, judgement.word)) judgement.reason = "the way does not satisfy the task";

@@ -5,7 +5,7 @@
 // become a word, and the formula is evaluated on that word by its definition, without automata.
 //
 // Pure functions; any thread. Example:
-//   const Judgement judgement = judge(floor, model, start, formula, plan);
+//   const PlanJudgement judgement = judge_plan(floor, model, start, formula, plan);
 //   if (!judgement.accepted()) std::puts(judgement.reason.c_str());
 
 #include <string>
@@ -25,7 +25,7 @@ struct RefereeOptions {
   double longest_s = 86'400.0;
 };
 
-struct Judgement {
+struct PlanJudgement {
   std::string reason;  // empty: the plan holds
   double end_error = 0.0;
   double length_m = 0.0;  // of the car's way
@@ -37,8 +37,8 @@ struct Judgement {
 };
 
 // `start` is where the train stands: the plan must begin there.
-Judgement judge(const Floor& floor, const TrainModel& model, const TrainState& start, const Formula& formula,
-                const TrainPlan& plan, const RefereeOptions& options = {});
+PlanJudgement judge_plan(const Floor& floor, const TrainModel& model, const TrainState& start,
+                         const Formula& formula, const TrainPlan& plan, const RefereeOptions& options = {});
 
 // The labels of a straight way, each one other than the one before, appended to a word. A strip is read
 // however thin it is.

@@ -33,10 +33,10 @@ struct Drive {
     for (const TrainPiece& piece : plan.pieces)
       for (double left = piece.duration_s; left > 1e-12;) left -= motion.step(plan.end, piece.control, left);
   }
-  Judgement judged(const std::string& task = "visit press") const {
+  PlanJudgement judged(const std::string& task = "visit press") const {
     const auto formula = parse_formula(task, {}, {"press", "rack"});
     EXPECT_TRUE(formula);
-    return judge(floor, model, standing_at(model, {5.0, 6.0, 0.0}), *formula, plan);
+    return judge_plan(floor, model, standing_at(model, {5.0, 6.0, 0.0}), *formula, plan);
   }
 
   Floor floor;
@@ -46,7 +46,7 @@ struct Drive {
 
 TEST(Referee, WhenAPlanHolds_ThenItIsAcceptedWithItsWord) {
   const Drive drive;
-  const Judgement judgement = drive.judged();
+  const PlanJudgement judgement = drive.judged();
   EXPECT_TRUE(judgement.accepted()) << judgement.reason;
   EXPECT_EQ(judgement.word, (std::vector<Label>{0, 1, 0}));
   EXPECT_NEAR(judgement.duration_s, 7.7, 1e-9);

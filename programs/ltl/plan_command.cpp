@@ -1,0 +1,134 @@
+#include "programs/ltl/plan_command.h"
+
+#include <chrono>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "programs/ltl/formula_input.h"
+#include "runtime/ground/process/files.h"
+#include "supervisor/ltl/planner/plan_svg.h"
+#include "supervisor/ltl/planner/plan_train.h"
+#include "supervisor/ltl/planner/plan_way.h"
+#include "supervisor/ltl/scene/problem_reader.h"
+
+namespace stepwright::ltl_program {
+
+namespace {
+
+using ltl::PlanAnswer;
+using ltl::Problem;
+using nlohmann::json;
+using result::ExitCode;
+
+// The places of a label: "press + rack", "-" for none.
+std::string text_of(const Problem& problem, ltl::Label label) {
+  std::string text;
+  for (std::size_t k = 0; k < problem.floor.propositions.size(); ++k)
+    if ((label >> k & 1) != 0) text += (text.empty() ? "" : " + ") + problem.floor.propositions[k].name;
+  return text.empty() ? "-" : text;
+}
+
+void print(const Problem& problem, const PlanAnswer& answer, double spent_s) {
+  const ltl::PlanJudgement& judged = answer.judgement;
+  std::printf("plan: %.1f m in %.1f s, %zu controls\n", judged.length_m, judged.duration_s,
+              answer.plan.pieces.size());
+  std::string word;
+  for (const ltl::Label each : judged.word) word += (word.empty() ? "" : ", ") + text_of(problem, each);
+  std::printf("places: %s\n", word.c_str());
+  std::printf("judged: by CVODE, %zu looks, ends %.2g m from where the planner says\n", judged.looks,
+              judged.end_error);
+  std::printf("found: %.3f s, %zu drives, %zu states", answer.search.spent_s, answer.search.drives,
+              answer.search.nodes);
+  if (answer.shortened) std::printf("; %.1f m at first", answer.search.plan->length_m);
+  std::printf("; %.3f s in all\n", spent_s);
+}
+
+json pieces_of(const PlanAnswer& answer) {
+  json pieces = json::array();
+  for (const ltl::TrainPiece& each : answer.plan.pieces) {
+    pieces.push_back({{"acceleration_m_s2", each.control.acceleration_m_s2},
+                      {"lock_rate_rad_s", each.control.lock_rate_rad_s},
+                      {"duration_s", each.duration_s}});
+  }
+  return pieces;
+}
+
+// Time, then the state: x, y, heading, speed, lock and the headings of the trailers.
+json way_of(const Problem& problem, const PlanAnswer& answer) {
+  json way = json::array();
+  for (const ltl::WayState& each : ltl::way_of(problem.train, answer.plan)) {
+    json row = {each.time_s};
+    for (std::size_t k = 0; k < problem.train.states(); ++k) row.push_back(each.state[k]);
+    way.push_back(std::move(row));
+  }
+  return way;
+}
+
+std::string json_of(const Problem& problem, const PlanAnswer& answer, const PlanArguments& arguments,
+                    double spent_s) {
+  json word = json::array();
+  for (const ltl::Label label : answer.judgement.word) {
+    json letter = json::array();
+    for (std::size_t k = 0; k < problem.floor.propositions.size(); ++k)
+      if ((label >> k & 1) != 0) letter.push_back(problem.floor.propositions[k].name);
+    word.push_back(std::move(letter));
+  }
+  const json document = {{"solved", true},
+                         {"task", problem.task},
+                         {"trailers", problem.train.trailers},
+                         {"seed", arguments.seed},
+                         {"length_m", answer.judgement.length_m},
+                         {"first_length_m", answer.search.plan->length_m},
+                         {"duration_s", answer.judgement.duration_s},
+                         {"end_error", answer.judgement.end_error},
+                         {"tries", answer.tries},
+                         {"drives", answer.search.drives},
+                         {"states", answer.search.nodes},
+                         {"found_s", answer.search.spent_s},
+                         {"spent_s", spent_s},
+                         {"word", std::move(word)},
+                         {"controls", pieces_of(answer)},
+                         {"way", way_of(problem, answer)}};
+  return document.dump(1, ' ', false, json::error_handler_t::replace) + "\n";
+}
+
+ExitCode failed(const result::Diagnostics& diagnostics, const PlanArguments& arguments) {
+  const std::string code = diagnostics.empty() ? "" : diagnostics.front().code;
+  const ExitCode exit = code == ltl::kImpossible                           ? ExitCode::NoPlan
+                        : code == ltl::kNoPlan || code == ltl::kAllRefused ? ExitCode::BudgetExhausted
+                                                                           : ExitCode::BadInput;
+  const bool unsolved = exit != ExitCode::BadInput;
+  if (unsolved && !arguments.json_file.empty()) {
+    const json document = {{"solved", false}, {"code", code}, {"reason", diagnostics.front().message}};
+    (void)write(arguments.json_file, document.dump(1, ' ', false, json::error_handler_t::replace) + "\n");
+  }
+  (void)fail(diagnostics);
+  return exit;
+}
+
+}  // namespace
+
+ExitCode run_plan(const PlanArguments& arguments) {
+  for (const std::string& file : {arguments.json_file, arguments.svg_file}) {
+    if (file.empty()) continue;
+    if (const auto unwritable = process::check_writable(file); !unwritable.empty()) return fail(unwritable);
+  }
+  const auto text = process::read_file(arguments.problem);
+  if (!text) return fail(text.error());
+  const auto problem = ltl::read_planning_problem(*text, arguments.problem);
+  if (!problem) return fail(problem.error());
+  const auto began = std::chrono::steady_clock::now();
+  const auto answer = ltl::plan_train(
+      *problem, {.seed = arguments.seed, .most_s = arguments.time_s, .shorten_s = arguments.shorten_s});
+  if (!answer) return failed(answer.error(), arguments);
+  const double spent_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  if (arguments.json_file != "-") print(*problem, *answer, spent_s);
+  if (!arguments.json_file.empty()) {
+    const ExitCode written = write(arguments.json_file, json_of(*problem, *answer, arguments, spent_s));
+    if (written != ExitCode::Done) return written;
+  }
+  if (arguments.svg_file.empty()) return ExitCode::Done;
+  return write(arguments.svg_file, ltl::plan_svg(*problem, answer->plan));
+}
+
+}  // namespace stepwright::ltl_program

@@ -1,0 +1,81 @@
+// `stepwright ltl PROBLEM.json` as a user runs it.
+
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "tests/support/command_run.h"
+
+namespace stepwright::ltl_test {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr const char* kBlocks = STEPWRIGHT_SOURCE_DIR "/tests/cells/ltl/blocks.json";
+
+class PlanCommand : public support::CommandRun {
+ protected:
+  int run(const std::string& arguments) { return run_program("stepwright", arguments); }
+
+  // The published blocks with another task, and whatever else is changed.
+  std::string problem(const std::string& task, const char* more = "\"train\": {\"trailers\": 1}") {
+    return write("problem.json", std::string("{\"scene\": \"" STEPWRIGHT_SOURCE_DIR
+                                             "/tests/cells/ltl/blocks.geojson\", \"start\": {\"x_m\": -6, "
+                                             "\"y_m\": -22, \"heading_rad\": 0}, \"task\": \"") +
+                                     task + "\", " + more + "}");
+  }
+};
+
+TEST_F(PlanCommand, WhenATaskIsPossible_ThenPlanJsonAndPictureAgree) {
+  const std::string generous = " --time 600 --shorten 0 --seed 3 ";
+  ASSERT_EQ(run(std::string("ltl ") + kBlocks + generous + "--json " + path("plan.json") + " --svg " +
+                path("plan.svg")),
+            0)
+      << errors;
+  EXPECT_THAT(output, HasSubstr("judged: by CVODE"));
+  const auto json = nlohmann::json::parse(text("plan.json"));
+  EXPECT_EQ(json["solved"], true);
+  EXPECT_EQ(json["trailers"], 5);
+  std::vector<std::string> visited;
+  for (const auto& letter : json["word"])
+    for (const auto& place : letter) visited.push_back(place);
+  EXPECT_THAT(visited, testing::IsSupersetOf({"p1", "p4", "p6"}));
+  EXPECT_LT(std::ranges::find(visited, "p1"), std::ranges::find(visited, "p4"));
+  double sum_s = 0.0;
+  for (const auto& each : json["controls"]) sum_s += each["duration_s"].get<double>();
+  EXPECT_NEAR(sum_s, json["duration_s"].get<double>(), 1e-6);
+  EXPECT_NEAR(json["way"].back()[0].get<double>(), sum_s, 1e-6);
+  EXPECT_EQ(json["way"][0].size(), 1u + 5u + 5u);
+  EXPECT_THAT(text("plan.svg"), HasSubstr("5 trailers"));
+  EXPECT_THAT(text("plan.svg"), HasSubstr("class=\"way\""));
+  ASSERT_EQ(run(std::string("ltl plan ") + kBlocks + generous + "--json " + path("again.json")), 0) << errors;
+  const auto again = nlohmann::json::parse(text("again.json"));
+  EXPECT_EQ(again["controls"], json["controls"]) << "the same seed";
+}
+
+TEST_F(PlanCommand, WhenNoPlanCanBe_ThenTheCodeTellsWhy) {
+  EXPECT_EQ(run("ltl " + problem("!p1 U p2 & !p2 U p1") + " --json " + path("plan.json")), 3);
+  EXPECT_THAT(errors, HasSubstr("L0412"));
+  EXPECT_EQ(nlohmann::json::parse(text("plan.json"))["solved"], false);
+  EXPECT_EQ(run("ltl " + problem("visit p1") + " --time 0"), 4);
+  EXPECT_THAT(errors, HasSubstr("L0413"));
+}
+
+TEST_F(PlanCommand, WhenAFileIsWrong_ThenItsPlaceIsTold) {
+  EXPECT_EQ(run("ltl " + path("nothing.json")), 1);
+  EXPECT_EQ(run("ltl " + write("broken.json", "{\n  \"scene\": }")), 1);
+  EXPECT_THAT(errors, HasSubstr("broken.json:2:"));
+  EXPECT_EQ(run("ltl " + problem("visit p99")), 1);
+  EXPECT_THAT(errors, HasSubstr("L0311"));
+  EXPECT_EQ(run("ltl " + problem("visit p1", "\"train\": {\"trailers\": 99}")), 1);
+  EXPECT_THAT(errors, HasSubstr("train.trailers"));
+  EXPECT_EQ(run("ltl " + problem("visit p1") + " --svg /nowhere/plan.svg"), 1);
+  EXPECT_EQ(run("ltl " + problem("visit p1") + " --time soon"), 2);
+}
+
+}  // namespace
+}  // namespace stepwright::ltl_test
