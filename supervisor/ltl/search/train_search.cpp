@@ -33,6 +33,12 @@ double tightest_m(const TrainModel& model) {
   return model.trailers == 0 ? least : std::max(least, pulled);
 }
 
+double length_m(const Route& route) {
+  double length = 0.0;
+  for (std::size_t k = 1; k < route.size(); ++k) length += geometry::distance(route[k - 1].at, route[k].at);
+  return length;
+}
+
 }  // namespace
 
 // Routes with a clearance: the first level keeps the most.
@@ -196,13 +202,15 @@ Route TrainSearch::route_from(const Node& node, Routes& ways, double turn_m, dou
                             .seed = dice_()});
 }
 
-// Any control from there; whether that ended the task: then the last node did.
+// Any control from there, often a straight one back; whether that ended the task: then the last node did.
 bool TrainSearch::explore(std::size_t from) {
-  const bool reverse = model_.trailers <= 1 ? chance() < 0.5 : chance() < 0.1;
+  const bool reverse = chance() < (model_.trailers <= 1 ? 0.5 : 0.3);
+  const bool straight = chance() < 0.5;
   const double push = model_.most_acceleration_m_s2 * chance();
-  const TrainControl control{reverse ? -push : push, model_.most_lock_rate_rad_s * (2.0 * chance() - 1.0)};
-  Drive drive = driver_.hold(nodes_[from].at, control, 0.2 + 2.0 * chance());
-  for (DriveMark& mark : drive.marks) mark.left_m = nodes_[from].left_m;
+  const double turn = straight ? 0.0 : 2.0 * chance() - 1.0;
+  const TrainControl control{reverse ? -push : push, model_.most_lock_rate_rad_s * turn};
+  Drive drive = driver_.hold(nodes_[from].at, control, 0.2 + 2.5 * chance());
+  for (DriveMark& mark : drive.marks) mark.left_m = nodes_[from].left_m + mark.length_m;
   add(from, drive);
   return drive.end == DriveEnd::Done;
 }
@@ -215,6 +223,8 @@ bool TrainSearch::drive_from(std::size_t from, bool by_chance, SearchAnswer& ans
     nodes_[from].fails += 1.0;
     return false;
   }
+  // Of the root, which has no way to it.
+  if (std::isinf(nodes_[from].left_m)) nodes_[from].left_m = length_m(route);
   ++answer.drives;
   const Drive drive = driver_.along(route, nodes_[from].at, style(by_chance));
   const std::size_t first_new = nodes_.size();
@@ -238,7 +248,8 @@ SearchAnswer TrainSearch::first(const SearchQuery& query) {
       nodes_.resize(1);
       nodes_[0].fails = 0.0;
     }
-    const auto any = static_cast<std::size_t>(chance() * static_cast<double>(nodes_.size()));
+    // Early nodes more often: there the train stands, or is slow.
+    const auto any = static_cast<std::size_t>(std::pow(chance(), 3.0) * static_cast<double>(nodes_.size()));
     const bool done = round > 0 && chance() < 0.1
                           ? explore(std::min(any, nodes_.size() - 1))
                           : drive_from(choose(), (round > 0 || query.by_chance) && chance() < 0.8, answer);

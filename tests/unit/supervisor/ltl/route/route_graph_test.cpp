@@ -46,7 +46,7 @@ TEST(RouteGraph, WhenAWallIsBetween_ThenNoWayLeadsThroughIt) {
   // Thin, and the ways begin near to it.
   floor.obstacles = {{"sheet", {{10, 0}, {10.001, 0}, {10.001, 15}, {10, 15}}, {}}};
   const Places places({});
-  const Walls walls(floor, {.length_m = 0.02, .width_m = 0.01});
+  const Walls walls(floor, {.length_m = 0.2, .width_m = 0.1});
   const RouteGraph graph(floor, places, walls, {.margin_m = 0.02});
   RouteGraph::Words words;
   for (const double apart : {0.03, 0.05, 0.1, 0.5, 3.0})
@@ -72,14 +72,14 @@ TEST(RouteGraph, WhenAPlaceIsNarrow_ThenItHasPointsAllTheSame) {
 
 TEST(RouteGraph, WhenThereAreManyCorners_ThenSomeOfThemAreLeftOut) {
   Floor floor;
-  floor.border = testing::Rectangle{0, 0, 100, 100}.area("border");
-  for (int x = 0; x < 30; ++x)
-    for (int y = 0; y < 30; ++y)
+  floor.border = testing::Rectangle{0, 0, 60, 60}.area("border");
+  for (int x = 0; x < 15; ++x)
+    for (int y = 0; y < 15; ++y)
       floor.obstacles.push_back(testing::Rectangle{1 + 3 * x, 1 + 3 * y, 2 + 3 * x, 2 + 3 * y}.area("post"));
-  floor.propositions = {testing::Rectangle{94, 94, 98, 98}.area("a")};
+  floor.propositions = {testing::Rectangle{52, 52, 56, 56}.area("a")};
   const Places places(floor.propositions);
-  const Walls walls(floor, {.length_m = 0.4, .width_m = 0.2});
-  const RouteGraph graph(floor, places, walls, {.margin_m = 0.2, .wanted_m = 0.5, .most_corners = 200});
+  const Walls walls(floor, {});
+  const RouteGraph graph(floor, places, walls, {.margin_m = 0.3, .wanted_m = 0.5, .most_corners = 200});
   EXPECT_GT(graph.points().size(), 150u);
   EXPECT_LT(graph.points().size(), 230u);
   EXPECT_EQ(graph.label(static_cast<std::uint32_t>(graph.points().size() - 5)), 1u)
