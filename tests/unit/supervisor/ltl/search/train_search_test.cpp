@@ -38,7 +38,7 @@ struct Yard {
     return each.first({.start = start, .seed = seed, .most_s = kGenerous_s, .most_rounds = rounds});
   }
   std::string refused(const TrainPlan& plan) const {
-    return judge(floor, model, start, task->formula, plan).reason;
+    return judge_plan(floor, model, start, task->formula, plan).reason;
   }
 
   Floor floor;
