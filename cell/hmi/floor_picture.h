@@ -8,7 +8,7 @@
 #include "cell/hmi/picture_points.h"
 #include "hmi_web/protocol/floor.h"
 #include "plant_models/core/plant_description.h"
-#include "supervisor/fleet/map/occupancy_grid.h"
+#include "supervisor/map/occupancy_grid.h"
 
 namespace stepwright::hmi {
 

@@ -15,7 +15,7 @@
 #include "plant_models/assemblies/line_ports.h"
 #include "plant_models/bridge/plant_driver.h"
 #include "plant_models/core/names.h"
-#include "supervisor/fleet/map/map_file.h"
+#include "supervisor/map/map_file.h"
 
 namespace stepwright::hmi {
 namespace {

@@ -11,7 +11,7 @@
 #include <cstddef>
 
 #include "hmi_web/protocol/floor.h"
-#include "supervisor/fleet/map/occupancy_grid.h"
+#include "supervisor/map/occupancy_grid.h"
 
 namespace stepwright::hmi {
 

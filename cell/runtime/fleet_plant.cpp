@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "supervisor/fleet/map/map_file.h"
+#include "supervisor/map/map_file.h"
 
 namespace stepwright::cell_runtime {
 namespace {

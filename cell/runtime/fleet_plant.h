@@ -11,7 +11,7 @@
 #include "cell/config/cell_config.h"
 #include "plant_models/assemblies/fleet_parameters.h"
 #include "runtime/ground/result/result.h"
-#include "supervisor/fleet/map/occupancy_grid.h"
+#include "supervisor/map/occupancy_grid.h"
 
 namespace stepwright::cell_runtime {
 

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "cell/missions/fleet/fleet_executive_options.h"
-#include "supervisor/fleet/map/map_file.h"
+#include "supervisor/map/map_file.h"
 
 namespace stepwright::missions {
 namespace {

@@ -31,8 +31,8 @@
 #include "runtime/ground/result/result.h"
 #include "supervisor/fleet/envelope/time_bounds.h"
 #include "supervisor/fleet/envelope/trajectory_envelope.h"
-#include "supervisor/fleet/map/occupancy_grid.h"
 #include "supervisor/geometry/path.h"
+#include "supervisor/map/occupancy_grid.h"
 
 namespace stepwright::fleet {
 

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "supervisor/fleet/executive/standing.h"
-#include "supervisor/fleet/map/row_span.h"
 #include "supervisor/fleet/mission/problem_reader.h"
+#include "supervisor/map/row_span.h"
 
 namespace stepwright::fleet {
 namespace {

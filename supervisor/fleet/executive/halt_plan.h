@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "supervisor/fleet/executive/fleet_reading.h"
-#include "supervisor/fleet/map/occupancy_grid.h"
 #include "supervisor/fleet/plan/fleet_plan.h"
+#include "supervisor/map/occupancy_grid.h"
 
 namespace stepwright::fleet {
 

@@ -5,7 +5,7 @@
 
 #include "supervisor/fleet/lattice/heading.h"
 #include "supervisor/fleet/lattice/primitive_set.h"
-#include "supervisor/fleet/map/row_span.h"
+#include "supervisor/map/row_span.h"
 
 namespace stepwright::fleet {
 namespace {

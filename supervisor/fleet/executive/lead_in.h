@@ -10,9 +10,9 @@
 
 #include <vector>
 
-#include "supervisor/fleet/map/occupancy_grid.h"
 #include "supervisor/geometry/convex_polygon.h"
 #include "supervisor/geometry/path.h"
+#include "supervisor/map/occupancy_grid.h"
 
 namespace stepwright::fleet {
 

@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "supervisor/fleet/lattice/primitive_set.h"
-#include "supervisor/fleet/map/distance_field.h"
+#include "supervisor/map/distance_field.h"
 
 namespace stepwright::fleet {
 

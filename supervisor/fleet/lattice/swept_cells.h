@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "supervisor/fleet/lattice/primitive_set.h"
-#include "supervisor/fleet/map/distance_field.h"
-#include "supervisor/fleet/map/row_span.h"
+#include "supervisor/map/distance_field.h"
+#include "supervisor/map/row_span.h"
 
 namespace stepwright::fleet {
 

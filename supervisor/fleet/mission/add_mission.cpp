@@ -6,11 +6,11 @@
 #include <optional>
 #include <utility>
 
-#include "supervisor/fleet/map/row_span.h"
 #include "supervisor/fleet/mission/explain_schedule.h"
 #include "supervisor/fleet/mission/internal/mission_builder.h"
 #include "supervisor/fleet/mission/internal/parallel.h"
 #include "supervisor/fleet/network/constraint.h"
+#include "supervisor/map/row_span.h"
 
 namespace stepwright::fleet {
 

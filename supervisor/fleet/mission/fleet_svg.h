@@ -7,8 +7,8 @@
 
 #include <string>
 
-#include "supervisor/fleet/map/occupancy_grid.h"
 #include "supervisor/fleet/plan/fleet_plan.h"
+#include "supervisor/map/occupancy_grid.h"
 
 namespace stepwright::fleet {
 

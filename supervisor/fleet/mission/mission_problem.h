@@ -16,9 +16,9 @@
 
 #include "supervisor/fleet/envelope/grow_envelope.h"
 #include "supervisor/fleet/lattice/vehicle_model.h"
-#include "supervisor/fleet/map/occupancy_grid.h"
 #include "supervisor/fleet/schedule/problem.h"
 #include "supervisor/geometry/path.h"
+#include "supervisor/map/occupancy_grid.h"
 
 namespace stepwright::fleet {
 

@@ -7,11 +7,11 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "supervisor/fleet/map/map_file.h"
 #include "supervisor/fleet/mission/internal/stand_check.h"
 #include "supervisor/fleet/mission/internal/vehicle_reader.h"
 #include "supervisor/fleet/network/constraint.h"
 #include "supervisor/fleet/schedule/json_place.h"
+#include "supervisor/map/map_file.h"
 
 namespace stepwright::fleet {
 

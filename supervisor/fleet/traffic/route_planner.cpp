@@ -9,7 +9,7 @@
 #include <thread>
 #include <utility>
 
-#include "supervisor/fleet/map/row_span.h"
+#include "supervisor/map/row_span.h"
 
 namespace stepwright::fleet {
 

@@ -7,8 +7,8 @@
 
 #include <string>
 
-#include "supervisor/fleet/map/occupancy_grid.h"
 #include "supervisor/ltl/regions/make_regions.h"
+#include "supervisor/map/occupancy_grid.h"
 
 namespace stepwright::ltl {
 

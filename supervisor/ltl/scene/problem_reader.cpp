@@ -5,10 +5,10 @@
 #include <optional>
 #include <utility>
 
-#include "supervisor/fleet/map/map_file.h"
 #include "supervisor/ltl/scene/internal/json_text.h"
 #include "supervisor/ltl/scene/map_floor.h"
 #include "supervisor/ltl/scene/scene_reader.h"
+#include "supervisor/map/map_file.h"
 
 namespace stepwright::ltl {
 

@@ -7,7 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "supervisor/fleet/map/row_span.h"
+#include "supervisor/map/row_span.h"
 
 namespace stepwright::bench {
 

@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-#include "supervisor/fleet/map/occupancy_grid.h"
+#include "supervisor/map/occupancy_grid.h"
 #include "tests/bench/shift/scenario.h"
 
 namespace stepwright::bench::shift {

@@ -21,9 +21,9 @@
 #include "ladder/driver/compile.h"
 #include "runtime/dds/plan_channel.h"
 #include "runtime/dds/runtime_client.h"
-#include "supervisor/fleet/map/map_file.h"
 #include "supervisor/fleet/program/fleet_program.h"
 #include "supervisor/fleet/report/fleet_json.h"
+#include "supervisor/map/map_file.h"
 #include "tests/support/fleet_program/planned_fleet.h"
 
 namespace {

@@ -7,10 +7,10 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "supervisor/fleet/map/map_file.h"
 #include "supervisor/fleet/mission/problem_reader.h"
 #include "supervisor/fleet/schedule/problem_file.h"
 #include "supervisor/fleet/schedule/schedule.h"
+#include "supervisor/map/map_file.h"
 
 namespace stepwright::fuzz::fleet {
 

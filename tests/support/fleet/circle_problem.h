@@ -8,7 +8,7 @@
 
 #include <vector>
 
-#include "supervisor/fleet/map/occupancy_grid.h"
+#include "supervisor/map/occupancy_grid.h"
 
 namespace stepwright::support {
 

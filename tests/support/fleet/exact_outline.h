@@ -7,8 +7,8 @@
 
 #include <optional>
 
-#include "supervisor/fleet/map/occupancy_grid.h"
 #include "supervisor/geometry/path.h"
+#include "supervisor/map/occupancy_grid.h"
 
 namespace stepwright::support {
 

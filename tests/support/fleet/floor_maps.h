@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "supervisor/fleet/map/occupancy_grid.h"
+#include "supervisor/map/occupancy_grid.h"
 
 namespace stepwright::support {
 

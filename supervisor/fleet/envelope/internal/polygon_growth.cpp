@@ -4,7 +4,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "supervisor/fleet/map/row_span.h"
+#include "supervisor/map/row_span.h"
 
 namespace stepwright::fleet::internal {
 

@@ -2,9 +2,9 @@
 
 // The floor of a plan as SVG elements. See fleet_svg.h.
 
-#include "supervisor/fleet/map/occupancy_grid.h"
 #include "supervisor/fleet/mission/internal/svg_page.h"
 #include "supervisor/fleet/plan/fleet_plan.h"
+#include "supervisor/map/occupancy_grid.h"
 
 namespace stepwright::fleet::internal {
 

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "supervisor/fleet/lattice/swept_cells.h"
-#include "supervisor/fleet/map/row_span.h"
 #include "supervisor/fleet/network/network.h"
+#include "supervisor/map/row_span.h"
 
 namespace stepwright::fleet::internal {
 

@@ -7,8 +7,8 @@
 #include <set>
 #include <utility>
 
-#include "supervisor/fleet/map/row_span.h"
 #include "supervisor/fleet/mission/internal/mission_builder.h"
+#include "supervisor/map/row_span.h"
 
 namespace stepwright::fleet::internal {
 

@@ -8,7 +8,7 @@
 
 #include "supervisor/fleet/lattice/heading.h"
 #include "supervisor/fleet/lattice/swept_cells.h"
-#include "supervisor/fleet/map/row_span.h"
+#include "supervisor/map/row_span.h"
 
 namespace stepwright::fleet::internal {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "supervisor/fleet/map/map_file.h"
+#include "supervisor/map/map_file.h"
 
 namespace stepwright::hmi {
 namespace {

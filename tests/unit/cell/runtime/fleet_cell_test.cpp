@@ -10,8 +10,8 @@
 
 #include "cell/runtime/cell_io.h"
 #include "ladder/driver/compile.h"
-#include "supervisor/fleet/map/map_file.h"
 #include "supervisor/fleet/program/fleet_program.h"
+#include "supervisor/map/map_file.h"
 #include "tests/support/fleet_program/planned_fleet.h"
 #include "tests/support/lock_step/host_machine.h"
 #include "tests/support/temporary_folder.h"

@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "cell/runtime/cell_io.h"
-#include "supervisor/fleet/map/map_file.h"
+#include "supervisor/map/map_file.h"
 #include "tests/support/temporary_folder.h"
 
 namespace stepwright::cell_runtime {

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "supervisor/fleet/map/internal/gray_image.h"
+#include "supervisor/map/internal/gray_image.h"
 
 namespace stepwright::fleet::internal {
 

@@ -1,4 +1,4 @@
-#include "supervisor/fleet/map/distance_field.h"
+#include "supervisor/map/distance_field.h"
 
 #include <algorithm>
 #include <cmath>

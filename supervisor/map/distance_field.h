@@ -12,7 +12,7 @@
 
 #include <vector>
 
-#include "supervisor/fleet/map/occupancy_grid.h"
+#include "supervisor/map/occupancy_grid.h"
 
 namespace stepwright::fleet {
 

@@ -1,4 +1,4 @@
-#include "supervisor/fleet/map/occupancy_grid.h"
+#include "supervisor/map/occupancy_grid.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "supervisor/fleet/map/row_span.h"
+#include "supervisor/map/row_span.h"
 
 namespace stepwright::fleet {
 namespace {

@@ -1,4 +1,4 @@
-#include "supervisor/fleet/map/map_file.h"
+#include "supervisor/map/map_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "supervisor/fleet/map/internal/gray_image.h"
-#include "supervisor/fleet/map/internal/map_description.h"
+#include "supervisor/map/internal/gray_image.h"
+#include "supervisor/map/internal/map_description.h"
 #include "tests/support/temporary_folder.h"
 
 namespace stepwright::fleet {

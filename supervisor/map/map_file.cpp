@@ -1,4 +1,4 @@
-#include "supervisor/fleet/map/map_file.h"
+#include "supervisor/map/map_file.h"
 
 #include <fmt/format.h>
 
@@ -9,8 +9,8 @@
 #include <system_error>
 #include <vector>
 
-#include "supervisor/fleet/map/internal/gray_image.h"
-#include "supervisor/fleet/map/internal/map_description.h"
+#include "supervisor/map/internal/gray_image.h"
+#include "supervisor/map/internal/map_description.h"
 
 namespace stepwright::fleet {
 

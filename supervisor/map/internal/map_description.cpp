@@ -1,4 +1,4 @@
-#include "supervisor/fleet/map/internal/map_description.h"
+#include "supervisor/map/internal/map_description.h"
 
 #include <fmt/format.h>
 #include <yaml-cpp/yaml.h>

@@ -12,7 +12,7 @@
 #include <filesystem>
 
 #include "runtime/ground/result/result.h"
-#include "supervisor/fleet/map/occupancy_grid.h"
+#include "supervisor/map/occupancy_grid.h"
 
 namespace stepwright::fleet {
 

@@ -1,4 +1,4 @@
-#include "supervisor/fleet/map/occupancy_grid.h"
+#include "supervisor/map/occupancy_grid.h"
 
 #include <algorithm>
 #include <array>

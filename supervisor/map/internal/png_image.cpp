@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 
-#include "supervisor/fleet/map/internal/gray_image.h"
-#include "supervisor/fleet/map/occupancy_grid.h"
+#include "supervisor/map/internal/gray_image.h"
+#include "supervisor/map/occupancy_grid.h"
 
 namespace stepwright::fleet::internal {
 

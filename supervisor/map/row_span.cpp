@@ -1,4 +1,4 @@
-#include "supervisor/fleet/map/row_span.h"
+#include "supervisor/map/row_span.h"
 
 #include <algorithm>
 #include <cmath>
