@@ -3,7 +3,8 @@
 // Plans for a train that do a task: a tree of states that are driven to in closed loop along routes of a
 // point. Most often the first route is the plan; where a train fails to follow one, the tree grows from the
 // states before that, by other routes, other styles of driving and, now and then, by any control, so that no
-// state that can be reached is left out for ever. Forwards first; in reverse by chance controls only.
+// state that can be reached is left out for ever. Forwards first; in reverse by controls of chance only,
+// often straight back from where a train stands.
 //
 // Source of the tree: E. Plaku 2012, Algorithm 1; what is ours is the guide and the driver.
 // Thread rule: one thread at a time; several searches with different seeds may share floor, map and places.
