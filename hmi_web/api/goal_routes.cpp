@@ -29,8 +29,9 @@ Route document_row(CellControl* cell, const char* path, const char* name, const 
   route.handler = [cell, document](const Call&) {
     std::string text = checked((cell->*document)());
     if (!text.empty()) return Answer{.status = 200, .text = std::move(text)};
-    return refused(404, "H0064", "no supervisor has said anything of goals",
-                   "is the supervisor of the cell running, and of this version?");
+    return refused(
+        404, "H0064", "no supervisor has said anything of goals",
+        "is the supervisor of the cell running and of this version, and does its planner take goals?");
   };
   return route;
 }

@@ -78,7 +78,6 @@ result::Result<std::string> fault_toml(const std::string& text) {
 result::Result<std::vector<std::string>> overrides_of(const DemoOptions& options) {
   std::vector<std::string> overrides = options.overrides;
   if (options.fast) overrides.emplace_back("clock.speed=0");
-  if (options.sequential) overrides.emplace_back("planning.sequential=true");
   if (options.seed) overrides.push_back("plant.seed=" + std::to_string(*options.seed));
   if (options.port) overrides.push_back("hmi.port=" + std::to_string(*options.port));
   std::string faults;
@@ -191,9 +190,18 @@ int run_demo(const DemoOptions& options) {
                 static_cast<unsigned>(config->hmi.port));
     std::fflush(stdout);
   }
+  const missions::MissionTable* const mission = config->mission.table.get();
+  const std::string in_sequence = mission == nullptr ? std::string() : mission->in_sequence();
+  if (options.sequential && in_sequence.empty()) {
+    return fail(result::Diagnostics{{.code = "M0009",
+                                     .where = {cell->string(), 0, 0},
+                                     .message = "the planner of this cell has no strictly sequential charts",
+                                     .hint = "leave --sequential out"}},
+                ExitCode::Usage);
+  }
+  if (options.sequential) overrides->push_back(in_sequence);
   // What people would have to see to ends a run at which nobody can look; whoever sets the value himself
   // wins.
-  const missions::MissionTable* const mission = config->mission.table.get();
   if (options.headless && mission != nullptr) {
     const auto unattended = mission->unattended();
     overrides->insert(overrides->begin(), unattended.begin(), unattended.end());
@@ -202,7 +210,6 @@ int run_demo(const DemoOptions& options) {
   if (!run) return fail(run.error(), ExitCode::RuntimeFault);
   std::optional<CellRunResult> sequential;
   // Two charts are compared on the host: on a controller that says the same and takes its time.
-  const std::string in_sequence = mission == nullptr ? std::string() : mission->in_sequence();
   const bool compare =
       options.compare && !in_sequence.empty() && !options.sequential && !config->controller.remote();
   if (run->report && run->exit == ExitCode::Done && compare && !stop_requested) {

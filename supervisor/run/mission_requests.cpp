@@ -85,6 +85,8 @@ result::Result<void> Mission::accept_start(const std::function<void()>& also) {
   if (stage_ == Stage::Planless)
     return refuse("there is no plan to start", "take an order back or free a place: the message says why");
   const bool waits = stage_ == Stage::Ready || (stage_ == Stage::Over && begins_again());
+  if (stage_ == Stage::Over && !waits)
+    return refuse("the run is over", "start the supervisor again for another one");
   if (!waits || start_)
     return refuse("the run is under way", "hold or abort it, or hand over what else is wanted");
   if (stage_ == Stage::Ready && abort_) return refuse("the run is being aborted", "start again in a moment");

@@ -44,8 +44,8 @@ class LineClaim {
   // Opens without waiting for a carrier. Requires that nothing is taken.
   int take(const std::string& device);
   void release();
-  // The path leads to another device than the one that is locked, as a link does whose adapter was exchanged. Not
-  // while nothing is taken, and not while the path leads nowhere.
+  // The path leads to another device than the one that is locked, as a link does whose adapter was exchanged.
+  // Not while nothing is taken, and not while the path leads nowhere.
   bool moved() const;
 
  private:

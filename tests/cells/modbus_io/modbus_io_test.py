@@ -333,6 +333,7 @@ class ModbusIo(unittest.TestCase):
                 else:
                     plant.client = plant.cell.start("modbus-client")
                 self.assertTrue(eventually(lambda: plant.field() == 7), plant.log())
+                plant.client.wait_for("Modbus client of")
                 self.assertTrue(eventually(lambda: not plant.status()["lost"]), plant.log())
                 self.assertEqual(plant.field(), 7)  # who is back does not start the program
                 plant.start_again()

@@ -165,6 +165,11 @@ class OnALine(unittest.TestCase):
         return int(re.search(rf"(?i){name}\b\D*?(-?\d+)", told.stdout).group(1))
 
 
+def failed_of(device):
+    """Tries of it: without an answer, and with one that comes late and is another's."""
+    return device["timeouts"] + device["bad_answers"]
+
+
 def units_of(*units):
     """A device for each unit, in its own word of the inputs."""
     return "".join(UNIT.replace("UNIT", str(unit)).replace("NEXT", str(word)) for word, unit in enumerate(units))
@@ -179,7 +184,7 @@ class Units(OnALine):
         end = time.monotonic() + seconds
         while time.monotonic() < end:
             for name, device in self.devices().items():
-                if name not in oldest or oldest[name] < 0 or device["timeouts"] != before[name]["timeouts"]:
+                if name not in oldest or oldest[name] < 0 or failed_of(device) != failed_of(before[name]):
                     continue
                 tag = device["tags"][0]
                 oldest[name] = -1 if tag["quality"] != GOOD else max(oldest[name], tag["age_ms"])
@@ -187,7 +192,7 @@ class Units(OnALine):
         return oldest
 
     def failed_tries(self):
-        return sum(each["timeouts"] for each in self.devices().values())
+        return sum(failed_of(each) for each in self.devices().values())
 
     def all_good(self, names):
         devices = self.devices()

@@ -6,8 +6,19 @@
 
 #include "ladder/driver/compile.h"
 
-namespace stepwright::run {
+namespace stepwright::filling {
 namespace {
+
+using run::ActionRecord;
+using run::ActionState;
+using run::Cause;
+using run::Decision;
+using run::Episode;
+using run::ImageReader;
+using run::IncidentKind;
+using run::Phase;
+using run::Response;
+using run::Verdict;
 
 // The plan: one action, whose end the program sees itself.
 result::Result<std::vector<std::byte>> program_for(int counts) {
@@ -35,7 +46,8 @@ END_PROGRAM
 
 }  // namespace
 
-FillingMission::FillingMission(Controller& controller, MissionOptions options, int counts, Observer observer)
+FillingMission::FillingMission(run::Controller& controller, run::MissionOptions options, int counts,
+                               Observer observer)
     : Mission(controller, std::move(options), std::move(observer)), counts_(counts) {}
 
 bool FillingMission::begin() {
@@ -81,8 +93,8 @@ Decision FillingMission::judge_image(std::span<const std::byte> image) {
 // What a surprise means: the same again, from where the level is.
 bool FillingMission::replan(const Cause& cause) {
   open_incident(cause);
-  record_.replans.push_back({clock_.now_s(), sentence_of(cause.evidence), {}});
-  set_phase(Phase::Replanning, sentence_of(cause.evidence));
+  record_.replans.push_back({clock_.now_s(), run::sentence_of(cause.evidence), {}});
+  set_phase(Phase::Replanning, run::sentence_of(cause.evidence));
   decide(Response::Replan);
   return launch();
 }
@@ -92,11 +104,13 @@ bool FillingMission::recover_runtime() {
 }
 
 // What people may ask for: from any thread.
-result::Result<void> FillingMission::take(const Request& request) {
+result::Result<void> FillingMission::take(const run::Request& request) {
   if (request.word() == "start") return accept_start();
-  if (request.word() != "level") return not_of_this_mission("start, level, abort");
-  const auto counts = request.count_or("counts", 0, 32'767);
-  if (!counts || *counts == 0) return no_request(R"_(for example {"request": "level", "counts": 2500})_");
+  if (request.word() != "change") return run::not_of_this_mission("start, change, abort");
+  const auto counts = request.number("value");
+  if (request.text("fluent") != "(level v1)" || !counts || !(*counts >= 1 && *counts <= 32'767)) {
+    return run::no_request(R"_(for example {"request": "change", "fluent": "(level v1)", "value": 2500})_");
+  }
   if (over()) return run_is_over();
   wanted_.add({0.0, static_cast<int>(*counts)});
   return {};
@@ -124,4 +138,4 @@ void FillingMission::publish(bool) {
   tell();
 }
 
-}  // namespace stepwright::run
+}  // namespace stepwright::filling

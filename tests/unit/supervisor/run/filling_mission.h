@@ -1,8 +1,8 @@
 #pragma once
 
 // The smallest mission that runs: fills the vehicle of the tank bench up to a level by one chart of two
-// steps. People may want another level: {"request": "level", "counts": 2500}. Begin a mission with a copy of
-// this (supervisor/doc/adding_a_planner.md).
+// steps. People may want another level, by a word that the page has: {"request": "change", "fluent":
+// "(level v1)", "value": 2500}. Begin a mission with a copy of this (supervisor/doc/adding_a_planner.md).
 //
 // Threads: as run::Mission.
 
@@ -14,23 +14,24 @@
 #include "supervisor/run/image_reader.h"
 #include "supervisor/run/mission.h"
 
-namespace stepwright::run {
+namespace stepwright::filling {
 
-class FillingMission final : public Mission {
+class FillingMission final : public run::Mission {
  public:
   // Up to so many counts of the level's transmitter.
-  FillingMission(Controller& controller, MissionOptions options, int counts, Observer observer = {});
+  FillingMission(run::Controller& controller, run::MissionOptions options, int counts,
+                 Observer observer = {});
 
  private:
   bool begin() override;
-  Decision judge_image(std::span<const std::byte> image) override;
-  bool replan(const Cause& cause) override;
+  run::Decision judge_image(std::span<const std::byte> image) override;
+  bool replan(const run::Cause& cause) override;
   bool finish() override;
   bool recover_runtime() override;
   void publish(bool now) override;
   bool drives() const override { return reader_.has_value(); }
-  result::Result<void> take(const Request& request) override;
-  std::optional<Cause> due(double time_s) override;
+  result::Result<void> take(const run::Request& request) override;
+  std::optional<run::Cause> due(double time_s) override;
 
   bool launch();
   bool install(const std::vector<std::byte>& program);
@@ -40,8 +41,8 @@ class FillingMission final : public Mission {
     int counts = 0;
   };
   int counts_;
-  DueRequests<Level> wanted_{{}};
-  std::optional<ImageReader> reader_;  // of the program that runs
+  run::DueRequests<Level> wanted_{{}};
+  std::optional<run::ImageReader> reader_;  // of the program that runs
 };
 
-}  // namespace stepwright::run
+}  // namespace stepwright::filling

@@ -15,6 +15,8 @@
 namespace stepwright::run {
 namespace {
 
+using filling::FillingMission;
+
 constexpr int kCounts = 2'500;
 
 class MissionTest : public testing::Test {
@@ -76,7 +78,7 @@ TEST_F(MissionTest, WhenPeopleWantSomethingElse_ThenThatIsPlannedForWithoutAStop
   bool asked = false;
   FillingMission mission(controller_, {.cell = "bench"}, kCounts, [&](const RunRecord& record) {
     if (record.phase != Phase::Executing || std::exchange(asked, true)) return;
-    EXPECT_TRUE(ask(*running, R"_({"request": "level", "counts": 3000})_"));
+    EXPECT_TRUE(ask(*running, R"_({"request": "change", "fluent": "(level v1)", "value": 3000})_"));
   });
   running = &mission;
   const RunRecord record = run(mission);
@@ -92,25 +94,26 @@ TEST_F(MissionTest, WhenARequestCannotBeMeantOrNotNow_ThenTheCodeTells) {
   FillingMission mission(controller_, {.cell = "bench"}, kCounts);
   const auto code = [&](const char* text) { return refusal(mission, text); };
   EXPECT_EQ(code(R"_({"request": "order"})_"), "X0003");
-  EXPECT_EQ(code(R"_({"request": "level", "counts": "full"})_"), "X0005");
+  EXPECT_EQ(code(R"_({"request": "change", "fluent": "(level v1)", "value": "full"})_"), "X0005");
   EXPECT_FALSE(mission.over());
   (void)run(mission);
   EXPECT_TRUE(mission.over());
-  EXPECT_EQ(code(R"_({"request": "level", "counts": 2500})_"), "X0008");
+  EXPECT_EQ(code(R"_({"request": "change", "fluent": "(level v1)", "value": 2500})_"), "X0008");
   EXPECT_EQ(code(R"_({"request": "abort"})_"), "X0008");
+  EXPECT_EQ(code(R"_({"request": "start"})_"), "X0008") << "there is no other run to start";
   EXPECT_FALSE(mission.wait_start(std::chrono::milliseconds(0)));
 }
 
 TEST_F(MissionTest, WhenAnOperatorStartsRuns_ThenNothingMovesBeforeThatAndWhatIsWantedMeanwhileCounts) {
   FillingMission* waiting = nullptr;
-  FillingMission mission(controller_, {.cell = "bench", .operator_starts = true}, kCounts,
-                         [&](const RunRecord& record) {
-                           if (record.phase != Phase::Ready) return;
-                           EXPECT_FALSE(controller_.any_output());
-                           EXPECT_TRUE(ask(*waiting, R"_({"request": "level", "counts": 3000})_"));
-                           EXPECT_TRUE(ask(*waiting, R"_({"request": "start"})_"));
-                           EXPECT_EQ(ask(*waiting, R"_({"request": "start"})_").error()[0].code, "X0008");
-                         });
+  FillingMission mission(
+      controller_, {.cell = "bench", .operator_starts = true}, kCounts, [&](const RunRecord& record) {
+        if (record.phase != Phase::Ready) return;
+        EXPECT_FALSE(controller_.any_output());
+        EXPECT_TRUE(ask(*waiting, R"_({"request": "change", "fluent": "(level v1)", "value": 3000})_"));
+        EXPECT_TRUE(ask(*waiting, R"_({"request": "start"})_"));
+        EXPECT_EQ(ask(*waiting, R"_({"request": "start"})_").error()[0].code, "X0008");
+      });
   waiting = &mission;
   EXPECT_EQ(ask(mission, R"_({"request": "start"})_").error()[0].code, "X0008") << "there is no plan yet";
   const RunRecord record = run(mission);
