@@ -47,3 +47,9 @@ find_path(STEPWRIGHT_GEOS_INCLUDE geos_c.h REQUIRED)
 find_library(STEPWRIGHT_GEOS geos_c REQUIRED)
 add_library(geos::geos_c UNKNOWN IMPORTED)
 set_target_properties(geos::geos_c PROPERTIES IMPORTED_LOCATION ${STEPWRIGHT_GEOS} INTERFACE_INCLUDE_DIRECTORIES ${STEPWRIGHT_GEOS_INCLUDE})
+
+# OMPL's configuration names files and folders, no target. Licence: BSD-3-Clause.
+find_package(ompl 1.5 REQUIRED)
+add_library(ompl::ompl INTERFACE IMPORTED)
+target_include_directories(ompl::ompl SYSTEM INTERFACE ${OMPL_INCLUDE_DIRS} ${EIGEN3_INCLUDE_DIRS})
+target_link_libraries(ompl::ompl INTERFACE ${OMPL_LIBRARIES})
