@@ -10,7 +10,7 @@
 #include "ladder/exchange/plcopen_parts.h"
 #include "ladder/exchange/xml_file.h"
 #include "ladder/graphic/identifier.h"
-#include "ladder/graphic/svg_writer.h"
+#include "runtime/ground/markup/xml_text.h"
 
 namespace stepwright::exchange {
 namespace {
@@ -220,9 +220,8 @@ void write_instances(pugi::xml_node root, const Project& project) {
 struct TextCheck : pugi::xml_tree_walker {
   std::string bad;
   bool for_each(pugi::xml_node& node) override {
-    bool good = graphic::is_xml_text(node.value());
-    for (const pugi::xml_attribute each : node.attributes())
-      good = good && graphic::is_xml_text(each.value());
+    bool good = markup::is_xml_text(node.value());
+    for (const pugi::xml_attribute each : node.attributes()) good = good && markup::is_xml_text(each.value());
     if (good) return true;
     for (pugi::xml_node owner = node; owner && bad.empty(); owner = owner.parent())
       if (std::string_view(owner.name()) == "pou")

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <iterator>
 
-#include "ladder/graphic/svg_writer.h"
+#include "runtime/ground/markup/xml_text.h"
 #include "supervisor/run/report.h"
 
 namespace stepwright::run {
 namespace {
 
-using graphic::xml_escaped;
+using markup::xml_escaped;
 
 constexpr int kLeft = 230;
 constexpr int kWidth = 960;

@@ -7,14 +7,14 @@
 #include <cmath>
 #include <iterator>
 
-#include "ladder/graphic/svg_writer.h"
+#include "runtime/ground/markup/xml_text.h"
 #include "supervisor/translate/internal/causal_layout.h"
 
 namespace stepwright::translate {
 namespace {
 
-using graphic::xml_escaped;
 using internal::CausalPlace;
+using markup::xml_escaped;
 
 constexpr double kLetter = 7.3;  // px, of a wide system font at 12 px
 constexpr int kMargin = 20;

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <string_view>
 
+#include "runtime/ground/markup/xml_text.h"
 #include "supervisor/ltl/drawing/guard_text.h"
 
 namespace stepwright::ltl {
@@ -30,22 +31,6 @@ constexpr const char* kStyle =
 struct Point {
   double x = 0, y = 0;
 };
-
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char each : text) {
-    const auto byte = static_cast<unsigned char>(each);
-    if (each == '&')
-      out += "&amp;";
-    else if (each == '<')
-      out += "&lt;";
-    else if (each == '>')
-      out += "&gt;";
-    else
-      out += byte < ' ' ? ' ' : each;
-  }
-  return out;
-}
 
 std::string number(double value) {
   char text[32];
@@ -144,7 +129,7 @@ class Picture {
   void label(Point where, const std::string& letters) {
     const std::string shown = letters.size() > kLabel ? letters.substr(0, kLabel) + "..." : letters;
     text_ += "<text class=\"letters\" x=\"" + number(where.x) + "\" y=\"" + number(where.y) + "\">" +
-             escaped(shown) + "<title>" + escaped(letters) + "</title></text>\n";
+             markup::xml_escaped(shown) + "<title>" + markup::xml_escaped(letters) + "</title></text>\n";
   }
 
   void circle(std::uint32_t state) {

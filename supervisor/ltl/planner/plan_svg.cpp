@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <iterator>
 #include <span>
-#include <string_view>
 
+#include "runtime/ground/markup/xml_text.h"
 #include "supervisor/ltl/planner/plan_way.h"
 
 namespace stepwright::ltl {
@@ -31,21 +31,6 @@ constexpr const char* kStyle =
     "@media(prefers-color-scheme:dark){text{fill:#e4e8eb}.page{fill:#16191c}.floor{fill:#20252a;stroke:#99a}"
     ".wall{fill:#4d555d}.name{stroke:#16191c}.way,.end{stroke:#ff6a50}.start{stroke:#6fd08a}}</style>\n";
 
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char each : text) {
-    if (each == '&')
-      out += "&amp;";
-    else if (each == '<')
-      out += "&lt;";
-    else if (each == '>')
-      out += "&gt;";
-    else
-      out += static_cast<unsigned char>(each) < ' ' ? ' ' : each;
-  }
-  return out;
-}
-
 class Picture {
  public:
   Picture(const Problem& problem, const TrainPlan& plan)
@@ -62,7 +47,8 @@ class Picture {
         "{0:.0f} "
         "{1:.0f}\">\n{2}<rect class=\"page\" width=\"100%\" height=\"100%\"/>\n",
         wide, tall, kStyle);
-    print("<text class=\"head\" x=\"{}\" y=\"{}\">{}</text>\n", kMargin, kMargin, escaped(title()));
+    print("<text class=\"head\" x=\"{}\" y=\"{}\">{}</text>\n", kMargin, kMargin,
+          markup::xml_escaped(title()));
     polygon("floor", problem_.floor.border.ring, {});
     for (const Area& each : problem_.floor.propositions) polygon("place", each.ring, each.name);
     sweep();
@@ -107,9 +93,9 @@ class Picture {
     return path + "Z";
   }
 
-  void polygon(const char* kind, std::span<const Point> ring, std::string_view title) {
+  void polygon(const char* kind, std::span<const Point> ring, const std::string& title) {
     print("<path class=\"{}\" d=\"{}\">", kind, outline(ring));
-    if (!title.empty()) print("<title>{}</title>", escaped(title));
+    if (!title.empty()) print("<title>{}</title>", markup::xml_escaped(title));
     text_ += "</path>\n";
   }
 
@@ -117,7 +103,8 @@ class Picture {
     Bounds box;
     for (const Point& each : area.ring) box.add(each);
     const std::string place = at({0.5 * (box.low.x_m + box.high.x_m), 0.5 * (box.low.y_m + box.high.y_m)});
-    print("<text class=\"name\" transform=\"translate({})\" dy=\"4\">{}</text>\n", place, escaped(area.name));
+    print("<text class=\"name\" transform=\"translate({})\" dy=\"4\">{}</text>\n", place,
+          markup::xml_escaped(area.name));
   }
 
   std::string link_outline(const LinkBox& box) const {

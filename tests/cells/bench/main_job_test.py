@@ -11,6 +11,9 @@ KEYS = """goal_reached plan_steps plan_cost plan_proved_optimal first_plan_ms op
 level_a2_percent makespan_s sequential_makespan_s scans overruns scan_p50_us scan_p99_us realtime_factor trace_hash
 processes""".split()
 
+# The proof takes as long as the machine takes.
+TIME_TO_PROVE = ("--set", "planning.time_ms=600_000")
+
 
 class MainJob(unittest.TestCase):
     def run_demo(self, *arguments):
@@ -18,7 +21,7 @@ class MainJob(unittest.TestCase):
             return demo.result()
 
     def test_the_goal_is_reached_with_the_proved_plan(self):
-        report, code = self.run_demo("--seed", 3)
+        report, code = self.run_demo("--seed", 3, *TIME_TO_PROVE)
         self.assertEqual(code, 0, report["stdout"])
         for key in KEYS:
             self.assertIn(key, report)

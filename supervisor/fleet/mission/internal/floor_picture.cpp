@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "runtime/ground/markup/xml_text.h"
 #include "supervisor/fleet/schedule/sections.h"
 
 namespace stepwright::fleet::internal {
@@ -170,14 +171,14 @@ void FloorPicture::draw_names(SvgPage& page) const {
   }
   for (const auto& [name, at] : places) {
     page.print("<text class=\"place m\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", x(at.x_m), y(at.y_m) + 22.0,
-               escaped(name));
+               markup::xml_escaped(name));
   }
   for (std::size_t v = 0; v < plan_.missions.size(); ++v) {
     const VehicleMission& mission = plan_.missions[v];
     const Point at = mission.path.empty() ? mission.grown.envelope.polygons.front().area.centroid()
                                           : mission.path.front().pose.position();
     page.print("<text class=\"name m\" style=\"--hue:{}\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", hue(v),
-               x(at.x_m), y(at.y_m) - 12.0, escaped(mission.vehicle));
+               x(at.x_m), y(at.y_m) - 12.0, markup::xml_escaped(mission.vehicle));
   }
 }
 

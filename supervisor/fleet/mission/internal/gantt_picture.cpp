@@ -4,6 +4,7 @@
 #include <array>
 #include <set>
 
+#include "runtime/ground/markup/xml_text.h"
 #include "supervisor/fleet/mission/explain_schedule.h"
 
 namespace stepwright::fleet::internal {
@@ -73,7 +74,7 @@ void GanttPicture::draw_row(SvgPage& page, std::size_t v) const {
   }
   page.print(
       "<text class=\"name\" style=\"--hue:{}\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n<g style=\"--hue:{}\">",
-      hue(v), left_, row + 15.0, escaped(shortened(mission.vehicle)), hue(v));
+      hue(v), left_, row + 15.0, markup::xml_escaped(shortened(mission.vehicle)), hue(v));
   const VehicleTimes& times = plan_.schedule.earliest[v];
   for (std::uint32_t k = 0; k < times.size(); ++k) {
     const double begin = x(times[k].entry);
@@ -82,7 +83,7 @@ void GanttPicture::draw_row(SvgPage& page, std::size_t v) const {
         "<rect class=\"bar{}\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"><title>{} "
         "polygon {}: {} to {}</title></rect>",
         ordered.contains(k) ? " hot" : "", begin, row + (k % 2 == 0 ? 0.0 : kBar + 1.0), wide, kBar,
-        escaped(mission.vehicle), k, clock_time(times[k].entry), clock_time(times[k].exit));
+        markup::xml_escaped(mission.vehicle), k, clock_time(times[k].entry), clock_time(times[k].exit));
   }
   page.print("</g>\n");
 }
@@ -94,7 +95,8 @@ void GanttPicture::draw_waits(SvgPage& page) const {
         "<rect class=\"wait\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"3\"><title>{} waits for "
         "{}</title></rect>\n",
         x(wait.from), row + 2.0 * kBar + 2.0, x(wait.until) - x(wait.from),
-        escaped(plan_.missions[wait.waiting].vehicle), escaped(plan_.missions[wait.first].vehicle));
+        markup::xml_escaped(plan_.missions[wait.waiting].vehicle),
+        markup::xml_escaped(plan_.missions[wait.first].vehicle));
   }
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Parts of pictures of a fleet: text that grows, colours of vehicles, escapes, times on a clock. One thread,
+// Parts of pictures of a fleet: text that grows, colours of vehicles, times on a clock. One thread,
 // one page.
 
 #include <fmt/format.h>
@@ -19,30 +19,6 @@ inline std::string_view hue(std::size_t vehicle) {
   constexpr std::array<std::string_view, 10> kHues = {"#2f6fb5", "#d9822b", "#3a9a5b", "#b5482f", "#8055b3",
                                                       "#1f97a6", "#c2408a", "#7a8b22", "#5b6bd6", "#a5722f"};
   return kHues[vehicle % kHues.size()];
-}
-
-inline std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '&':
-        out += "&amp;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        // Others are not allowed in XML, whatever name has them.
-        if (static_cast<unsigned char>(c) >= 0x20) out += c;
-    }
-  }
-  return out;
 }
 
 // "2:07.4"
