@@ -2,8 +2,12 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
 #include <map>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "programs/ltl/automaton_command.h"
@@ -54,15 +58,29 @@ void describe_monitor(CLI::App& app, ltl_program::MonitorArguments& arguments) {
       ->transform(CLI::CheckedTransformer(forms));
 }
 
+// A number that is none passes the ranges of the library.
+std::string is_seconds(const std::string& text) {
+  char* end = nullptr;
+  const double seconds = std::strtod(text.c_str(), &end);
+  const bool number = !text.empty() && *end == '\0' && seconds >= 0.0 && seconds <= 86'400.0;
+  return number ? "" : "'" + text + "' is no number of seconds from 0 to 86400";
+}
+
+std::string is_seed(const std::string& text) {
+  const bool number = !text.empty() && text.size() <= 18 &&
+                      std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; });
+  return number ? "" : "'" + text + "' is no whole number of up to 18 digits";
+}
+
 void describe_plan(CLI::App& app, ltl_program::PlanArguments& arguments) {
   app.add_option("problem", arguments.problem, "the problem, JSON (supervisor/doc/ltl.md)")->required();
   app.add_option("--json", arguments.json_file, "write the plan: controls, way, word, figures");
   app.add_option("--svg", arguments.svg_file, "draw the plan on its floor");
-  app.add_option("--seed", arguments.seed, "of what is tried by chance (default 1)");
+  app.add_option("--seed", arguments.seed, "of what is tried by chance (default 1)")->check(is_seed);
   app.add_option("--time", arguments.time_s, "seconds until a plan must be there (default 10)")
-      ->check(CLI::Range(0.0, 86'400.0));
+      ->check(is_seconds);
   app.add_option("--shorten", arguments.shorten_s, "seconds for a shorter one after it (default 1)")
-      ->check(CLI::Range(0.0, 86'400.0));
+      ->check(is_seconds);
   app.footer(
       "Exit codes: 0 a plan that the referee accepts, 1 wrong input, 2 wrong usage, 3 even a point cannot do "
       "the task, 4 no plan in that time.");
@@ -73,7 +91,9 @@ std::vector<char*> with_its_command(int argc, char** argv) {
   static char plan[] = "plan";
   std::vector<char*> all(argv, argv + argc);
   const std::size_t first = argc > 1 && std::string_view(argv[1]) == "ltl" ? 2 : 1;
-  if (first < all.size() && std::string_view(all[first]).ends_with(".json"))
+  std::error_code unknown;
+  if (first < all.size() &&
+      (std::string_view(all[first]).ends_with(".json") || std::filesystem::exists(all[first], unknown)))
     all.insert(all.begin() + static_cast<std::ptrdiff_t>(first), plan);
   return all;
 }

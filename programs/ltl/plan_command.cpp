@@ -1,8 +1,11 @@
 #include "programs/ltl/plan_command.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <filesystem>
 #include <nlohmann/json.hpp>
+#include <system_error>
 
 #include "programs/ltl/formula_input.h"
 #include "runtime/ground/process/files.h"
@@ -25,6 +28,9 @@ std::string text_of(const Problem& problem, ltl::Label label) {
   std::string text;
   for (std::size_t k = 0; k < problem.floor.propositions.size(); ++k)
     if ((label >> k & 1) != 0) text += (text.empty() ? "" : " + ") + problem.floor.propositions[k].name;
+  // A name must not command a terminal.
+  std::ranges::replace_if(
+      text, [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; }, '?');
   return text.empty() ? "-" : text;
 }
 
@@ -106,9 +112,31 @@ ExitCode failed(const result::Diagnostics& diagnostics, const PlanArguments& arg
   return exit;
 }
 
+// Of the three files that a run names.
+result::Diagnostics one_for_two(const PlanArguments& arguments) {
+  const auto same = [](const std::string& a, const std::string& b) {
+    if (a.empty() || b.empty() || process::is_stream(a) || process::is_stream(b)) return false;
+    std::error_code unknown;
+    return std::filesystem::weakly_canonical(a, unknown) == std::filesystem::weakly_canonical(b, unknown);
+  };
+  const std::string& json_file = arguments.json_file;
+  if (!same(json_file, arguments.svg_file) && !same(json_file, arguments.problem) &&
+      !same(arguments.svg_file, arguments.problem))
+    return {};
+  return {{"E0002",
+           result::Severity::Error,
+           {same(json_file, arguments.svg_file) ? json_file : arguments.problem, 0, 0},
+           "one file for two things",
+           "the problem, the plan and the picture are three files"}};
+}
+
 }  // namespace
 
 ExitCode run_plan(const PlanArguments& arguments) {
+  if (const auto twice = one_for_two(arguments); !twice.empty()) {
+    (void)fail(twice);
+    return ExitCode::Usage;
+  }
   for (const std::string& file : {arguments.json_file, arguments.svg_file}) {
     if (file.empty()) continue;
     if (const auto unwritable = process::check_writable(file); !unwritable.empty()) return fail(unwritable);

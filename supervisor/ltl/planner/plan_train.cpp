@@ -105,7 +105,7 @@ class Planner {
     switch (answer.search.end) {
       case SearchEnd::BadStart:
         return result::fail(kStartDoesNotFit, nowhere, "the train does not fit where it begins",
-                            "no link may be nearer than 3 cm to a wall, or meet another one");
+                            "no link may be nearer than 2.5 cm to a wall, or meet another one");
       case SearchEnd::Cancelled:
         return result::fail(kPlanCancelled, nowhere, "the planning was cancelled");
       case SearchEnd::NoWay:

@@ -146,7 +146,7 @@ std::optional<RouteGraph::Way> RouteGraph::way(Point from, Point to, Words& word
 void RouteGraph::connect() {
   const auto count = static_cast<std::uint32_t>(points_.size());
   std::vector<std::vector<Way>> from(count);
-  for (std::uint32_t a = 0; a < count; ++a) {
+  for (std::uint32_t a = 0; a < count && std::chrono::steady_clock::now() < options_.until; ++a) {
     for (std::uint32_t b = a + 1; b < count; ++b) {
       auto there = way(points_[a], points_[b], words_);
       if (!there) continue;

@@ -12,6 +12,7 @@
 // Immutable; any thread may read. Places and walls must outlive it. Example:
 //   const RouteGraph graph(floor, places, walls, {.margin_m = 0.5});
 
+#include <chrono>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -29,6 +30,8 @@ struct RouteOptions {
   double depth_m = 0.25;  // of points within propositions from their outline
   double spread_m = 2.0;  // between such points
   std::size_t most_corners = 1500;
+  // The graph is left as it is by then, without the ways that were not looked at.
+  std::chrono::steady_clock::time_point until = std::chrono::steady_clock::time_point::max();
 };
 
 class RouteGraph {

@@ -10,6 +10,7 @@
 //   RouteSearch search(graph, states, {&map, &guide});
 //   auto route = search.route({.at = {0, 0}, .heading_rad = 0.0, .state = states.start()});
 
+#include <chrono>
 #include <queue>
 #include <unordered_map>
 #include <utility>
@@ -38,6 +39,7 @@ struct RouteQuery {
   double noise = 0.0;       // ways cost up to so much more or less, as a share, by chance
   std::uint64_t seed = 0;
   std::size_t most_nodes = 4'000'000;  // of the product
+  std::chrono::steady_clock::time_point until = std::chrono::steady_clock::time_point::max();
 };
 
 // Costs to go on the floor's regions; of automata only.
@@ -50,8 +52,8 @@ class RouteSearch {
  public:
   RouteSearch(const RouteGraph& graph, TaskStates states, const RouteGuide& guide = {});
 
-  // From there to acceptance; empty if there is no way, or a bound was met (most_nodes, that of a
-  // progression).
+  // From there to acceptance; empty if there is no way, or a bound was met (most_nodes, until, that
+  // of a progression).
   Route route(const RouteQuery& query);
   const RouteGraph& graph() const { return graph_; }
   std::size_t expanded() const { return expanded_; }

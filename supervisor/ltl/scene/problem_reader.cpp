@@ -61,8 +61,12 @@ class ProblemReader {
     if (!scene.is_null()) read_scene_floor(scene, map.is_null() ? Border::InTheScene : Border::FromElsewhere);
   }
 
+  static bool is_file_name(const json& name) {
+    return name.is_string() && name.get_ref<const std::string&>().find('\0') == std::string::npos;
+  }
+
   bool read_map_floor(const json& name) {
-    if (!name.is_string()) {
+    if (!is_file_name(name)) {
       wrong_.add("L0402", "map", "is no file name");
       return false;
     }
@@ -75,7 +79,7 @@ class ProblemReader {
   }
 
   void read_scene_floor(const json& name, Border border) {
-    if (!name.is_string()) return wrong_.add("L0402", "scene", "is no file name");
+    if (!is_file_name(name)) return wrong_.add("L0402", "scene", "is no file name");
     const auto path = file_.parent_path() / name.get<std::string>();
     const auto text = read_file(path);
     if (!text) return wrong_.add("L0401", "scene", "'" + path.string() + "' cannot be read, or is too large");

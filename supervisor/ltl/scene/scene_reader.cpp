@@ -46,12 +46,14 @@ std::vector<Point> read_ring(const json& rings, const std::string& key, Complain
   const std::size_t errors = wrong.found.size();
   std::vector<Point> ring = read_points(rings[0], key + "[0]", wrong);
   if (wrong.found.size() > errors) return {};
-  if (ring.size() < 4 || ring.front() != ring.back()) {
+  if (ring.empty() || ring.front() != ring.back()) {
     wrong.add("L0404", key, "the polygon is open", "its last point is its first one (GeoJSON, RFC 7946)");
     return {};
   }
   ring.pop_back();
-  return ring;
+  if (ring.size() >= 3) return ring;
+  wrong.add("L0201", key, "the polygon has fewer than three points");
+  return {};
 }
 
 void add_area(const std::string& kind, Area area, const std::string& key, Floor& floor, Complaints& wrong) {

@@ -69,7 +69,7 @@ TrainSearch::~TrainSearch() = default;
 TrainSearch::Routes& TrainSearch::routes(std::size_t level) {
   if (routes_[level] == nullptr) {
     const double half = 0.5 * model_.width_m;
-    RouteOptions options{.margin_m = half + 0.1, .wanted_m = wanted_m(model_)};
+    RouteOptions options{.margin_m = half + 0.1, .wanted_m = wanted_m(model_), .until = until_};
     if (level == 1) options.wanted_m *= 1.5;
     if (level == 2) options.wanted_m = half + 0.3;
     if (use_ == SearchGuide::OnTheRegions && !guide_ && states_.automaton() != nullptr)
@@ -107,6 +107,9 @@ bool TrainSearch::stands(const TrainState& state) const {
 
 // How it ends before it begins, if it does.
 std::optional<SearchEnd> TrainSearch::begin(const SearchQuery& query) {
+  constexpr double kLongest_s = 1e6;  // more would overflow some clocks
+  const std::chrono::duration<double> most(std::clamp(query.most_s, 0.0, kLongest_s));
+  until_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(most);
   dice_.seed(query.seed);
   nodes_.clear();
   if (!stands(query.start)) return SearchEnd::BadStart;
@@ -199,7 +202,8 @@ Route TrainSearch::route_from(const Node& node, Routes& ways, double turn_m, dou
                             .state = node.at.task,
                             .turn_m = turn_m,
                             .noise = noise,
-                            .seed = dice_()});
+                            .seed = dice_(),
+                            .until = until_});
 }
 
 // Any control from there, often a straight one back; whether that ended the task: then the last node did.

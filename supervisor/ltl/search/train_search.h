@@ -105,6 +105,7 @@ class TrainSearch {
   Driver driver_;
   std::optional<Guide> guide_;  // of automata
   std::vector<std::unique_ptr<Routes>> routes_;
+  Clock::time_point until_ = Clock::time_point::max();  // of the question that is answered
   std::mt19937_64 dice_;
   std::deque<Node> nodes_;
 };

@@ -47,7 +47,14 @@ result::Result<json> parse(std::string_view text, const std::string& file) try {
   return result::fail("L0401", place_of(text, error.byte, file), "this is no JSON",
                       "a member or a bracket is missing, or one too many");
 } catch (const json::exception& error) {
-  return result::fail("L0401", {file, 0, 0}, std::string("this is no JSON: ") + error.what());
+  // A number beyond all doubles, which the text has between quotes.
+  const std::string said = error.what();
+  const std::size_t begin = said.find('\''), end = said.rfind('\'');
+  const std::string number = begin < end ? said.substr(begin + 1, end - begin - 1) : "";
+  const std::size_t at = number.empty() ? std::string_view::npos : text.find(number);
+  const result::Location where =
+      at == std::string_view::npos ? result::Location{file, 0, 0} : place_of(text, at + 1, file);
+  return result::fail("L0403", where, "the number " + number + " is out of range");
 }
 
 const json& member(const json& object, const char* name) {

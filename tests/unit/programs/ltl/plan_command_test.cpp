@@ -75,6 +75,16 @@ TEST_F(PlanCommand, WhenAFileIsWrong_ThenItsPlaceIsTold) {
   EXPECT_THAT(errors, HasSubstr("train.trailers"));
   EXPECT_EQ(run("ltl " + problem("visit p1") + " --svg /nowhere/plan.svg"), 1);
   EXPECT_EQ(run("ltl " + problem("visit p1") + " --time soon"), 2);
+  EXPECT_EQ(run("ltl " + problem("visit p1") + " --time nan"), 2);
+  EXPECT_EQ(run("ltl " + problem("visit p1") + " --seed -1"), 2);
+  EXPECT_EQ(run("ltl " + path(".")), 1);
+  EXPECT_EQ(run("ltl " + problem("visit p1") + " --json " + path("same") + " --svg " + path("./same")), 2);
+  EXPECT_THAT(errors, HasSubstr("one file for two things"));
+  const std::string kept = problem("visit p1");
+  EXPECT_EQ(run("ltl " + kept + " --json " + kept), 2);
+  EXPECT_THAT(text("problem.json"), HasSubstr("visit p1"));
+  EXPECT_EQ(run("ltl " + write("far.json", "{\n\"start\": {\"x_m\": 1e999}}")), 1);
+  EXPECT_THAT(errors, HasSubstr("far.json:2:18: L0403"));
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ TEST(SceneReader, WhenItIsNoJson_ThenTheErrorHasItsLineAndColumn) {
   EXPECT_EQ(floor.error()[0].where.line, 2u);
   EXPECT_EQ(floor.error()[0].where.column, 5u);
   EXPECT_EQ(read_scene("", "x").error()[0].code, "L0401");
-  EXPECT_EQ(read_scene("[1e999]", "x").error()[0].code, "L0401");
+  EXPECT_EQ(read_scene("[1e999]", "x").error()[0].code, "L0403");
 }
 
 TEST(SceneReader, WhenMembersAreWrong_ThenAllOfThemAreToldWithTheirPlace) {
@@ -73,7 +73,7 @@ TEST(SceneReader, WhenPolygonsAreWrong_ThenAllOfThemAreToldWithTheirPlace) {
     return scene_errors(scene(kBorder + "," + feature("obstacle", "", points)));
   };
   EXPECT_EQ(wrong("[0,0],[1,0],[1,1],[0,1]"), Texts{"L0404 " + at + ": the polygon is open"});
-  EXPECT_EQ(wrong("[0,0],[1,0],[0,0]"), Texts{"L0404 " + at + ": the polygon is open"});
+  EXPECT_EQ(wrong("[0,0],[1,0],[0,0]"), Texts{"L0201 " + at + ": the polygon has fewer than three points"});
   EXPECT_EQ(wrong(""), Texts{"L0404 " + at + ": the polygon is open"});
   EXPECT_EQ(wrong("[0,0],[1]"), Texts{"L0402 " + at + "[0][1]: is no point"});
   EXPECT_EQ(wrong("[0,0],[1,\"2\"]"), Texts{"L0402 " + at + "[0][1][1]: is no number"});
