@@ -5,7 +5,9 @@
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <string>
 #include <system_error>
+#include <vector>
 
 #include "programs/ltl/formula_input.h"
 #include "runtime/ground/process/files.h"
@@ -23,11 +25,17 @@ using ltl::Problem;
 using nlohmann::json;
 using result::ExitCode;
 
-// The places of a label: "press + rack", "-" for none.
+std::vector<std::string> places_of(const Problem& problem, ltl::Label label) {
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < problem.floor.propositions.size(); ++k)
+    if ((label >> k & 1) != 0) names.push_back(problem.floor.propositions[k].name);
+  return names;
+}
+
+// "press + rack", "-" for none.
 std::string text_of(const Problem& problem, ltl::Label label) {
   std::string text;
-  for (std::size_t k = 0; k < problem.floor.propositions.size(); ++k)
-    if ((label >> k & 1) != 0) text += (text.empty() ? "" : " + ") + problem.floor.propositions[k].name;
+  for (const std::string& name : places_of(problem, label)) text += (text.empty() ? "" : " + ") + name;
   // A name must not command a terminal.
   std::ranges::replace_if(
       text, [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; }, '?');
@@ -73,12 +81,7 @@ json way_of(const Problem& problem, const PlanAnswer& answer) {
 std::string json_of(const Problem& problem, const PlanAnswer& answer, const PlanArguments& arguments,
                     double spent_s) {
   json word = json::array();
-  for (const ltl::Label label : answer.judgement.word) {
-    json letter = json::array();
-    for (std::size_t k = 0; k < problem.floor.propositions.size(); ++k)
-      if ((label >> k & 1) != 0) letter.push_back(problem.floor.propositions[k].name);
-    word.push_back(std::move(letter));
-  }
+  for (const ltl::Label label : answer.judgement.word) word.push_back(places_of(problem, label));
   const json document = {{"solved", true},
                          {"task", problem.task},
                          {"trailers", problem.train.trailers},

@@ -70,13 +70,8 @@ std::vector<Point> clip(std::span<const Point> corners, Point from, Point to) {
 
 }  // namespace
 
-ConvexPolygon::ConvexPolygon(std::vector<Point> corners) : corners_(std::move(corners)) {
-  bounds_ = {corners_.front(), corners_.front()};
-  for (const Point p : corners_) {
-    bounds_.low = {std::min(bounds_.low.x_m, p.x_m), std::min(bounds_.low.y_m, p.y_m)};
-    bounds_.high = {std::max(bounds_.high.x_m, p.x_m), std::max(bounds_.high.y_m, p.y_m)};
-  }
-}
+ConvexPolygon::ConvexPolygon(std::vector<Point> corners)
+    : corners_(std::move(corners)), bounds_(bounds_of(corners_)) {}
 
 std::optional<ConvexPolygon> ConvexPolygon::hull(std::span<const Point> points) {
   const auto finite = [](Point p) { return std::isfinite(p.x_m) && std::isfinite(p.y_m); };

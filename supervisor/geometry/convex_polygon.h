@@ -12,14 +12,10 @@
 #include <span>
 #include <vector>
 
+#include "supervisor/geometry/box.h"
 #include "supervisor/geometry/point.h"
 
 namespace stepwright::geometry {
-
-struct Box {
-  Point low;
-  Point high;
-};
 
 // The points with normal.x * x + normal.y * y <= offset_m: one A x + B y <= C of Pecora and Cirillo 2012,
 // definition 1.

@@ -85,8 +85,7 @@ result::Result<void> Mission::accept_start(const std::function<void()>& also) {
   if (stage_ == Stage::Planless)
     return refuse("there is no plan to start", "take an order back or free a place: the message says why");
   const bool waits = stage_ == Stage::Ready || (stage_ == Stage::Over && begins_again());
-  if (stage_ == Stage::Over && !waits)
-    return refuse("the run is over", "start the supervisor again for another one");
+  if (stage_ == Stage::Over && !waits) return run_is_over();
   if (!waits || start_)
     return refuse("the run is under way", "hold or abort it, or hand over what else is wanted");
   if (stage_ == Stage::Ready && abort_) return refuse("the run is being aborted", "start again in a moment");

@@ -6,19 +6,13 @@
 #include <map>
 #include <set>
 
+#include "supervisor/geometry/outline.h"
+
 namespace stepwright::fleet::vda5050 {
 
 namespace {
 
 using geometry::Point;
-
-double distance_to_chord(Point p, Point a, Point b) {
-  const Point along = b - a;
-  const double length2 = geometry::dot(along, along);
-  if (length2 == 0.0) return geometry::distance(p, a);
-  const double part = std::clamp(geometry::dot(p - a, along) / length2, 0.0, 1.0);
-  return geometry::distance(p, a + part * along);
-}
 
 class RouteMaker {
  public:
@@ -130,7 +124,7 @@ std::vector<geometry::PathPose> thinned(const geometry::Path& path, std::size_t 
       const Point a = path[from].pose.position(), b = path[to + 1].pose.position();
       bool near = true;
       for (std::size_t k = from + 1; near && k <= to; ++k) {
-        near = distance_to_chord(path[k].pose.position(), a, b) <= tolerance_m;
+        near = geometry::distance_to_side(path[k].pose.position(), a, b) <= tolerance_m;
       }
       if (!near) break;
       ++to;

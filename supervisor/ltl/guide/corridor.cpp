@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "supervisor/geometry/outline.h"
+
 namespace stepwright::ltl {
 
 using geometry::Point;
@@ -13,13 +15,6 @@ constexpr int kRounds = 8;  // of moving the end to where the way comes from
 // Positive where c lies to the left of the way from a to b.
 double turn(Point a, Point b, Point c) {
   return cross(b - a, c - a);
-}
-
-Point nearest(Point from, Point to, Point at) {
-  const Point along = to - from;
-  const double square = dot(along, along);
-  const double share = square > 0.0 ? std::clamp(dot(at - from, along) / square, 0.0, 1.0) : 0.0;
-  return from + share * along;
 }
 
 }  // namespace
@@ -110,12 +105,12 @@ std::vector<Point> Corridor::way(std::span<const Stage> stages, Point from, doub
   // The end moves along the last gate towards where the way comes from, until that is a corner that stays.
   const Gate last = gates.back();
   gates.pop_back();
-  Point end = nearest(last.left, last.right, from);
+  Point end = nearest_on_side(last.left, last.right, from);
   std::vector<Point> way;
   for (int round = 0; round < kRounds; ++round) {
     way = pulled(gates, from, end);
     const Point before = way.size() > 1 ? way[way.size() - 2] : from;
-    const Point better = nearest(last.left, last.right, before);
+    const Point better = nearest_on_side(last.left, last.right, before);
     if (geometry::distance(better, end) < 1e-12) break;
     end = better;
   }

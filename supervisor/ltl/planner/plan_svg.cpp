@@ -7,6 +7,7 @@
 #include <span>
 
 #include "runtime/ground/markup/xml_text.h"
+#include "supervisor/geometry/box.h"
 #include "supervisor/ltl/planner/plan_way.h"
 
 namespace stepwright::ltl {
@@ -34,8 +35,10 @@ constexpr const char* kStyle =
 class Picture {
  public:
   Picture(const Problem& problem, const TrainPlan& plan)
-      : problem_(problem), plan_(plan), way_(way_of(problem.train, plan, kSweepEvery_s)) {
-    for (const Point& each : problem.floor.border.ring) box_.add(each);
+      : problem_(problem),
+        plan_(plan),
+        way_(way_of(problem.train, plan, kSweepEvery_s)),
+        box_(geometry::bounds_of(problem.floor.border.ring)) {
     scale_ = kLongest / std::max({box_.high.x_m - box_.low.x_m, box_.high.y_m - box_.low.y_m, 1e-6});
   }
 
@@ -61,14 +64,6 @@ class Picture {
   }
 
  private:
-  struct Bounds {
-    Point low{1e300, 1e300}, high{-1e300, -1e300};
-    void add(Point at) {
-      low = {std::min(low.x_m, at.x_m), std::min(low.y_m, at.y_m)};
-      high = {std::max(high.x_m, at.x_m), std::max(high.y_m, at.y_m)};
-    }
-  };
-
   template <typename... Parts>
   void print(fmt::format_string<Parts...> form, Parts&&... parts) {
     fmt::format_to(std::back_inserter(text_), form, std::forward<Parts>(parts)...);
@@ -100,8 +95,7 @@ class Picture {
   }
 
   void name(const Area& area) {
-    Bounds box;
-    for (const Point& each : area.ring) box.add(each);
+    const geometry::Box box = geometry::bounds_of(area.ring);
     const std::string place = at({0.5 * (box.low.x_m + box.high.x_m), 0.5 * (box.low.y_m + box.high.y_m)});
     print("<text class=\"name\" transform=\"translate({})\" dy=\"4\">{}</text>\n", place,
           markup::xml_escaped(area.name));
@@ -155,7 +149,7 @@ class Picture {
   const Problem& problem_;
   const TrainPlan& plan_;
   std::vector<WayState> way_;
-  Bounds box_;
+  geometry::Box box_;
   double scale_ = 1.0;
   std::string text_;
 };

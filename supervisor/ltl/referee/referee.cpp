@@ -6,6 +6,7 @@
 #include <span>
 
 #include "plant_models/ode/cvode_solver.h"
+#include "supervisor/geometry/box.h"
 #include "supervisor/ltl/referee/internal/within.h"
 
 namespace stepwright::ltl {
@@ -90,7 +91,14 @@ class Referee {
  public:
   Referee(const Floor& floor, const TrainModel& model, const RefereeOptions& options,
           PlanJudgement& judgement)
-      : floor_(floor), model_(model), options_(options), judgement_(judgement) {}
+      : floor_(floor),
+        model_(model),
+        options_(options),
+        judgement_(judgement),
+        reach_m_(0.5 * std::hypot(model.length_m, model.width_m)) {
+    for (const Area& obstacle : floor.obstacles)
+      boxes_of_obstacles_.push_back(geometry::bounds_of(obstacle.ring));
+  }
 
   bool replay(const TrainPlan& plan, const TrainState& start) {
     Train train(model_);
@@ -192,37 +200,40 @@ class Referee {
     for (std::size_t link = 0; link < boxes_.size(); ++link) {
       if (!internal::within(floor_.border.ring, middles_[link]) || meets(link, floor_.border))
         return refuse("link " + std::to_string(link) + " leaves the floor" + there());
-      for (const Area& obstacle : floor_.obstacles)
+      for (std::size_t k = 0; k < floor_.obstacles.size(); ++k) {
+        const Area& obstacle = floor_.obstacles[k];
+        if (!reaches(boxes_of_obstacles_[k].low, boxes_of_obstacles_[k].high, middles_[link])) continue;
         if (internal::within(obstacle.ring, middles_[link]) || meets(link, obstacle))
           return refuse("link " + std::to_string(link) + " meets '" + obstacle.name + "'" + there());
+      }
     }
-    const double reach = std::hypot(model_.length_m, model_.width_m);
     for (std::size_t i = 0; i < boxes_.size(); ++i)
       for (std::size_t k = i + 2; k < boxes_.size(); ++k)
-        if (geometry::distance(middles_[i], middles_[k]) < reach && share(boxes_[i], boxes_[k]))
+        if (geometry::distance(middles_[i], middles_[k]) < 2.0 * reach_m_ && share(boxes_[i], boxes_[k]))
           return refuse("links " + std::to_string(i) + " and " + std::to_string(k) + " meet" + there());
     return true;
   }
 
   bool meets(std::size_t link, const Area& area) const {
-    const double reach = 0.5 * std::hypot(model_.length_m, model_.width_m);
-    const Point at = middles_[link];
-    for (std::size_t k = 0; k < area.ring.size(); ++k)
-      if (reaches(area.ring[k], area.ring[(k + 1) % area.ring.size()], at, reach) &&
-          cuts(boxes_[link], area.ring[k], area.ring[(k + 1) % area.ring.size()]))
-        return true;
+    for (std::size_t k = 0; k < area.ring.size(); ++k) {
+      const Point from = area.ring[k], to = area.ring[(k + 1) % area.ring.size()];
+      if (reaches(from, to, middles_[link]) && cuts(boxes_[link], from, to)) return true;
+    }
     return false;
   }
 
-  static bool reaches(Point a, Point b, Point at, double far) {
-    return std::min(a.x_m, b.x_m) <= at.x_m + far && std::max(a.x_m, b.x_m) >= at.x_m - far &&
-           std::min(a.y_m, b.y_m) <= at.y_m + far && std::max(a.y_m, b.y_m) >= at.y_m - far;
+  // Whether a link whose middle is there may come into the box between two corners.
+  bool reaches(Point a, Point b, Point at) const {
+    return std::min(a.x_m, b.x_m) <= at.x_m + reach_m_ && std::max(a.x_m, b.x_m) >= at.x_m - reach_m_ &&
+           std::min(a.y_m, b.y_m) <= at.y_m + reach_m_ && std::max(a.y_m, b.y_m) >= at.y_m - reach_m_;
   }
 
   const Floor& floor_;
   const TrainModel& model_;
   RefereeOptions options_;
   PlanJudgement& judgement_;
+  const double reach_m_;  // of a corner from a link's middle
+  std::vector<geometry::Box> boxes_of_obstacles_;
   std::vector<double> state_;
   std::vector<Corners> boxes_;
   std::vector<Point> middles_;

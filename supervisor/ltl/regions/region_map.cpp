@@ -57,11 +57,7 @@ void RegionMap::sort_into_cells() {
     first_ = {0, 0};
     return;
   }
-  bounds_ = {points_.front(), points_.front()};
-  for (const Point p : points_) {
-    bounds_.low = {std::min(bounds_.low.x_m, p.x_m), std::min(bounds_.low.y_m, p.y_m)};
-    bounds_.high = {std::max(bounds_.high.x_m, p.x_m), std::max(bounds_.high.y_m, p.y_m)};
-  }
+  bounds_ = geometry::bounds_of(points_);
   const double width = std::max(bounds_.high.x_m - bounds_.low.x_m, 1e-9);
   const double height = std::max(bounds_.high.y_m - bounds_.low.y_m, 1e-9);
   const double wanted = 2.0 * static_cast<double>(regions_.size() + 1);

@@ -5,6 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include "supervisor/geometry/outline.h"
+
 namespace stepwright::ltl {
 namespace {
 
@@ -109,10 +111,7 @@ void join_touching(std::vector<Ring>& rings) {
 }
 
 void turn_anticlockwise(Ring& ring, bool anticlockwise) {
-  double twice = 0.0;
-  for (std::size_t i = 0; i < ring.size(); ++i)
-    twice += cross(ring[i] - ring[0], cyclic(ring, i + 1) - ring[0]);
-  if ((twice > 0.0) != anticlockwise) std::ranges::reverse(ring);
+  if ((geometry::signed_area_m2(ring) > 0.0) != anticlockwise) std::ranges::reverse(ring);
 }
 
 }  // namespace

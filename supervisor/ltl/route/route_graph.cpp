@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "supervisor/geometry/outline.h"
+
 namespace stepwright::ltl {
 
 namespace {
@@ -13,12 +15,6 @@ using geometry::Point;
 constexpr double kClose_m = 0.4;        // a place that near may be entered by who drives along
 constexpr double kAtWall_m = 0.005;     // no way begins, ends or passes that near
 constexpr double kLeastDepth_m = 1e-3;  // of a point in a narrow place
-
-double area_m2(const std::vector<Point>& ring) {
-  double sum = 0.0;
-  for (std::size_t k = 0; k < ring.size(); ++k) sum += cross(ring[k], ring[(k + 1) % ring.size()]);
-  return 0.5 * sum;
-}
 
 Point unit(Point v) {
   const double length = std::hypot(v.x_m, v.y_m);
@@ -53,7 +49,7 @@ void RouteGraph::add(Point at, double margin_m) {
 
 void RouteGraph::add_corners(const std::vector<Point>& outline, bool hole) {
   std::vector<Point> ring = outline;
-  if ((area_m2(ring) < 0.0) != hole) std::ranges::reverse(ring);
+  if ((geometry::signed_area_m2(ring) < 0.0) != hole) std::ranges::reverse(ring);
   for (std::size_t k = 0; k < ring.size(); ++k) {
     const auto out =
         outwards(ring[(k + ring.size() - 1) % ring.size()], ring[k], ring[(k + 1) % ring.size()]);
@@ -94,7 +90,7 @@ void RouteGraph::add_side(std::span<const Point> ring, Point from, Point to) {
 void RouteGraph::add_places() {
   for (std::size_t k = 0; k < places_.size(); ++k) {
     std::vector<Point> ring(places_.outline(k).begin(), places_.outline(k).end());
-    if (area_m2(ring) < 0.0) std::ranges::reverse(ring);
+    if (geometry::signed_area_m2(ring) < 0.0) std::ranges::reverse(ring);
     const std::size_t before = points_.size();
     Point middle;
     for (std::size_t i = 0; i < ring.size(); ++i) {

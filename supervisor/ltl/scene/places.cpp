@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+
+#include "supervisor/geometry/outline.h"
 
 namespace stepwright::ltl {
 
@@ -19,34 +20,20 @@ bool inside(std::span<const Point> ring, Point at) {
   return in;
 }
 
-double distance_m(Point at, Point from, Point to) {
-  const Point along = to - from;
-  const double square = dot(along, along);
-  const double share = square > 0.0 ? std::clamp(dot(at - from, along) / square, 0.0, 1.0) : 0.0;
-  return geometry::distance(at, from + share * along);
-}
-
-double distance_m(Point a, Point b, Point c, Point d) {
-  const double c_side = cross(b - a, c - a), d_side = cross(b - a, d - a);
-  const double a_side = cross(d - c, a - c), b_side = cross(d - c, b - c);
-  if (c_side * d_side < 0.0 && a_side * b_side < 0.0) return 0.0;
-  return std::min({distance_m(a, c, d), distance_m(b, c, d), distance_m(c, a, b), distance_m(d, a, b)});
-}
-
 Places::Places(std::span<const Area> propositions) {
-  constexpr double kFar = std::numeric_limits<double>::infinity();
-  for (const Area& area : propositions) {
-    Outline outline{area.ring, {{kFar, kFar}, {-kFar, -kFar}}};
-    for (const Point p : area.ring) {
-      outline.bounds.low = {std::min(outline.bounds.low.x_m, p.x_m), std::min(outline.bounds.low.y_m, p.y_m)};
-      outline.bounds.high = {std::max(outline.bounds.high.x_m, p.x_m),
-                             std::max(outline.bounds.high.y_m, p.y_m)};
-    }
-    outlines_.push_back(std::move(outline));
-  }
+  for (const Area& area : propositions) outlines_.push_back({area.ring, geometry::bounds_of(area.ring)});
 }
 
 namespace {
+
+// 0 where the two cross.
+double distance_between_sides(Point a, Point b, Point c, Point d) {
+  const double c_side = cross(b - a, c - a), d_side = cross(b - a, d - a);
+  const double a_side = cross(d - c, a - c), b_side = cross(d - c, b - c);
+  if (c_side * d_side < 0.0 && a_side * b_side < 0.0) return 0.0;
+  return std::min({distance_to_side(a, c, d), distance_to_side(b, c, d), distance_to_side(c, a, b),
+                   distance_to_side(d, a, b)});
+}
 
 bool apart(const geometry::Box& box, Point a, Point b, double margin_m) {
   return std::max(a.x_m, b.x_m) < box.low.x_m - margin_m ||
@@ -105,7 +92,7 @@ Label Places::near(Point from, Point to, double than_m) const {
     const auto& ring = outlines_[k].ring;
     bool close = inside(ring, from);
     for (std::size_t i = 0, before = ring.size() - 1; i < ring.size() && !close; before = i++)
-      close = distance_m(from, to, ring[before], ring[i]) < than_m;
+      close = distance_between_sides(from, to, ring[before], ring[i]) < than_m;
     if (close) found |= Label{1} << k;
   }
   return found;

@@ -41,8 +41,5 @@ class Places {
 
 // Even-odd rule.
 bool inside(std::span<const geometry::Point> ring, geometry::Point at);
-double distance_m(geometry::Point at, geometry::Point from, geometry::Point to);
-// 0 where the two cross.
-double distance_m(geometry::Point a, geometry::Point b, geometry::Point c, geometry::Point d);
 
 }  // namespace stepwright::ltl

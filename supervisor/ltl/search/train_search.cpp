@@ -108,7 +108,7 @@ bool TrainSearch::stands(const TrainState& state) const {
 // How it ends before it begins, if it does.
 std::optional<SearchEnd> TrainSearch::begin(const SearchQuery& query) {
   constexpr double kLongest_s = 1e6;  // more would overflow some clocks
-  const std::chrono::duration<double> most(std::clamp(query.most_s, 0.0, kLongest_s));
+  const std::chrono::duration<double> most(query.most_s > 0.0 ? std::min(query.most_s, kLongest_s) : 0.0);
   until_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(most);
   dice_.seed(query.seed);
   nodes_.clear();
@@ -126,11 +126,9 @@ std::optional<SearchEnd> TrainSearch::begin(const SearchQuery& query) {
   return std::nullopt;
 }
 
-std::optional<SearchEnd> TrainSearch::over(const SearchQuery& query, Clock::time_point began,
-                                           std::size_t rounds) const {
+std::optional<SearchEnd> TrainSearch::over(const SearchQuery& query, std::size_t rounds) const {
   if (query.cancel != nullptr && query.cancel->load()) return SearchEnd::Cancelled;
-  const bool in_time = std::chrono::duration<double>(Clock::now() - began).count() < query.most_s;
-  if (!in_time || rounds >= query.most_rounds || states_.exhausted()) return SearchEnd::Bound;
+  if (Clock::now() >= until_ || rounds >= query.most_rounds || states_.exhausted()) return SearchEnd::Bound;
   return std::nullopt;
 }
 
@@ -247,7 +245,7 @@ SearchAnswer TrainSearch::first(const SearchQuery& query) {
   answer.prepared_s = spent_s();
   std::size_t most_nodes = nodes_.size();
   for (std::size_t round = 0; !end; ++round) {
-    if ((end = over(query, began, round))) break;
+    if ((end = over(query, round))) break;
     if (nodes_.size() > kMostNodes) {
       nodes_.resize(1);
       nodes_[0].fails = 0.0;
@@ -275,11 +273,11 @@ SearchAnswer TrainSearch::shorter(const SearchQuery& query, double than_m) {
   std::optional<SearchEnd> end = begin(query);
   double least = than_m;
   for (std::size_t round = 0; !end; ++round) {
-    if ((end = over(query, began, round))) break;
+    if ((end = over(query, round))) break;
     Routes& ways = routes(chance() < 0.5 ? 0 : 2);
     const double turn_m = tightest_m(model_) * chance();
     const Route route = route_from(nodes_[0], ways, turn_m, 0.15 * chance());
-    for (std::size_t n = 0; n < 4 && !route.empty() && !over(query, began, round); ++n) {
+    for (std::size_t n = 0; n < 4 && !route.empty() && !over(query, round); ++n) {
       ++best.drives;
       const Drive drive = driver_.along(route, nodes_[0].at, style(true));
       if (drive.end != DriveEnd::Done || drive.marks.back().length_m >= least) continue;

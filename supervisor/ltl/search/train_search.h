@@ -30,7 +30,7 @@ namespace stepwright::ltl {
 struct SearchQuery {
   TrainState start{};
   std::uint64_t seed = 1;
-  double most_s = 10.0;                                               // looked at between two drives
+  double most_s = 10.0;  // looked at between two drives and while routes are looked for
   std::size_t most_rounds = std::numeric_limits<std::size_t>::max();  // drives and tries of any control
   bool by_chance = false;  // the first drive, too: for another plan after one that was of no use
   const std::atomic<bool>* cancel = nullptr;  // not owned; may be null
@@ -90,7 +90,7 @@ class TrainSearch {
   TrainPlan plan_to(std::size_t node) const;
   std::optional<SearchEnd> begin(const SearchQuery& query);
   bool stands(const TrainState& state) const;
-  std::optional<SearchEnd> over(const SearchQuery& query, Clock::time_point began, std::size_t rounds) const;
+  std::optional<SearchEnd> over(const SearchQuery& query, std::size_t rounds) const;
   Route route_from(const Node& node, Routes& ways, double turn_m, double noise);
   double chance() { return std::uniform_real_distribution<double>(0.0, 1.0)(dice_); }
 

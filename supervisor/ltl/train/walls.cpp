@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "supervisor/geometry/outline.h"
+
 namespace stepwright::ltl {
 
 namespace {
@@ -14,21 +16,13 @@ constexpr double kMostCells = 4e6;
 constexpr std::size_t kBlock = 8;   // cells of a block in each direction
 constexpr double kBarely_m = 1e-9;  // a side that comes no further into a box only touches it
 
-double distance_to(Point at, Point from, Point to) {
-  const Point along = to - from;
-  const double square = dot(along, along);
-  const double share = square > 0.0 ? std::clamp(dot(at - from, along) / square, 0.0, 1.0) : 0.0;
-  return geometry::distance(at, from + share * along);
-}
-
 }  // namespace
 
 Walls::Walls(const Floor& floor, const TrainModel& model)
     : half_length_m_(0.5 * model.length_m),
       half_width_m_(0.5 * model.width_m),
       reach_m_(std::hypot(half_length_m_, half_width_m_)) {
-  constexpr double kFar = std::numeric_limits<double>::infinity();
-  bounds_ = {{kFar, kFar}, {-kFar, -kFar}};
+  bounds_ = geometry::kNoBox;
   add(floor.border.ring);
   for (const Area& obstacle : floor.obstacles) add(obstacle.ring);
   const double wide = bounds_.high.x_m - bounds_.low.x_m;
@@ -44,8 +38,7 @@ void Walls::add(const std::vector<Point>& ring) {
   for (std::size_t k = 0; k < ring.size(); ++k) {
     const Point at = ring[k];
     sides_.push_back({at, ring[(k + 1) % ring.size()]});
-    bounds_.low = {std::min(bounds_.low.x_m, at.x_m), std::min(bounds_.low.y_m, at.y_m)};
-    bounds_.high = {std::max(bounds_.high.x_m, at.x_m), std::max(bounds_.high.y_m, at.y_m)};
+    extend(bounds_, at);
   }
 }
 
@@ -88,7 +81,7 @@ void Walls::measure_cells() {
           cell_m_ * Point{static_cast<double>(c) + half, static_cast<double>(r) + half} + bounds_.low;
       double nearest = std::numeric_limits<double>::infinity();
       for (std::size_t k = 0; k < sides_.size(); ++k) {
-        from_middle_m[k] = distance_to(middle, sides_[k].from, sides_[k].to);
+        from_middle_m[k] = distance_to_side(middle, sides_[k].from, sides_[k].to);
         nearest = std::min(nearest, from_middle_m[k]);
       }
       candidates.clear();
@@ -107,7 +100,7 @@ void Walls::measure_block(std::size_t row, std::size_t column, const std::vector
           cell_m_ * Point{static_cast<double>(c) + 0.5, static_cast<double>(r) + 0.5} + bounds_.low;
       double nearest = std::numeric_limits<double>::infinity();
       for (const std::uint32_t k : candidates)
-        nearest = std::min(nearest, distance_to(middle, sides_[k].from, sides_[k].to));
+        nearest = std::min(nearest, distance_to_side(middle, sides_[k].from, sides_[k].to));
       clearance_m_[r * columns_ + c] = std::max(0.0, nearest - half_diagonal);
     }
   }

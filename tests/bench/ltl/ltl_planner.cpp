@@ -18,6 +18,7 @@
 #include <set>
 #include <vector>
 
+#include "supervisor/geometry/box.h"
 #include "supervisor/ltl/guide/task.h"
 #include "supervisor/ltl/train/train_motion.h"
 #include "supervisor/ltl/train/walls.h"
@@ -54,13 +55,10 @@ ltl::TrainControl control_of(const oc::Control* control) {
 }
 
 ob::RealVectorBounds floor_bounds(const ltl::RegionMap& map) {
+  const geometry::Box box = geometry::bounds_of(map.points());
   ob::RealVectorBounds bounds(2);
-  bounds.setLow(1e300);
-  bounds.setHigh(-1e300);
-  for (const Point at : map.points()) {
-    bounds.low = {std::min(bounds.low[0], at.x_m), std::min(bounds.low[1], at.y_m)};
-    bounds.high = {std::max(bounds.high[0], at.x_m), std::max(bounds.high[1], at.y_m)};
-  }
+  bounds.low = {box.low.x_m, box.low.y_m};
+  bounds.high = {box.high.x_m, box.high.y_m};
   return bounds;
 }
 

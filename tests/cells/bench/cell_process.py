@@ -13,6 +13,7 @@ import time
 BIN = pathlib.Path(os.environ["STEPWRIGHT_BIN_DIR"])
 STEPWRIGHT = BIN / "stepwright"
 TIMEOUT_S = 900  # of what never ends; no measure of a machine
+TIME_TO_PROVE = ("--set", "planning.time_ms=600_000")  # the proof takes as long as the machine takes
 
 
 def stepwright(*arguments, **options):

@@ -7,15 +7,14 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
+#include <cstdio>
 #include <fstream>
-#include <iterator>
 #include <random>
 #include <string>
 
 #include "supervisor/ltl/planner/plan_train.h"
 #include "supervisor/ltl/scene/problem_reader.h"
-#include "supervisor/ltl/scene/scene_reader.h"
+#include "tests/fuzz/corpus.h"
 #include "tests/support/temporary_folder.h"
 
 namespace stepwright::fuzz::ltl_scene {
@@ -74,11 +73,6 @@ struct Fuzzer {
   }
 };
 
-std::uint64_t number_of(const char* variable, std::uint64_t otherwise) {
-  const char* const text = std::getenv(variable);
-  return text == nullptr ? otherwise : std::strtoull(text, nullptr, 10);
-}
-
 void expect_whole(const result::Diagnostics& found, const std::string& input) {
   ASSERT_FALSE(found.empty()) << input;
   for (const result::Diagnostic& each : found)
@@ -88,8 +82,8 @@ void expect_whole(const result::Diagnostics& found, const std::string& input) {
 TEST(LtlScene, WhenScenesAndProblemsAreMutated_ThenTheyArePlannedForOrRefusedWithReasons) {
   const support::TemporaryFolder folder;
   const std::string file = (folder / "problem.json").string();
-  const std::uint64_t rounds = number_of("STEPWRIGHT_FUZZ_ROUNDS", 1'500);
-  Fuzzer fuzzer{std::mt19937_64(number_of("STEPWRIGHT_FUZZ_SEED", 1))};
+  const std::uint64_t rounds = setting("STEPWRIGHT_FUZZ_ROUNDS", 1'500);
+  Fuzzer fuzzer{std::mt19937_64(setting("STEPWRIGHT_FUZZ_SEED", 1))};
   std::size_t read = 0, planned = 0;
   for (std::uint64_t round = 0; round < rounds; ++round) {
     const std::string scene = round % 3 == 0 ? kScene : fuzzer.mutated(kScene);

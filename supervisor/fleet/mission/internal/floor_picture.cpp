@@ -17,32 +17,21 @@ constexpr double kBorder_m = 2.0;  // around polygons where there is no map
 constexpr double kTallest = 1.1;   // of the width
 constexpr double kPathStep_m = 0.25;
 
-// Columns and rows of free cells next to which there is something to see.
-struct Extent {
-  Point low{1e9, 1e9};
-  Point high{-1e9, -1e9};
-
-  void include(Point p) {
-    low = {std::min(low.x_m, p.x_m), std::min(low.y_m, p.y_m)};
-    high = {std::max(high.x_m, p.x_m), std::max(high.y_m, p.y_m)};
-  }
-};
-
 }  // namespace
 
 FloorPicture::FloorPicture(const FleetPlan& plan, const OccupancyGrid* map, double width, double left,
                            double top)
     : plan_(plan), map_(map), left_(left), top_(top) {
-  Extent extent;
+  geometry::Box extent{{1e9, 1e9}, {-1e9, -1e9}};  // finite where there is nothing to see
   if (map != nullptr) {
     const GridFrame& frame = map->frame();
-    extent.include(frame.corner({0, 0}));
-    extent.include(frame.corner({frame.columns, frame.rows}));
+    extend(extent, frame.corner({0, 0}));
+    extend(extent, frame.corner({frame.columns, frame.rows}));
   } else {
     for (const VehicleMission& mission : plan.missions) {
       for (const EnvelopePolygon& polygon : mission.grown.envelope.polygons) {
-        extent.include(polygon.area.bounds().low - Point{kBorder_m, kBorder_m});
-        extent.include(polygon.area.bounds().high + Point{kBorder_m, kBorder_m});
+        extend(extent, polygon.area.bounds().low - Point{kBorder_m, kBorder_m});
+        extend(extent, polygon.area.bounds().high + Point{kBorder_m, kBorder_m});
       }
     }
   }
