@@ -12,7 +12,13 @@ result::Result<assemblies::TuggerParameters> tugger_parameters(const config::Pla
   auto parameters = cell_hall::hall_parameters(plant);
   if (!parameters) return result::forward(parameters);
   auto train = assemblies::TuggerTrain::create(*parameters);
-  if (!train) return result::forward(train);
+  if (!train) {
+    // Figures have passed the configuration's ranges: it is about outlines of the scene.
+    for (result::Diagnostic& problem : train.error()) {
+      if (problem.where.file.empty()) problem.where.file = plant.tugger.scene.string();
+    }
+    return result::forward(train);
+  }
   const assemblies::TuggerFloor floor(*parameters);
   const auto boxes = (*train)->boxes();
   for (std::size_t link = 0; link < boxes.size(); ++link) {

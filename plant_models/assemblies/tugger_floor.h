@@ -3,7 +3,7 @@
 // What a tugger train may run into, and the distances that it keeps: walls, obstacles, blockages, and
 // trailers that were left somewhere. It knows boxes and outlines only, no plan.
 //
-// Threads: one at a time. No heap after construction, but for leave().
+// Threads: one at a time. No heap after construction.
 //
 //   TuggerFloor floor(parameters);
 //   if (floor.touches(train.boxes())) ...           // once in each step

@@ -2,10 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <utility>
+#include <vector>
 
 #include "cell/runtime/cell_io.h"
+#include "ladder/driver/compile.h"
+#include "tests/support/lock_step/host_machine.h"
 #include "tests/support/temporary_folder.h"
 
 namespace stepwright::cell_runtime {
@@ -104,6 +109,75 @@ TEST_F(TuggerCell, WhenTheRuntimeIsKilled_ThenTheNextOneGoesOnFromWhereTheTrainS
   EXPECT_NEAR(x_cm(), stood_cm, 1);
 }
 
+// The blocks of the library drive it as they drive a forklift; the program stops when the scanner sees
+// something.
+constexpr const char* kProgram = R"(
+PROGRAM Main
+VAR
+  X AT %IW0 : INT; Y AT %IW1 : INT; Heading AT %IW2 : INT; Speed AT %IW3 : INT; Lock AT %IW4 : INT;
+  Bumper AT %IX22.0 : BOOL; EstopOk AT %IX22.1 : BOOL; WayFree AT %IX22.2 : BOOL;
+  SetSpeed AT %QW0 : INT; SetLock AT %QW1 : INT; Enable AT %QX4.0 : BOOL; ErrorID AT %QW3 : UINT;
+  Tractor : VEHICLE_REF := (Wheelbase := 1.0, MaxSpeed := 2.0, MaxLock := 1.0, LockRate := 1.0);
+  Read : MC_ReadVehicle; Power : MC_GroupPower; Run : MC_RunVehicle;
+  Refusal : UINT;
+END_VAR
+  Tractor.MeasuredX := INT_TO_REAL(X) * 0.01;
+  Tractor.MeasuredY := INT_TO_REAL(Y) * 0.01;
+  Tractor.MeasuredHeading := INT_TO_REAL(Heading) * 0.000174532925;
+  Tractor.MeasuredSpeed := INT_TO_REAL(Speed) * 0.001;
+  Tractor.MeasuredLock := INT_TO_REAL(Lock) * 0.000174532925;
+  Tractor.Bumper := Bumper;
+  Tractor.SafetyOk := EstopOk;
+  Read(CYCLE := T#10ms, Vehicle := Tractor);
+  Power(Enable := TRUE, Vehicle := Tractor);
+  IF Tractor.State = mcGroupStandby THEN
+    Refusal := MC_BeginGroup(State := mcGroupMoving, Vehicle := Tractor);
+  END_IF;
+  Tractor.WishSpeed := SEL(WayFree, 0.0, 1.5);
+  Tractor.WishLock := 0.0;
+  Run(CYCLE := T#10ms, Vehicle := Tractor);
+  SetSpeed := REAL_TO_INT(Tractor.SetSpeed * 1000.0);
+  SetLock := REAL_TO_INT(Tractor.SetLock * 5729.578);
+  Enable := Tractor.DriveOn;
+  ErrorID := Tractor.ErrorID;
+END_PROGRAM
+)";
+
+TEST_F(TuggerCell, WhenBlocksOfTheLibraryDriveIt_ThenItStopsInFrontOfWhatStandsInItsWay) {
+  const auto reading = read("scene = \"hall.geojson\"\n" + kStart +
+                            "[[plant.blockages]]\nx_m = 20.0\ny_m = 4.0\nlength_m = 2.0\nwidth_m = 1.0\n");
+  ASSERT_TRUE(reading.problems.empty()) << result::to_string(reading.problems);
+  auto compiled = driver::compile({.texts = {{"tugger.st", kProgram}}});
+  ASSERT_TRUE(compiled) << result::to_string(compiled.error());
+  auto io = CellIo::create(reading.config);
+  ASSERT_TRUE(io) << result::to_string(io.error());
+  support::HostMachine machine(std::move(compiled->container), host::EngineKind::Auto, 100'000'000);
+  std::vector<std::byte> inputs(reading.config.image.input_bytes);
+  std::vector<std::byte> outputs(reading.config.image.output_bytes);
+  host::PlantAccess& plant = *(*io)->plant();
+  ASSERT_TRUE(plant.inject_fault("block_1", 1.0));
+  for (std::int64_t scan = 0; scan < 1'500; ++scan) {
+    ASSERT_EQ((*io)->driver().read_inputs(10'000'000 * scan, inputs), image::IoStatus::Good);
+    const auto used = std::span(inputs).first(machine.image().inputs().size());
+    ASSERT_EQ(machine.scan(used).state, scan::ScanState::Running);
+    std::ranges::copy(machine.image().outputs(), outputs.begin());
+    ASSERT_EQ((*io)->driver().write_outputs(10'000'000 * scan, outputs), image::IoStatus::Good);
+  }
+  std::vector<double> values(plant.value_names().size());
+  plant.read_values(values);
+  const auto truth = [&](const std::string& name) {
+    const auto names = plant.value_names();
+    return values.at(static_cast<std::size_t>(std::ranges::find(names, name) - names.begin()));
+  };
+  EXPECT_EQ(outputs[6], std::byte{0});  // no error
+  EXPECT_EQ(outputs[4], std::byte{1});
+  EXPECT_EQ(truth("contacts"), 0.0);
+  EXPECT_NEAR(truth("true_speed"), 0.0, 0.02);
+  EXPECT_GT(truth("true_x"), 19.0 - 2.5 - 0.45);
+  EXPECT_LT(truth("true_x"), 19.0 - 0.45 - 0.3);
+  EXPECT_GT(truth("smallest_gap"), 0.3);
+}
+
 TEST_F(TuggerCell, WhenAFigureIsWrong_ThenItsKeyIsNamed) {
   const std::string scene = "scene = \"hall.geojson\"\n";
   expect(kStart, "C0006", 2);  // no hall
@@ -131,6 +205,14 @@ TEST_F(TuggerCell, WhenTheSceneIsWrong_ThenItSaysWhy) {
   ASSERT_FALSE(problems.empty());
   EXPECT_EQ(problems.front().code, "L0402");
   EXPECT_NE(problems.front().where.file.find("hall.geojson"), std::string::npos);
+
+  std::string crossed = kScene;
+  crossed.replace(crossed.find("[20, 12], [10, 12]"), 18, "[10, 12], [20, 12]");
+  std::ofstream(folder_.path() / "hall.geojson") << crossed;
+  const auto outline = tugger_parameters(reading.config.plant);
+  ASSERT_FALSE(outline);
+  EXPECT_EQ(outline.error().front().code, "C0321");
+  EXPECT_NE(outline.error().front().where.file.find("hall.geojson"), std::string::npos);
 }
 
 }  // namespace
