@@ -97,11 +97,25 @@ class HallDrawing {
     out_ += "</polygon>\n";
   }
 
-  // In the middle of its bounds.
+  // At its centre of area.
   void add_name(const RegionDescription& region) {
-    const auto [left, right] = std::minmax_element(region.x.begin(), region.x.end());
-    const auto [low, high] = std::minmax_element(region.y.begin(), region.y.end());
-    out_ += "<text x=\"" + at_x(0.5 * (*left + *right)) + "\" y=\"" + at_y(0.5 * (*low + *high)) +
+    double twice = 0.0;
+    double x = 0.0;
+    double y = 0.0;
+    for (std::size_t k = 0; k < region.x.size(); ++k) {
+      const std::size_t next = (k + 1) % region.x.size();
+      // From the first corner, so that nothing is lost far from the origin.
+      const double ax = region.x[k] - region.x[0];
+      const double ay = region.y[k] - region.y[0];
+      const double bx = region.x[next] - region.x[0];
+      const double by = region.y[next] - region.y[0];
+      const double part = ax * by - ay * bx;
+      twice += part;
+      x += part * (ax + bx) / 3.0;
+      y += part * (ay + by) / 3.0;
+    }
+    if (twice == 0.0) return;
+    out_ += "<text x=\"" + at_x(region.x[0] + x / twice) + "\" y=\"" + at_y(region.y[0] + y / twice) +
             "\" font-size=\"14\" text-anchor=\"middle\" fill=\"var(--text)\">" +
             markup::xml_escaped(region.name) + "</text>\n";
   }

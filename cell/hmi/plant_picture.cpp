@@ -24,7 +24,6 @@ namespace stepwright::hmi {
 namespace {
 
 using core::PlantDescription;
-using server::PointSource;
 using server::PointSourceKind;
 using server::PointSources;
 

@@ -54,9 +54,12 @@ int run(const config::CellConfig& config) {
     if (!read) return fail(read.error(), ExitCode::BadInput);
     drawn = std::move(*read);
   } else if (!picture->drawing.empty()) {
+    // A hall with more corners than a page can draw is shown without a picture.
     auto made = drawing::read_drawing("picture of the plant", picture->drawing);
-    if (!made) return fail(made.error(), ExitCode::BadInput);
-    drawn = std::move(*made);
+    if (made)
+      drawn = std::move(*made);
+    else
+      (*log)->warning("setup", result::to_string(made.error()));
   }
   server::Feed feed({config.name, STEPWRIGHT_VERSION, !config.hmi.recipes.empty(), !drawn.svg.empty()},
                     picture->synoptic);
