@@ -51,6 +51,8 @@ result::Result<void> validate(const TuggerParameters& p) {
   wanted.positive(p.links.length_m, "tugger: length_m");
   wanted.positive(p.links.width_m, "tugger: width_m");
   wanted.positive(p.links.spacing_m, "tugger: spacing_m");
+  wanted.require(!(2.0 * p.links.spacing_m < p.links.length_m),
+                 "tugger: spacing_m must be at least half of length_m", "every other link would overlap");
   wanted.positive(p.drive.top_speed_m_s, "tugger: top_speed_m_s");
   wanted.positive(p.drive.time_constant_s, "tugger: drive time_constant_s");
   wanted.positive(p.drive.acceleration_m_s2, "tugger: acceleration_m_s2");

@@ -293,6 +293,23 @@ TEST(Tugger, WhenTrailersAreLeft_ThenTheyStandInTheWayUntilTheyAreCoupledAgain) 
   EXPECT_EQ(rig.truth("contacts"), 1.0);
 }
 
+TEST(Tugger, WhenATrailerIsLeftWhereItOverlapsItsNeighbour_ThenTheTrainCanDriveOff) {
+  TuggerParameters parameters = hall(2);
+  parameters.links.length_m = 0.98;
+  parameters.obstacles.clear();
+  Rig rig(parameters);
+  rig.drive(800, 2400);
+  rig.run(6s);
+  const std::vector<PlacedBox> boxes(rig->train().boxes().begin(), rig->train().boxes().end());
+  ASSERT_TRUE(meets(boxes[0], boxes[1]));  // the hitch is bent so far
+  ASSERT_EQ(rig.sensor("bumper"), 0);
+  rig.fault("leave_trailers", 0);
+  rig.drive(800);
+  rig.run(3s);
+  EXPECT_EQ(rig.sensor("bumper"), 0);
+  EXPECT_EQ(rig.truth("contacts"), 0.0);
+}
+
 TEST(Tugger, WhenThereIsNoRoomBehindIt_ThenTrailersAreRefused) {
   TuggerParameters parameters = hall(1);
   parameters.most_trailers = 4;

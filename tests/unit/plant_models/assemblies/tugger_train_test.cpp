@@ -227,6 +227,7 @@ TEST(TuggerTrain, WhenFiguresMakeNoSense_ThenEachIsNamed) {
   TuggerParameters parameters;
   parameters.links.hitch_m = 0.0;
   parameters.links.width_m = -1.0;
+  parameters.links.spacing_m = 0.4;
   parameters.drive.tractor_kg = std::numeric_limits<double>::quiet_NaN();
   parameters.steering.full_lock_rad = 1.6;
   parameters.slip.drive_slip = 1.0;
@@ -236,7 +237,7 @@ TEST(TuggerTrain, WhenFiguresMakeNoSense_ThenEachIsNamed) {
   parameters.places = {{"dock", {{0, 0}, {1, 0}, {1, 1}}}, {"DOCK", {{0, 0}, {1, 0}, {1, 1}}}};
   const auto train = TuggerTrain::create(parameters);
   ASSERT_FALSE(train);
-  EXPECT_EQ(train.error().size(), 9u) << result::to_string(train.error());
+  EXPECT_EQ(train.error().size(), 10u) << result::to_string(train.error());
   for (const auto& problem : train.error()) EXPECT_EQ(problem.code, "C0321");
 }
 
