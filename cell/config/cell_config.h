@@ -22,6 +22,7 @@
 #include "cell/config/metrics_config.h"
 #include "cell/config/modbus_client_config.h"
 #include "cell/config/modbus_server_config.h"
+#include "cell/config/monitor_config.h"
 #include "cell/config/record_config.h"
 #include "cell/config/retain_config.h"
 #include "cell/config/safety_config.h"
@@ -118,6 +119,7 @@ struct CellConfig {
   PlantConfig plant;
   ImageConfig image;
   std::vector<ScheduledFault> faults;
+  std::vector<MonitorConfig> monitors;  // [[monitors]]: formulas that the scan watches
   SafetyConfig safety;  // [safe_state] by cause and output, [watchdog], [tasks.NAME], [guard], [io]
   LostSupervisorPolicy on_lost_supervisor = LostSupervisorPolicy::Continue;
   std::chrono::milliseconds supervisor_lost_after{1'000};

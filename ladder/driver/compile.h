@@ -14,6 +14,7 @@
 // function blocks (TON .. RS) are there without being named.
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,7 @@
 #include "ladder/lint/lint.h"
 #include "ladder/source/dialect.h"
 #include "ladder/source/source_set.h"
+#include "ladder/driver/watcher.h"
 #include "runtime/ground/result/result.h"
 
 namespace stepwright::driver {
@@ -41,6 +43,8 @@ struct CompileInput {
   const source::Dialect* dialect = &source::standard_dialect();
   // The sources are only checked: they may be a library without a program, which has no container.
   bool library = false;
+  // Programs that watch the others and run behind them. What is wrong with one is said at its places.
+  std::span<const Watcher> watchers{};
 };
 
 struct CompileOutput {

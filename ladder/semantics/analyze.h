@@ -23,6 +23,9 @@ struct TestGroup {
 struct AnalysisOptions {
   const TestGroup* tests = nullptr;  // the model is one to run them: it needs no main program
   bool library = false;              // nor does what is only checked
+  // POUs of the unit from here on, so many, are programs that watch the others (internal/watcher.h).
+  std::size_t first_watcher = 0;
+  std::size_t watchers = 0;
   const source::Dialect* dialect = &source::standard_dialect();
 };
 

@@ -70,7 +70,7 @@ std::optional<Statement> StatementAnalyzer::statement(const syntax::Statement& s
         return test_->statement(called);
       auto call = CallAnalyzer(a_, expressions_, &pou_).call_statement(*statement.value);
       if (call && call->kind == StatementKind::Evaluate && call->value->kind != ValueKind::Call &&
-          call->value->kind != ValueKind::Fail)
+          call->value->kind != ValueKind::Fail && call->value->kind != ValueKind::Stop)
         a_.sink.warning(code::kUnusedResult, statement.where, "the result of the function is not used");
       return call;
     }

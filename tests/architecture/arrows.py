@@ -151,6 +151,7 @@ ARROWS = {
     "cell/runtime": [
         "cell/config", "cell/device_status", "plant_models/assemblies", "plant_models/bridge", "runtime/io_memory", "runtime/service", "supervisor/map",
     ],
+    "cell/monitors": ["cell/config", "ladder/driver", "supervisor/ltl/monitor"],
     "cell/fleet": ["cell/config", "supervisor/fleet/mission", "supervisor/fleet/program"],
     "cell/gateway": ["cell/runtime", "runtime/metrics", "runtime/remote"],
     "cell/hmi": ["cell/config", "hmi_web/server", "plant_models/assemblies", "plant_models/bridge", "runtime/dds", "supervisor/map"],
