@@ -82,6 +82,7 @@ Decision Mission::judge(const host::StepEvent& event) {
     case host::EventKind::RolledBack:
       return {};
     case host::EventKind::StepChange:
+      if (auto cause = watch_.news(event.image)) return {Verdict::Replan, *std::move(cause)};
       return judge_image(event.image);
     case host::EventKind::Trap:
       return give_up_because(IncidentKind::ProgramFault, "the program trapped: " + event.detail);

@@ -151,10 +151,10 @@ ARROWS = {
     "cell/runtime": [
         "cell/config", "cell/device_status", "plant_models/assemblies", "plant_models/bridge", "runtime/io_memory", "runtime/service", "supervisor/map",
     ],
-    "cell/monitors": ["cell/config", "ladder/driver", "supervisor/ltl/monitor"],
+    "cell/monitors": ["cell/config", "ladder/driver", "ladder/graphic", "runtime/bytecode/reader", "supervisor/ltl/monitor"],
     "cell/fleet": ["cell/config", "supervisor/fleet/mission", "supervisor/fleet/program"],
     "cell/gateway": ["cell/runtime", "runtime/metrics", "runtime/remote"],
-    "cell/hmi": ["cell/config", "hmi_web/server", "plant_models/assemblies", "plant_models/bridge", "runtime/dds", "supervisor/map"],
+    "cell/hmi": ["cell/config", "hmi_web/alarms", "hmi_web/server", "plant_models/assemblies", "plant_models/bridge", "runtime/dds", "supervisor/map"],
     "cell/link": ["runtime/dds"],
     "cell/metrics_server": ["cell/config", "hmi_web/server", "runtime/metrics"],
     "cell/modbus_client": ["cell/device_status", "runtime/io_memory", "runtime/metrics", "runtime/modbus/client"],
@@ -181,7 +181,7 @@ def add_missions(root: pathlib.Path) -> None:
         table, mission = f"cell/missions/{name}/table", f"cell/missions/{name}"
         ARROWS[table] = ["cell/missions/table"]
         planners = [folder for folder in ARROWS if folder.startswith("supervisor/")]
-        ARROWS[mission] = ["cell/missions", "cell/fleet", table, *planners]
+        ARROWS[mission] = ["cell/missions", "cell/fleet", "cell/monitors", table, *planners]
 
 
 def folder_of(path: str) -> str:

@@ -331,7 +331,8 @@ SyntaxId Parser::timed(TimedKind kind, SyntaxId of, SyntaxId answer, Place at) {
   if (!known) {
     tree_.timed.push_back({proposition, kind, of, answer, *ns, duration.text, at});
   } else if (timed_of(tree_, proposition) == nullptr) {
-    fail("L0008", at, "there is a proposition '" + text + "', which is what this timer would be called", "");
+    fail("L0008", at, "there is a proposition '" + text + "', which is what this timer would be called",
+         "give the proposition another name");
   }
   return node;
 }
