@@ -18,8 +18,9 @@ constexpr std::size_t kMostBytes = 48;  // of a name, which is a part of others
 // Letters, digits and single underscores, as IEC 61131-3 has it.
 bool is_identifier(std::string_view name) {
   const auto fits = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
-  return !name.empty() && name.size() <= kMostBytes && std::isdigit(static_cast<unsigned char>(name[0])) == 0 &&
-         std::ranges::all_of(name, fits) && name.find("__") == std::string_view::npos && name.back() != '_';
+  return !name.empty() && name.size() <= kMostBytes &&
+         std::isdigit(static_cast<unsigned char>(name[0])) == 0 && std::ranges::all_of(name, fits) &&
+         name.find("__") == std::string_view::npos && name.back() != '_';
 }
 
 // What could end the line that it becomes, or the statement.

@@ -46,6 +46,7 @@ struct MonitorConfig {
   result::Location where;   // of the formula
 };
 
-std::vector<MonitorConfig> read_monitors(const settings::TomlTable& root, const std::filesystem::path& folder);
+std::vector<MonitorConfig> read_monitors(const settings::TomlTable& root,
+                                         const std::filesystem::path& folder);
 
 }  // namespace stepwright::config

@@ -8,8 +8,8 @@ std::vector<alarms::AlarmDefinition> monitor_alarms(const config::CellConfig& co
     if (!each.alarm) continue;
     alarms::AlarmDefinition alarm;
     alarm.name = "monitor." + each.name;
-    alarm.text = "Monitor " + each.name + " failed: " +
-                 (each.formula.empty() ? each.formula_file.filename().string() : each.formula);
+    alarm.text = "Monitor " + each.name +
+                 " failed: " + (each.formula.empty() ? each.formula_file.filename().string() : each.formula);
     alarm.source = "monitor_" + each.name + ".Failed";
     alarm.condition.kind = alarms::ConditionKind::On;
     alarm.priority = alarms::Priority::High;

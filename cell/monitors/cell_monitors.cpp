@@ -22,6 +22,13 @@ bool is_tag(const std::string& name) {
   });
 }
 
+// As `ltl check --let` writes it: "!main.stop".
+std::string in_st(const std::string& expression) {
+  const std::size_t first = expression.find_first_not_of(' ');
+  if (first == std::string::npos || expression[first] != '!') return expression;
+  return "NOT (" + expression.substr(first + 1) + ")";
+}
+
 class Maker {
  public:
   Maker(const config::MonitorConfig& config, result::Diagnostics& problems)
@@ -87,7 +94,7 @@ class Maker {
       const auto given = std::ranges::find(config_.let, name, &config::PropositionMeaning::name);
       places.push_back(given != config_.let.end() ? given->where : config_.where);
       const bool timer = timed_of(formula.tree, k) != nullptr;
-      expressions.push_back(timer ? "" : given != config_.let.end() ? given->expression : name);
+      expressions.push_back(timer ? "" : given != config_.let.end() ? in_st(given->expression) : name);
       if (timer || given != config_.let.end() || is_tag(name)) continue;
       problems_.push_back({"C0556", result::Severity::Error, config_.where,
                            "'" + name + "' of monitor '" + config_.name + "' is no tag",
@@ -97,9 +104,9 @@ class Maker {
     for (const config::PropositionMeaning& each : config_.let) {
       const auto& names = formula.tree.propositions;
       if (std::ranges::find(names, each.name) != names.end()) continue;
-      problems_.push_back({"C0557", result::Severity::Error, each.where,
-                           "the formula of monitor '" + config_.name + "' has no proposition '" + each.name + "'",
-                           ""});
+      problems_.push_back(
+          {"C0557", result::Severity::Error, each.where,
+           "the formula of monitor '" + config_.name + "' has no proposition '" + each.name + "'", ""});
       sound = false;
     }
     return sound;
@@ -128,10 +135,14 @@ class Maker {
     watcher.name = options.name;
     const auto lines = static_cast<std::size_t>(std::ranges::count(program->text, '\n')) + 1;
     watcher.origins.assign(lines, config_.where);
-    for (std::size_t k = 0; k < places.size(); ++k)
-      if (program->lines[k] > 0) watcher.origins[program->lines[k] - 1] = places[k];
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      if (program->lines[k] == 0) continue;
+      watcher.origins[program->lines[k] - 1] = places[k];
+      ++watcher.outside_reads;
+    }
     watcher.text = std::move(program->text);
-    watcher.states = {{"Undecided", "Undecided", monitor.words}, {"Satisfied", "Satisfied"}, {"Failed", "Failed"}};
+    watcher.states = {
+        {"Undecided", "Undecided", monitor.words}, {"Satisfied", "Satisfied"}, {"Failed", "Failed"}};
     return true;
   }
 

@@ -18,11 +18,11 @@
 #include <string>
 #include <vector>
 
+#include "ladder/driver/watcher.h"
 #include "ladder/graphic/project.h"
 #include "ladder/lint/lint.h"
 #include "ladder/source/dialect.h"
 #include "ladder/source/source_set.h"
-#include "ladder/driver/watcher.h"
 #include "runtime/ground/result/result.h"
 
 namespace stepwright::driver {

@@ -77,11 +77,13 @@ FrontEnd::FrontEnd(const CompileInput& input)
 }
 
 std::unique_ptr<semantics::Model> FrontEnd::analyze(const semantics::TestGroup* tests) {
+  std::vector<std::uint32_t> watchers;
+  for (const Watcher& each : watchers_) watchers.push_back(each.outside_reads);
   return semantics::analyze(unit_, user_pous_, names_, sink_,
                             {.tests = tests,
                              .library = library_,
                              .first_watcher = user_pous_,
-                             .watchers = watchers_.size(),
+                             .watchers = std::move(watchers),
                              .dialect = dialect_});
 }
 

@@ -8,6 +8,7 @@
 //   Watcher{.name = "limit", .text = "PROGRAM limit\nVAR High : BOOL; END_VAR\nHigh := main.level > 90;\n"
 //                                    "END_PROGRAM\n"}
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,9 @@ struct WatcherState {
 struct Watcher {
   std::string name;  // of the PROGRAM, of its instance and of the file that places in it name
   std::string text;  // ST: this PROGRAM and nothing else
+  // So many statements at its beginning assign to its variables what they read outside: names in their values
+  // are never its own.
+  std::uint32_t outside_reads = 0;
   // Where line k + 1 of the text comes from: diagnostics are moved there. The last one counts for all lines
   // behind it, none: they stay where they are.
   std::vector<result::Location> origins{};

@@ -131,8 +131,11 @@ std::unique_ptr<Model> analyze(const syntax::Unit& unit, std::size_t user_pous, 
   for (const auto& pou : model->pous) types.lay_out(*pou);
   if (tests != nullptr) check_mocks(a, types, unit, *tests);
   note_block_tasks(a, unit);
-  for (std::size_t k = 0; k < options.watchers; ++k)
-    model->pous[options.first_watcher + k]->watches = true;
+  for (std::size_t k = 0; k < options.watchers.size(); ++k) {
+    Pou& watcher = *model->pous[options.first_watcher + k];
+    watcher.watches = true;
+    watcher.outside_reads = options.watchers[k];
+  }
   for (const auto& pou : model->pous)
     if (pou->test == nullptr && !pou->watches) StatementAnalyzer(a, *pou).body(pou->declaration->body);
   // What follows walks along the calls.
@@ -143,7 +146,7 @@ std::unique_ptr<Model> analyze(const syntax::Unit& unit, std::size_t user_pous, 
   // Tests name the variables of program instances.
   if (tests != nullptr) analyze_tests(a);
   if (tests == nullptr && runs && !sink.has_errors())
-    for (std::size_t k = 0; k < options.watchers; ++k)
+    for (std::size_t k = 0; k < options.watchers.size(); ++k)
       add_watcher(a, *model->pous[options.first_watcher + k]);
   place_hierarchical(a);
   check_overlaps(a);

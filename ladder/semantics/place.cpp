@@ -23,7 +23,7 @@ bool is_outside(const Place& place) {
 }  // namespace
 
 const Variable* Places::find_variable(NameId name) const {
-  if (pou_ != nullptr) {
+  if (pou_ != nullptr && !pou_->own_hidden) {
     if (const Variable* found = pou_->find(name)) return found;
   }
   const auto global = a_.globals.find(name.value);
@@ -43,7 +43,7 @@ void Places::report_unknown(const syntax::Name& name) {
                     "a block names its own variables as they are, and other blocks by their instances");
   if (a_.sink.is_full()) return a_.error(code::kUndeclared, name.where, {});
   std::vector<std::string_view> candidates;
-  if (pou_ != nullptr)
+  if (pou_ != nullptr && !pou_->own_hidden)
     for (const Variable& each : pou_->variables) candidates.push_back(each.spelling);
   for (const Variable& each : a_.model.globals) candidates.push_back(each.spelling);
   a_.unknown_name(code::kUndeclared, pou_, name.where, quote(name.text) + " is not declared",

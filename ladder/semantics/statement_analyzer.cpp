@@ -139,7 +139,12 @@ std::optional<Statement> StatementAnalyzer::assign(const syntax::Statement& stat
   }
   if (wire != nullptr) deduce(*wire, value->type, statement.value->where);
   auto target = expressions_.places().place(*statement.target, Access::Write);
+  // What a watcher reads of others has nothing to do with its own names.
+  const bool outside = pou_.outside_reads > 0;
+  if (outside) --pou_.outside_reads;
+  pou_.own_hidden = outside;
   if (wire == nullptr) value = expressions_.value(*statement.value);
+  pou_.own_hidden = false;
   if (!target || !value) return std::nullopt;
   if (target->type->kind == TypeKind::Instance) {
     a_.error(code::kTypeMismatch, statement.target->where, "a function block cannot be assigned",

@@ -39,7 +39,9 @@ void check_monitors(const config::CellConfig& config, result::Diagnostics& probl
   const auto monitors = cell_monitors::cell_monitors(config);
   if (!monitors) return add(problems, monitors.error());
   for (const cell_monitors::CellMonitor& each : *monitors)
-    problems.push_back({"C0559", result::Severity::Note, each.where,
+    problems.push_back({"C0559",
+                        result::Severity::Note,
+                        each.where,
                         "monitor '" + each.name + "': " + cell_monitors::sentence_of(each),
                         {}});
 }

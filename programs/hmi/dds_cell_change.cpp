@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "cell/hmi/supervisor_word.h"
-#include "hmi_web/api/cell_codes.h"
 #include "cell/monitors/cell_monitors.h"
+#include "hmi_web/api/cell_codes.h"
 #include "programs/hmi/compile_sources.h"
 #include "programs/hmi/source_cache.h"
 #include "runtime/bytecode/reader/document_text.h"

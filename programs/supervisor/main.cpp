@@ -102,8 +102,8 @@ std::vector<run::WatchedTag> watched_tags(const config::CellConfig& config) {
   if (!monitors) return tags;  // the planner was not opened then
   for (const cell_monitors::CellMonitor& each : *monitors)
     if (each.event)
-      tags.push_back({cell_monitors::failed_tag(each.name),
-                      "monitor '" + each.name + "' failed: " + each.words});
+      tags.push_back(
+          {cell_monitors::failed_tag(each.name), "monitor '" + each.name + "' failed: " + each.words});
   return tags;
 }
 

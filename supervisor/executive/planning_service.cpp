@@ -22,12 +22,12 @@ result::Result<void> compile_project(const graphic::Project& project, const Hand
                                      const PlanningOptions& options, bool watched, PreparedPlan& prepared) {
   auto joined = programs.joined(project);
   if (!joined) return tl::unexpected(std::move(joined.error()));
-  auto output = driver::compile({.texts = {},
-                                 .projects = joined->projects(),
-                                 .document = options.document,
-                                 .dialect = options.dialect,
-                                 .watchers = watched ? std::span(options.watchers)
-                                                     : std::span<const driver::Watcher>()});
+  auto output = driver::compile(
+      {.texts = {},
+       .projects = joined->projects(),
+       .document = options.document,
+       .dialect = options.dialect,
+       .watchers = watched ? std::span(options.watchers) : std::span<const driver::Watcher>()});
   if (!output) return tl::unexpected(std::move(output.error()));
   prepared.container = std::move(output->container);
   return {};

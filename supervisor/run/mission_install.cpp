@@ -60,7 +60,7 @@ bool Mission::runs() const {
 bool Mission::change(std::span<const std::byte> container) {
   auto digest = controller_.change(container);
   if (digest) brought(std::move(*digest));
-  if (digest) watch_.begin(container, true);
+  if (digest) watch_.begin(container, false);  // its charts begin anew, and monitors with them
   return digest.has_value();
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 // Tags of whatever program runs that become TRUE when something is wrong: those of the cell's monitors. Each
-// is told once; a program that takes over online keeps what was told, another one begins anew.
+// is told once; a program that is the same, or that keeps its values, keeps what was told.
 //
 // Thread rule: one thread at a time. Example:
 //   TagWatch watch({{"monitor_limit.Failed", "monitor 'limit' failed: never high"}});

@@ -2,6 +2,7 @@
 
 // A program that watches others: it reads the variables of all program instances under the names that every
 // viewer uses (INSTANCE.block.variable), also those that are internal to their POU, and writes its own only.
+// At its beginning stand assignments whose values know none of its own names, so that these shadow nothing.
 // It has one instance, of its own name, and runs behind the programs of the task whose instances it reads; of
 // what reads none of them, the first task.
 //

@@ -13,9 +13,9 @@ namespace stepwright::ltl {
 namespace {
 
 constexpr std::size_t kLineWidth = 100;
-constexpr std::array<std::string_view, 15> kNames = {
-    "Reset", "Verdict", "State",     "Since",     "Before", "Begun", "Row", "Next",
-    "Last",  "Left",    "Undecided", "Satisfied", "Failed", "Far",   "Made"};
+constexpr std::array<std::string_view, 15> kNames = {"Reset",     "Verdict",   "State",  "Since", "Before",
+                                                     "Begun",     "Row",       "Next",   "Last",  "Left",
+                                                     "Undecided", "Satisfied", "Failed", "Far",   "Made"};
 constexpr std::size_t kBlockNames = 9;
 constexpr std::uint32_t kNoWay = 65'535;
 
@@ -60,8 +60,9 @@ class Block {
       return too_large("the step has more than " + std::to_string(options_.most_branches) + " branches");
     made_ = fingerprint((table_ ? table_text() : *step) + array_text("Far", far()));
     head();
+    if (is_program()) reads();
     reset();
-    assignments();
+    timers();
     add("Before := State;\n");
     if (options_.on_changes) {
       add("IF NOT Begun" + changed() + " THEN\n" + *step + remembered() + "END_IF;\n");
@@ -83,6 +84,7 @@ class Block {
     add("(* " + in_comment(options_.about) + " *)\n");
     if (options_.on_changes) add("(* X counts letters: a letter is read when the inputs change. *)\n");
     add((is_program() ? "PROGRAM " : "FUNCTION_BLOCK ") + options_.name + "\n");
+    if (is_program()) flag_declarations();
     add(is_program() ? "VAR\n" : "VAR_INPUT\n");
     for (std::size_t k = 0; k < propositions_; ++k)
       if (timer_of(k) == nullptr) add(declaration(k));
@@ -91,7 +93,9 @@ class Block {
         ";  (* 0: undecided, 1: TRUE, 2: FALSE *)\n");
     add("  State : UINT := " + std::to_string(automaton_.initial) + ";\n");
     add("  Since : UDINT;  (* scans since the state was entered *)\n");
-    if (is_program()) program_outputs();
+    if (is_program())
+      add("  Left : UINT := " + std::to_string(has_way() ? far()[automaton_.initial] : kNoWay) +
+          ";  (* transitions to TRUE, at least *)\n");
     add("END_VAR\nVAR\n  Before : UINT;\n");
     for (std::size_t k = 0; k < propositions_; ++k)
       if (const Timed* timed = timer_of(k))
@@ -104,16 +108,14 @@ class Block {
     }
     add("END_VAR\n");
     if (table_) add(table_text());
-    if (has_way())
-      add("VAR CONSTANT\n" + array_text("Far", far()) + "END_VAR\n");
+    if (has_way()) add("VAR CONSTANT\n" + array_text("Far", far()) + "END_VAR\n");
   }
 
   bool is_program() const { return expressions_ != nullptr; }
 
   const Timed* timer_of(std::size_t proposition) const {
-    return options_.formula == nullptr
-               ? nullptr
-               : timed_of(*options_.formula, static_cast<std::uint32_t>(proposition));
+    return options_.formula == nullptr ? nullptr
+                                       : timed_of(*options_.formula, static_cast<std::uint32_t>(proposition));
   }
 
   std::string declaration(std::size_t k) const {
@@ -124,9 +126,8 @@ class Block {
 
   // Only a program tells it, and only of what can become TRUE.
   bool has_way() const {
-    return is_program() && std::ranges::any_of(automaton_.distance, [](std::uint32_t each) {
-             return each != Automaton::kNever;
-           });
+    return is_program() && std::ranges::any_of(automaton_.distance,
+                                               [](std::uint32_t each) { return each != Automaton::kNever; });
   }
 
   std::vector<std::uint32_t> far() const {
@@ -135,7 +136,9 @@ class Block {
     return numbers;
   }
 
-  void program_outputs() {
+  // The steps of the chart that viewers see come first: what begins charts anew resets all behind them.
+  void flag_declarations() {
+    add("VAR_OUTPUT\n");
     const Verdict first = automaton_.verdicts[automaton_.initial];
     const auto flag = [&](const char* name, Verdict verdict) {
       add(std::string("  ") + name + " : BOOL" + (first == verdict ? " := TRUE;\n" : ";\n"));
@@ -143,22 +146,23 @@ class Block {
     flag("Undecided", Verdict::Undecided);
     flag("Satisfied", Verdict::True);
     flag("Failed", Verdict::False);
-    add("  Left : UINT := " + std::to_string(has_way() ? far()[automaton_.initial] : kNoWay) +
-        ";  (* transitions to TRUE, at least *)\n");
+    add("END_VAR\n");
   }
 
-  // A program reads what its propositions mean; then come the timers, in their order.
-  void assignments() {
+  // What its propositions mean comes first: these statements see no name of the program (Watcher).
+  void reads() {
     lines_.assign(propositions_, 0);
-    for (std::size_t k = 0; is_program() && k < propositions_; ++k) {
+    for (std::size_t k = 0; k < propositions_; ++k) {
       if (timer_of(k) != nullptr) continue;
       lines_[k] = static_cast<std::uint32_t>(std::ranges::count(text_, '\n')) + 1;
       add(options_.inputs[k] + " := " + (*expressions_)[k] + ";\n");
     }
-    for (std::size_t k = 0; options_.formula != nullptr && k < options_.formula->timed.size(); ++k) {
-      const Timed& timed = options_.formula->timed[k];
-      add(timer_step(*options_.formula, timed, options_.inputs));
-    }
+  }
+
+  void timers() {
+    if (options_.formula == nullptr) return;
+    for (const Timed& each : options_.formula->timed)
+      add(timer_step(*options_.formula, each, options_.inputs));
   }
 
   std::string verdict_text(std::uint32_t state) const {

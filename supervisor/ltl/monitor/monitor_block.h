@@ -39,7 +39,7 @@ struct BlockOptions {
   std::string name = "LTL_MONITOR";
   // Of each proposition: legal names, different from each other and from block_names().
   std::vector<std::string> inputs = {};
-  std::string about = {};  // the formula, for the comment at the top
+  std::string about = {};               // the formula, for the comment at the top
   const SyntaxTree* formula = nullptr;  // the automaton's, if it has timers
   BlockForm form = BlockForm::Automatic;
   // Reads a letter only when it differs from the last one, as X wants it (see stutter_report).
@@ -57,7 +57,7 @@ std::span<const std::string_view> program_names();
                                                         const BlockOptions& options);
 
 struct MonitorProgram {
-  std::string text;
+  std::string text;                  // the statements with expressions are its first ones
   std::vector<std::uint32_t> lines;  // of each proposition: where its expression stands; 0 of a timer's
 };
 

@@ -51,7 +51,8 @@ std::string literal(const Timed& timed) {
 }  // namespace
 
 std::string timer_declarations(const Timed& timed, const std::string& name) {
-  const std::string waiting = timed.kind == TimedKind::Overdue ? "  " + waiting_name(name) + " : BOOL;\n" : "";
+  const std::string waiting =
+      timed.kind == TimedKind::Overdue ? "  " + waiting_name(name) + " : BOOL;\n" : "";
   return "  " + timer_name(name) + " : TON;\n" + waiting;
 }
 
@@ -64,12 +65,13 @@ std::string timer_step(const SyntaxTree& tree, const Timed& timed, const std::ve
     text = on + " := (" + on + " OR " + condition(tree, timed.of, names) + ") AND NOT " +
            condition(tree, timed.answer, names) + ";\n";
   }
-  return text + timer_name(name) + "(IN := " + on + ", PT := " + literal(timed) + ");\n" + name + " := " +
-         timer_name(name) + ".Q;\n";
+  return text + timer_name(name) + "(IN := " + on + ", PT := " + literal(timed) + ");\n" + name +
+         " := " + timer_name(name) + ".Q;\n";
 }
 
 std::string timer_reset(const Timed& timed, const std::string& name) {
-  const std::string waiting = timed.kind == TimedKind::Overdue ? "  " + waiting_name(name) + " := FALSE;\n" : "";
+  const std::string waiting =
+      timed.kind == TimedKind::Overdue ? "  " + waiting_name(name) + " := FALSE;\n" : "";
   return waiting + "  " + timer_name(name) + "(IN := FALSE, PT := " + literal(timed) + ");\n  " + name +
          " := FALSE;\n";
 }

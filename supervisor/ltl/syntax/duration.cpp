@@ -13,7 +13,8 @@ struct Unit {
   double ns;
 };
 // From the largest to the smallest, as they stand in a duration.
-constexpr std::array<Unit, 5> kUnits = {{{"d", 86'400e9}, {"h", 3'600e9}, {"m", 60e9}, {"s", 1e9}, {"ms", 1e6}}};
+constexpr std::array<Unit, 5> kUnits = {
+    {{"d", 86'400e9}, {"h", 3'600e9}, {"m", 60e9}, {"s", 1e9}, {"ms", 1e6}}};
 constexpr double kLeastNs = 1e6, kMostNs = 3'600'000e9;
 
 bool is_digit(char c) {

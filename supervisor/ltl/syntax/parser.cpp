@@ -298,8 +298,7 @@ SyntaxId Parser::primary() {
 
 bool Parser::times(std::string_view word) const {
   const Token& token = peek();
-  return token.kind == TokenKind::Word && token.text == word &&
-         tokens_[at_ + 1].kind == TokenKind::Duration;
+  return token.kind == TokenKind::Word && token.text == word && tokens_[at_ + 1].kind == TokenKind::Duration;
 }
 
 SyntaxId Parser::timed(TimedKind kind, SyntaxId of, SyntaxId answer, Place at) {

@@ -52,7 +52,7 @@ struct Timed {
   std::uint32_t proposition = 0;
   TimedKind kind = TimedKind::Held;
   SyntaxId of = 0;
-  SyntaxId answer = 0;        // of Overdue
+  SyntaxId answer = 0;  // of Overdue
   std::int64_t duration_ns = 0;
   std::string duration = {};  // as it was written: "T#5s"
   Place at = {};

@@ -37,8 +37,8 @@ Letter TimedLetters::with_timed(Letter letter, std::int64_t time_ns) {
     bool on = true;
     if (timed.kind == TimedKind::Held) on = satisfies(tree_, timed.of, letter);
     if (timed.kind == TimedKind::Overdue) {
-      timer.waiting = (timer.waiting || satisfies(tree_, timed.of, letter)) &&
-                      !satisfies(tree_, timed.answer, letter);
+      timer.waiting =
+          (timer.waiting || satisfies(tree_, timed.of, letter)) && !satisfies(tree_, timed.answer, letter);
       on = timer.waiting;
     }
     if (on && !timer.on) timer.since_ns = time_ns;

@@ -1,7 +1,7 @@
 #pragma once
 
-// Adds to each letter of a run the propositions that timers make (syntax_tree.h), as the function block of the
-// formula does: timers are those of the standard (TON), looked at once a scan.
+// Adds to each letter of a run the propositions that timers make (syntax_tree.h), as the function block of
+// the formula does: timers are those of the standard (TON), looked at once a scan.
 //
 // Thread rule: one thread at a time. Example:
 //   TimedLetters timers(formula->tree);

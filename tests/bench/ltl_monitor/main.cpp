@@ -45,8 +45,9 @@ driver::Watcher monitor() {
 }
 
 driver::Watcher by_hand() {
-  std::string text = "PROGRAM hand\nVAR Reset : BOOL; Verdict, Step : INT; END_VAR\n"
-                     "IF Reset THEN Reset := FALSE; Verdict := 0; Step := 0; RETURN; END_IF;\nCASE Step OF\n";
+  std::string text =
+      "PROGRAM hand\nVAR Reset : BOOL; Verdict, Step : INT; END_VAR\n"
+      "IF Reset THEN Reset := FALSE; Verdict := 0; Step := 0; RETURN; END_IF;\nCASE Step OF\n";
   for (int k = 0; k < kPlaces; ++k) {
     std::string others;
     for (int other = 1; other <= kPlaces; ++other)
@@ -83,7 +84,8 @@ std::vector<Letter> letters() {
 }
 
 void compare(const std::vector<Letter>& run) {
-  WatchedProgram native(EngineKind::Native, std::vector{monitor()}), vm(EngineKind::Vm, std::vector{monitor()});
+  WatchedProgram native(EngineKind::Native, std::vector{monitor()}),
+      vm(EngineKind::Vm, std::vector{monitor()});
   WatchedProgram hand(EngineKind::Native, std::vector{by_hand()});
   int decided = 0;
   for (const Letter& each : run) {
@@ -103,9 +105,9 @@ double pass_us(WatchedProgram& program, const std::vector<Letter>& run) {
   return all.count() / static_cast<double>(run.size());
 }
 
-double median(std::vector<double> values) {
-  std::ranges::sort(values);
-  return values[values.size() / 2];
+// Of the passes that other processes have disturbed least.
+double least(const std::vector<double>& values) {
+  return std::ranges::min(values);
 }
 
 int run(const char* json_file) {
@@ -113,7 +115,8 @@ int run(const char* json_file) {
   compare(word);
   nlohmann::json out = nlohmann::json::object();
   double worst = 0.0;
-  for (const auto& [name, kind] : {std::pair("native", EngineKind::Native), std::pair("vm", EngineKind::Vm)}) {
+  for (const auto& [name, kind] :
+       {std::pair("native", EngineKind::Native), std::pair("vm", EngineKind::Vm)}) {
     WatchedProgram watched(kind, std::vector{monitor()}), plain(kind, {}), hand(kind, std::vector{by_hand()});
     std::vector<double> watched_us, plain_us, hand_us;
     for (int pass = 0; pass < kPasses; ++pass) {
@@ -121,15 +124,15 @@ int run(const char* json_file) {
       plain_us.push_back(pass_us(plain, word));
       hand_us.push_back(pass_us(hand, word));
     }
-    const double without = median(plain_us);
-    const double cost = median(watched_us) - without, by_hand_cost = median(hand_us) - without;
+    const double without = least(plain_us);
+    const double cost = least(watched_us) - without, by_hand_cost = least(hand_us) - without;
     worst = std::max(worst, cost);
     const std::string key = name;
     out["monitor_" + key + "_us"] = cost;
     out["hand_" + key + "_us"] = by_hand_cost;
     out["without_" + key + "_us"] = without;
-    std::printf("%-6s  monitor %.3f us a scan, IFs by hand %.3f us (ratio %.2f); the program alone %.3f us\n", name,
-                cost, by_hand_cost, cost / by_hand_cost, without);
+    std::printf("%-6s  monitor %.3f us a scan, IFs by hand %.3f us (ratio %.2f); the program alone %.3f us\n",
+                name, cost, by_hand_cost, cost / by_hand_cost, without);
   }
   out["monitor_us"] = worst;
   out["places"] = kPlaces;

@@ -28,7 +28,8 @@ class WatchedProgram {
 
   // Place k (from 1) is where the vehicle is; 0: at none. `reset`: the first watcher begins anew instead.
   void scan(int place, bool reset) {
-    for (int k = 0; k < kPlaces; ++k) memory_[places_ + static_cast<std::size_t>(k)] = std::byte(place == k + 1);
+    for (int k = 0; k < kPlaces; ++k)
+      memory_[places_ + static_cast<std::size_t>(k)] = std::byte(place == k + 1);
     if (reset) memory_[reset_] = std::byte{1};
     for (const bytecode::Invocation& call : calls_) {
       std::uint64_t budget = std::uint64_t{1} << 40;

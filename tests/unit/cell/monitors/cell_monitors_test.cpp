@@ -57,8 +57,10 @@ TEST(CellMonitors, State_WhenTheFirstTaskIsWatched_ThenThatOfItsAutomatonInBothE
   std::vector<std::uint64_t> hashes;
   for (const st_test::EngineKind engine : st_test::engines()) {
     st_test::Machine machine(program, engine);
-    const reader::Variable state_at = *info.find("monitor_row.State"), verdict_at = *info.find("monitor_row.Verdict");
-    const reader::Variable left_at = *info.find("monitor_row.Left"), reset_at = *info.find("monitor_row.Reset");
+    const reader::Variable state_at = *info.find("monitor_row.State"),
+                           verdict_at = *info.find("monitor_row.Verdict");
+    const reader::Variable left_at = *info.find("monitor_row.Left"),
+                           reset_at = *info.find("monitor_row.Reset");
     std::uint32_t state = automaton.initial;
     int decided = 0;
     std::uint64_t hash = 0;
@@ -68,12 +70,15 @@ TEST(CellMonitors, State_WhenTheFirstTaskIsWatched_ThenThatOfItsAutomatonInBothE
       hash = hash * 31 + machine.scan().image_hash;
       ltl::Letter letter = 0;
       for (std::uint32_t k = 0; k < 8; ++k)
-        if (number_of(info, machine, "main." + automaton.propositions[k]) != 0.0) letter |= ltl::Letter{1} << k;
+        if (number_of(info, machine, "main." + automaton.propositions[k]) != 0.0)
+          letter |= ltl::Letter{1} << k;
       state = anew ? automaton.initial : automaton.next(state, letter);
       decided += anew ? 1 : 0;
-      const double left = automaton.distance[state] == ltl::Automaton::kNever ? 65'535.0 : automaton.distance[state];
+      const double left =
+          automaton.distance[state] == ltl::Automaton::kNever ? 65'535.0 : automaton.distance[state];
       ASSERT_EQ(reader::read_number(state_at, machine.image()), state) << scan;
-      ASSERT_EQ(reader::read_number(verdict_at, machine.image()), static_cast<int>(automaton.verdicts[state]));
+      ASSERT_EQ(reader::read_number(verdict_at, machine.image()),
+                static_cast<int>(automaton.verdicts[state]));
       ASSERT_EQ(reader::read_number(left_at, machine.image()), left);
       ASSERT_EQ(reader::read_number(reset_at, machine.image()), 0.0);
     }
@@ -92,18 +97,18 @@ TEST(CellMonitors, Verdict_WhenTheRunIsRecorded_ThenThatOfTheTraceInTheSameScan)
       {"never p for T#20ms", true},
       {"p1 within T#50ms", true},
       {"high for T#30ms precedes p8", true},
-      {"G(p1 -> X !p2)", false},
+      {"G(p1 -> X (p2 | p3))", false},
       {"between p1 and p2: absent p3", false},
       {"visit (p1 | p2) within T#1s", true},
   };
   std::string toml;
   for (std::size_t k = 0; k < formulas.size(); ++k)
     toml += "[[monitors]]\nname = \"m" + std::to_string(k) + "\"\nformula = \"" + formulas[k].first + "\"\n";
-  const std::string globals =
-      "VAR_GLOBAL p, s, high, p1, p2, p3, p8 : BOOL; END_VAR\n" + std::string(kWalk);
+  const std::string globals = "VAR_GLOBAL p, s, high, p1, p2, p3, p8 : BOOL; END_VAR\n" + std::string(kWalk);
   std::string text = globals;
   text.replace(text.find("VAR p1, p2, p3, p4, p5, p6, p7, p8 : BOOL;"), 42, "VAR p4, p5, p6, p7 : BOOL;");
-  text.replace(text.find("END_PROGRAM"), 11, "p := place < 6; s := place > 18; high := level > 30;\nEND_PROGRAM");
+  text.replace(text.find("END_PROGRAM"), 11,
+               "p := place < 6; s := place > 18; high := level > 30;\nEND_PROGRAM");
   const auto program = test::loaded_with(toml, text);
   const auto info = reader::ProgramInfo::read(program.bytes()).value();
   st_test::Machine machine(program, st_test::EngineKind::Vm);
@@ -145,7 +150,8 @@ END_PROGRAM
 
 TEST(CellMonitors, Scan_WhenTheFormulaFailsAndSafeStateIsAsked_ThenItEndsThereAndNamesTheMonitor) {
   const auto program = test::loaded_with(
-      "[[monitors]]\nname = \"stop\"\nformula = \"never wash before press\"\non_false = [\"safe_state\", \"alarm\"]\n"
+      "[[monitors]]\nname = \"stop\"\nformula = \"never wash before press\"\non_false = [\"safe_state\", "
+      "\"alarm\"]\n"
       "let = { wash = \"main.at_wash\", press = \"main.level >= 20\" }\n"
       "[[monitors]]\nname = \"told\"\nformula = \"never wash\"\nlet = { wash = \"main.at_wash\" }\n",
       kPress);
@@ -156,7 +162,8 @@ TEST(CellMonitors, Scan_WhenTheFormulaFailsAndSafeStateIsAsked_ThenItEndsThereAn
     const scan::ScanReport report = machine.scan();
     EXPECT_EQ(report.state, scan::ScanState::Trapped);
     EXPECT_EQ(report.trap.code, bytecode::TrapCode::UserTrap);
-    EXPECT_THAT(result::to_string(reader::describe(program.program(), report.trap)), HasSubstr("monitor_stop"));
+    EXPECT_THAT(result::to_string(reader::describe(program.program(), report.trap)),
+                HasSubstr("monitor_stop"));
     EXPECT_TRUE(machine.equals("monitor_stop.Failed", "TRUE"));
     EXPECT_TRUE(machine.equals("monitor_told.Failed", "TRUE")) << "those that stop the scan run last";
     machine.restart_after_trap();
@@ -167,7 +174,8 @@ TEST(CellMonitors, Scan_WhenTheFormulaFailsAndSafeStateIsAsked_ThenItEndsThereAn
 
 TEST(CellMonitors, Chart_WhenAViewerLooks_ThenVerdictsAreStepsAndTheFirstSaysTheFormula) {
   const auto program = test::loaded_with(
-      "[[monitors]]\nname = \"no_wash\"\nformula = \"never wash\"\nlet = { wash = \"main.at_wash\" }\n", kPress);
+      "[[monitors]]\nname = \"no_wash\"\nformula = \"never wash\"\nlet = { wash = \"main.at_wash\" }\n",
+      kPress);
   const auto info = reader::ProgramInfo::read(program.bytes()).value();
   const reader::ChartInfo* chart = info.chart("monitor_no_wash");
   ASSERT_NE(chart, nullptr);
@@ -202,8 +210,9 @@ TEST(CellMonitors, Task_WhenProgramsOfOneAreRead_ThenItRunsTheMonitorBehindThem)
 
 TEST(CellMonitors, Controller_WhenItIsBehindModbus_ThenItTakesTheProgram) {
   const auto container = test::compiled_with(
-      test::cell_of("[[monitors]]\nname = \"stop\"\nformula = \"s responds to p within T#5s\"\n"
-                    "on_false = [\"safe_state\"]\nlet = { p = \"main.at_wash\", s = \"main.level >= 20\" }\n"),
+      test::cell_of(
+          "[[monitors]]\nname = \"stop\"\nformula = \"s responds to p within T#5s\"\n"
+          "on_false = [\"safe_state\"]\nlet = { p = \"main.at_wash\", s = \"main.level >= 20\" }\n"),
       kPress);
   ASSERT_TRUE(container) << result::to_string(container.error());
   const auto remote = remote::RemoteProgram::create(*container, {});
@@ -215,8 +224,9 @@ TEST(CellMonitors, Sentence_WhenChecked_ThenFormulaSizeAndWhatHappens) {
       "[[monitors]]\nname = \"a\"\nformula = \"never wash before press\"\non_false = [\"alarm\", \"event\"]\n"
       "[[monitors]]\nname = \"b\"\nformula = \"visit press\"\n"));
   ASSERT_TRUE(monitors);
-  EXPECT_EQ(sentence_of((*monitors)[0]),
-            "never wash before press: 3 states over wash, press; when it fails: alarm, event to the supervisor");
+  EXPECT_EQ(
+      sentence_of((*monitors)[0]),
+      "never wash before press: 3 states over wash, press; when it fails: alarm, event to the supervisor");
   EXPECT_THAT(sentence_of((*monitors)[1]), HasSubstr("it cannot fail"));
 }
 

@@ -40,7 +40,8 @@ TEST(WrongMonitors, WhenRead_ThenTheFirstProblemHasItsPlace) {
       {"[[monitors]]\nname = \"2m\"\nformula = \"never a\"\n", "2 C0551"},
       {"[[monitors]]\nname = \"m__x\"\nformula = \"never a\"\n", "2 C0551"},
       {"[[monitors]]\nformula = \"never a\"\n", "1 C0005"},
-      {monitor("formula = \"never main.at_wash\"\n") + "[[monitors]]\nname = \"M\"\nformula = \"F a\"\n", "5 C0552"},
+      {monitor("formula = \"never main.at_wash\"\n") + "[[monitors]]\nname = \"M\"\nformula = \"F a\"\n",
+       "5 C0552"},
       {monitor(""), "1 C0553"},
       {monitor("formula = \"never a\"\nformula_file = \"a.ltl\"\n"), "4 C0553"},
       {monitor("formula = \"never a\"\non_false = [\"explode\"]\n"), "4 C0554"},
@@ -55,8 +56,11 @@ TEST(WrongMonitors, WhenRead_ThenTheFirstProblemHasItsPlace) {
       {monitor("formula = \"after a: s responds to p within T#5s\"\n"), "3 L0008"},
       {monitor("formula = \"never main.atwash\"\n"), "3 E0204"},
       {monitor("formula = \"never nothing\"\n"), "3 E0201"},
+      {monitor("formula = \"never Failed\"\n"), "3 E0201"},
+      {monitor("formula = \"never a\"\nlet = { a = \"State > 3\" }\n"), "4 E0201"},
+      {monitor("formula = \"never a\"\nlet = { a = \"!main.at_wash\" }\n"), "sound"},
       {monitor("formula = \"never a\"\nlet = { a = \"main.level\" }\n"), "4 E0301"},
-      {monitor("formula = \"never a\"\nlet = { a = \"main.level >= \" }\n"), "4 E0101"},
+      {monitor("formula = \"never a\"\nlet = { a = \"main.level >= \" }\n"), "4 E0104"},
       {monitor("formula = \"never a\"\nlet = { a = \"other.level >= 3\" }\n"), "4 E0201"},
   };
   for (const Case& each : cases) {
