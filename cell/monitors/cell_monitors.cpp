@@ -22,6 +22,25 @@ bool is_tag(const std::string& name) {
   });
 }
 
+// The formula without its comments.
+std::string in_one_line(const std::string& text) {
+  std::string line;
+  bool quoted = false, comment = false;
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    const char c = text[k];
+    if (c == '"' && !comment) quoted = !quoted;
+    const bool duration = k > 0 && (text[k - 1] == 'T' || text[k - 1] == 't') && k + 1 < text.size() &&
+                          std::isdigit(static_cast<unsigned char>(text[k + 1])) != 0;
+    if (c == '#' && !quoted && !duration) comment = true;
+    if (c == '\n') comment = false;
+    const bool blank = std::isspace(static_cast<unsigned char>(c)) != 0;
+    if (comment || (blank && (line.empty() || line.back() == ' '))) continue;
+    line += blank ? ' ' : c;
+  }
+  while (line.ends_with(' ')) line.pop_back();
+  return line.size() > kMostWords ? line.substr(0, kMostWords) + "..." : line;
+}
+
 // As `ltl check --let` writes it: "!main.stop".
 std::string in_st(const std::string& expression) {
   const std::size_t first = expression.find_first_not_of(' ');
@@ -46,9 +65,7 @@ class Maker {
     auto automaton = ltl::monitor_automaton(*formula, {}, file());
     if (!automaton) return fail(std::move(automaton.error()));
     CellMonitor monitor;
-    monitor.words = text.find_first_of("\n#") == std::string::npos
-                        ? text.substr(0, kMostWords)
-                        : to_text(formula->tree, formula->tree.root, kMostWords);
+    monitor.words = in_one_line(text);
     fill(*automaton, monitor);
     if (!write(*formula, *automaton, monitor)) return std::nullopt;
     return monitor;

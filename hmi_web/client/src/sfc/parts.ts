@@ -13,7 +13,7 @@ export interface Part {
 
 export const ALL = 'all charts'; // a name that no chart has: it is no identifier
 const MOST_TOGETHER = 3;
-const VERDICTS = 'Undecided Satisfied Failed';
+const VERDICTS = ['Undecided', 'Satisfied', 'Failed'];
 
 // All together as the first, if they are few; every program has at least one part.
 export function partsOf(program: ProgramMessage): Part[] {
@@ -29,7 +29,8 @@ export function partsOf(program: ProgramMessage): Part[] {
 // A monitor of the cell: its steps are verdicts.
 export function isMonitor(program: ProgramMessage, part: Part): boolean {
   const steps = program.steps.slice(part.firstStep, part.firstStep + part.steps);
-  return part.name.toLowerCase().startsWith('monitor_') && steps.map((step) => step.name).join(' ') === VERDICTS;
+  const isOne = part.name.toLowerCase().startsWith('monitor_') && steps.length === VERDICTS.length;
+  return isOne && steps.every((step, index) => step.name === VERDICTS[index]);
 }
 
 export function chartRanges(program: ProgramMessage): Part[] {

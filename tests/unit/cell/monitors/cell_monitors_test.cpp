@@ -222,12 +222,14 @@ TEST(CellMonitors, Controller_WhenItIsBehindModbus_ThenItTakesTheProgram) {
 TEST(CellMonitors, Sentence_WhenChecked_ThenFormulaSizeAndWhatHappens) {
   const auto monitors = cell_monitors(test::cell_of(
       "[[monitors]]\nname = \"a\"\nformula = \"never wash before press\"\non_false = [\"alarm\", \"event\"]\n"
-      "[[monitors]]\nname = \"b\"\nformula = \"visit press\"\n"));
+      "[[monitors]]\nname = \"b\"\nformula = \"visit press\"\n"
+      "[[monitors]]\nname = \"c\"\nformula = \"press within T#5s,  # in time\\n  never wash\"\n"));
   ASSERT_TRUE(monitors);
   EXPECT_EQ(
       sentence_of((*monitors)[0]),
       "never wash before press: 3 states over wash, press; when it fails: alarm, event to the supervisor");
   EXPECT_THAT(sentence_of((*monitors)[1]), HasSubstr("it cannot fail"));
+  EXPECT_EQ((*monitors)[2].words, "press within T#5s, never wash");
 }
 
 TEST(CellMonitors, Program_WhenCompiledWithoutTheCell_ThenEachMissingMonitorIsTold) {

@@ -28,7 +28,10 @@ run::RunRecord run_watched(SimulatedController& controller, const config::CellCo
   options.watchers = cell_monitors::watchers_of(*monitors);
   const auto planning = PlanningService::open(options);
   EXPECT_TRUE(planning) << result::to_string(planning.error());
-  Executive executive(*planning, controller, {.cell = "bench", .max_replans = 1}, {});
+  ExecutiveOptions run;
+  run.cell = "bench";
+  run.max_replans = 1;
+  Executive executive(*planning, controller, run, {});
   if (told) executive.watch({{cell_monitors::failed_tag("never_far"), "monitor 'never_far' failed"}});
   return executive.run();
 }

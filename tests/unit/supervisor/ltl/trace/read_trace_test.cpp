@@ -59,7 +59,8 @@ TEST(ReadTrace, Refusal_WhenATableOrAColumnIsWrong_ThenThePlaceIsNamed) {
 std::string timed(const std::string& formula, const std::string& a, const std::string& b = {}) {
   std::string text = "time_s,a,b\n";
   for (std::size_t k = 0; k < a.size(); ++k)
-    text += std::to_string(0.01 * static_cast<double>(k)) + "," + a[k] + "," + (b.empty() ? '0' : b[k]) + "\n";
+    text +=
+        std::to_string(0.01 * static_cast<double>(k)) + "," + a[k] + "," + (b.empty() ? '0' : b[k]) + "\n";
   const auto parsed = parse_formula(formula, {}, {"a", "b"});
   const auto trace = read_trace(text, "run.csv", parsed->tree, {});
   if (!trace) return result::to_string(trace.error());
