@@ -194,6 +194,7 @@ class Mission {
  private:
   Decision follow();
   Decision judge(const host::StepEvent& event);
+  Decision trapped(const host::StepEvent& event);
   bool act_on(const Decision& decision);
   void brought(std::string digest);
 

@@ -63,7 +63,9 @@ TEST(ExecutiveCellMonitors, WhenOneStopsTheScan_ThenTheRunIsGivenUpAndTheTrapNam
   SimulatedController controller(exact_bench());
   const run::RunRecord record = run_watched(controller, config, true);
   EXPECT_EQ(record.phase, run::Phase::Safe) << story(record);
-  EXPECT_NE(record.message.find("monitor_never_far"), std::string::npos) << record.message;
+  EXPECT_EQ(record.incidents.back().kind, run::IncidentKind::Monitor) << record.message;
+  EXPECT_NE(record.message.find("monitor 'never_far' failed; the program trapped"), std::string::npos)
+      << record.message;
   EXPECT_FALSE(controller.any_output());
 }
 
