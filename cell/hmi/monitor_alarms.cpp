@@ -2,6 +2,12 @@
 
 namespace stepwright::hmi {
 
+namespace {
+
+constexpr double kTrue = 1.0;  // a verdict; 2 is FALSE
+
+}  // namespace
+
 std::vector<alarms::AlarmDefinition> monitor_alarms(const config::CellConfig& config) {
   std::vector<alarms::AlarmDefinition> alarms;
   for (const config::MonitorConfig& each : config.monitors) {
@@ -10,8 +16,10 @@ std::vector<alarms::AlarmDefinition> monitor_alarms(const config::CellConfig& co
     alarm.name = "monitor." + each.name;
     alarm.text = "Monitor " + each.name +
                  " failed: " + (each.formula.empty() ? each.formula_file.filename().string() : each.formula);
-    alarm.source = "monitor_" + each.name + ".Failed";
-    alarm.condition.kind = alarms::ConditionKind::On;
+    // Steps of charts are no tags of the page.
+    alarm.source = "monitor_" + each.name + ".Verdict";
+    alarm.condition.kind = alarms::ConditionKind::High;
+    alarm.condition.limit = kTrue;
     alarm.priority = alarms::Priority::High;
     alarm.group = "monitors";
     alarm.consequence = "the cell has left what its configuration asks for";

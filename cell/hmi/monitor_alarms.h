@@ -1,7 +1,7 @@
 #pragma once
 
 // Alarms of the page for the cell's monitors: one for each whose `on_false` says so, on its tag
-// monitor_NAME.Failed, with the formula in its text.
+// monitor_NAME.Verdict, with the formula in its text.
 //
 // Pure; any thread.
 
