@@ -58,6 +58,7 @@ class Planner {
 
   result::Result<PlanAnswer> plan() {
     PlanAnswer answer;
+    answer.states = task_.automaton ? task_.automaton->size() : 0;
     for (std::size_t k = 0; k < options_.most_tries; ++k) {
       answer.tries = k + 1;
       answer.search = search_.first(query(k));

@@ -43,6 +43,7 @@ struct PlanAnswer {
   SearchAnswer search;      // that found the first plan
   std::size_t tries = 1;    // searches until the referee agreed
   bool shortened = false;   // the plan is a shorter one than the first
+  std::size_t states = 0;   // of the task's automaton; 0: it was planned step by step
 };
 
 // L0201 to L0207: the floor; L0301: the train; L0001 to L0011, L0311: the task. L0411: the train does not fit
