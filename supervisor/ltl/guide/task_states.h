@@ -10,6 +10,8 @@
 
 #include <cstdint>
 #include <memory>
+#include <unordered_map>
+#include <vector>
 
 #include "supervisor/ltl/automaton/automaton.h"
 #include "supervisor/ltl/automaton/progression.h"
@@ -32,6 +34,9 @@ class TaskStates {
   bool accepting(std::uint32_t state) const { return verdict(state) == Verdict::True; }
   // Of a progression only what is already false counts.
   bool rejecting(std::uint32_t state) const { return verdict(state) == Verdict::False; }
+  // About how many places are to be entered yet, for a search to prefer states by: an automaton's transitions
+  // to acceptance; of a progression the least that its obligations need, each on its own.
+  std::uint32_t left(std::uint32_t state) const;
   const Automaton* automaton() const { return automaton_; }
   bool exhausted() const { return progression_ != nullptr && progression_->exhausted(); }
 
@@ -41,7 +46,12 @@ class TaskStates {
   }
 
   const Automaton* automaton_ = nullptr;
+  struct Needs {
+    std::vector<std::uint32_t> of_term;
+    std::unordered_map<std::uint32_t, std::uint32_t> of_state;
+  };
   std::shared_ptr<Progression> progression_;  // shared by copies, all of one thread
+  std::shared_ptr<Needs> needs_ = std::make_shared<Needs>();
 };
 
 }  // namespace stepwright::ltl

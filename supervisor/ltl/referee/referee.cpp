@@ -16,6 +16,7 @@ namespace {
 using geometry::Point;
 
 constexpr double kTouch_m = 1e-7;
+constexpr std::size_t kLooksBetween = 32;  // two looks at the time
 constexpr double kLimit = 1e-6;  // of speed, steering and controls beyond theirs
 
 // The equations once more, written as the paper has them: each trailer with the product of the cosines before
@@ -178,7 +179,8 @@ class Referee {
   }
 
   bool look() {
-    ++judgement_.looks;
+    if (++judgement_.looks % kLooksBetween == 0 && options_.stop && options_.stop())
+      return refuse("there was no time to judge it");
     if (!std::ranges::all_of(state_, [](double value) { return std::isfinite(value); }))
       return refuse("a state is no number");
     if (std::abs(state_[3]) > model_.most_speed_m_s + kLimit) return refuse("too fast" + there());

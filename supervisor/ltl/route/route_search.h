@@ -11,6 +11,7 @@
 //   auto route = search.route({.at = {0, 0}, .heading_rad = 0.0, .state = states.start()});
 
 #include <chrono>
+#include <limits>
 #include <queue>
 #include <unordered_map>
 #include <utility>
@@ -42,10 +43,13 @@ struct RouteQuery {
   std::chrono::steady_clock::time_point until = std::chrono::steady_clock::time_point::max();
 };
 
-// Costs to go on the floor's regions; of automata only.
+// Costs to go on the floor's regions, of automata; without them, states that need fewer places come first, by
+// so many metres a place. Such a route is no cheapest one, and found where there are more states than can be
+// looked at.
 struct RouteGuide {
   const RegionMap* map = nullptr;
   const Guide* guide = nullptr;
+  double place_m = 0.0;
 };
 
 class RouteSearch {
@@ -61,10 +65,11 @@ class RouteSearch {
  private:
   static constexpr std::uint32_t kBroken = 0xFFFF'FFFF;  // after a word that breaks the task
   static constexpr std::uint32_t kUnknown = 0xFFFF'FFFE;
+  static constexpr std::uint32_t kStart = 0xFFFF'FFFF;    // before the first node
 
   struct Node {
-    double cost_m = 0.0;
-    std::uint32_t before = 0;
+    double cost_m = std::numeric_limits<double>::infinity();
+    std::uint32_t before = kStart;
     const RouteGraph::Way* way = nullptr;
     bool done = false;
   };
@@ -80,7 +85,8 @@ class RouteSearch {
   using Open = std::pair<double, std::uint32_t>;
   struct Row {
     std::uint32_t state = 0;
-    std::vector<std::uint32_t> after;           // by word
+    double left_m = 0.0;                        // to go, by the places that it needs
+    std::vector<std::uint32_t> after;           // by word; not of progressions
     std::unordered_map<Label, bool> broken_by;  // places close by
   };
 
@@ -88,7 +94,9 @@ class RouteSearch {
   bool close(std::uint32_t row, Label near);
   std::uint32_t row(std::uint32_t state);
   void relax(const Step& step, const RouteQuery& query, const RouteGraph::Words& words);
-  double to_go_m(std::uint32_t point, std::uint32_t state) const;
+  double to_go_m(std::uint32_t point, std::uint32_t row) const;
+  Node& node(std::uint32_t index) { return is_sparse_ ? sparse_[index] : dense_[index]; }
+  std::size_t size() const { return is_sparse_ ? sparse_.size() : dense_.size(); }
   Route path(std::uint32_t last, const RouteQuery& query, const RouteGraph::Words& own);
 
   const RouteGraph& graph_;
@@ -97,7 +105,9 @@ class RouteSearch {
   std::vector<std::uint32_t> regions_;                     // of each point
   std::unordered_map<std::uint32_t, std::uint32_t> rows_;  // of each state that was met
   std::vector<Row> row_;
-  std::vector<Node> nodes_;
+  bool is_sparse_ = false;  // of progressions: few of their states' points are met
+  std::vector<Node> dense_;
+  std::unordered_map<std::uint32_t, Node> sparse_;
   std::priority_queue<Open, std::vector<Open>, std::greater<>> open_;
   std::size_t expanded_ = 0;
 };

@@ -13,6 +13,7 @@ using geometry::Point;
 
 constexpr double kSwell_m = 0.05;  // of links, against what two looks do not see between them
 constexpr std::size_t kLevels = 3;
+constexpr std::size_t kMostStages = 2'000'000;  // of the guide: regions times states
 constexpr std::size_t kMostNodes = 100'000;  // beyond them the tree begins anew
 
 TrainModel swollen(TrainModel model) {
@@ -72,9 +73,14 @@ TrainSearch::Routes& TrainSearch::routes(std::size_t level) {
     RouteOptions options{.margin_m = half + 0.1, .wanted_m = wanted_m(model_), .until = until_};
     if (level == 1) options.wanted_m *= 1.5;
     if (level == 2) options.wanted_m = half + 0.3;
-    if (use_ == SearchGuide::OnTheRegions && !guide_ && states_.automaton() != nullptr)
-      guide_.emplace(map_, *states_.automaton());
-    const RouteGuide guide = guide_ ? RouteGuide{&map_, &*guide_} : RouteGuide{};
+    RouteGuide guide;
+    if (use_ == SearchGuide::OnTheRegions) {
+      const Automaton* const automaton = states_.automaton();
+      if (!guide_ && automaton != nullptr && map_.regions().size() * automaton->size() <= kMostStages)
+        guide_.emplace(map_, *automaton);
+      const geometry::Box box = geometry::bounds_of(map_.points());
+      guide = guide_ ? RouteGuide{&map_, &*guide_} : RouteGuide{.place_m = distance(box.low, box.high)};
+    }
     routes_[level] = std::make_unique<Routes>(floor_, places_, walls_, options, states_, guide);
   }
   return *routes_[level];

@@ -36,9 +36,12 @@ class Walls {
   };
 
   void add(const std::vector<geometry::Point>& ring);
+  template <typename Visit>
+  void each_cell(const Visit& visit) const;
   void sort_into_cells();
   void measure_cells();
-  void measure_block(std::size_t row, std::size_t column, const std::vector<std::uint32_t>& candidates);
+  void measure_square(std::size_t row, std::size_t column, std::size_t cells,
+                      const std::vector<std::uint32_t>& among);
   std::size_t column(double x_m) const;
   std::size_t row(double y_m) const;
   bool crosses(const Side& side, const LinkBox& box) const;
