@@ -13,6 +13,12 @@ namespace stepwright::ltl {
 using geometry::Point;
 using Clock = std::chrono::steady_clock;
 
+namespace {
+
+constexpr std::size_t kMostStates = 2'048;  // of a task's automaton: more take seconds
+
+}  // namespace
+
 std::optional<PointBound> PointBound::make(const Floor& floor, const RegionMap& map,
                                            const Automaton& automaton, const BoundOptions& options) {
   std::size_t corners = floor.border.ring.size();
@@ -233,10 +239,11 @@ double PointBound::length_m(Point from, std::uint32_t state) const {
 }
 
 std::optional<double> point_bound_m(const Problem& problem, const BoundOptions& options) {
-  const auto map = make_regions(problem.floor);
+  const auto map = make_regions(problem.floor, [&] { return Clock::now() >= options.until; });
   if (!map) return std::nullopt;
   const auto task =
-      read_task(problem.task, problem.places(), "task", {.acceptance = Acceptance::Strong});
+      read_task(problem.task, problem.places(), "task",
+                {.most_states = kMostStates, .most_nodes = 400'000, .acceptance = Acceptance::Strong});
   if (!task) return std::nullopt;
   const Point from = problem.start.position();
   const std::uint32_t region = map->locate(from);

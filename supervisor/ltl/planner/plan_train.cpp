@@ -15,7 +15,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr const char* kTaskName = "task";  // in place of a file
 // Of an automaton; beyond them, which takes less than a second to find out, the progression is quicker.
-constexpr std::size_t kMostStates = 4'096;
+constexpr std::size_t kMostStates = 2'048;
 constexpr std::size_t kMostNodes = 400'000;
 constexpr std::size_t kMostStages = 2'000'000;  // of a guide that tells whether a point can do it
 

@@ -14,6 +14,7 @@ namespace {
 using geometry::Point;
 
 constexpr double kMostCells = 4e6;
+constexpr double kFar_m = 6.0;      // beyond it a fifth more or less is no matter
 constexpr double kBarely_m = 1e-9;  // a side that comes no further into a box only touches it
 
 }  // namespace
@@ -104,13 +105,16 @@ void Walls::measure_square(std::size_t row, std::size_t column, std::size_t cell
     from_middle_m[k] = distance_to_side(middle, sides_[among[k]].from, sides_[among[k]].to);
     nearest = std::min(nearest, from_middle_m[k]);
   }
-  if (cells == 1) {
-    clearance_m_[row * columns_ + column] = std::max(0.0, nearest - cell_m_ * std::sqrt(0.5));
+  const double reach_m = std::sqrt(2.0) * half * cell_m_;
+  if (cells == 1 || (nearest > kFar_m && reach_m < 0.2 * nearest)) {
+    for (std::size_t r = row; r < std::min(rows_, row + cells); ++r)
+      for (std::size_t c = column; c < std::min(columns_, column + cells); ++c)
+        clearance_m_[r * columns_ + c] = std::max(0.0, nearest - reach_m);
     return;
   }
   std::vector<std::uint32_t> candidates;
   for (std::size_t k = 0; k < among.size(); ++k)
-    if (from_middle_m[k] <= nearest + 2.0 * std::sqrt(2.0) * half * cell_m_) candidates.push_back(among[k]);
+    if (from_middle_m[k] <= nearest + 2.0 * reach_m) candidates.push_back(among[k]);
   const std::size_t part = cells / 2;
   for (const std::size_t r : {row, row + part})
     for (const std::size_t c : {column, column + part}) measure_square(r, c, part, candidates);

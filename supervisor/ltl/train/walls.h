@@ -27,7 +27,8 @@ class Walls {
   bool meets(const LinkBox& box) const;
   // Whether any of the train's links does.
   bool meet(const LinkBoxes& boxes, std::size_t links) const;
-  // No side is nearer than this; 0 outside of the border's bounds.
+  // No side is nearer than this, which is near to the truth but far from all of them; 0 outside of the
+  // border's bounds.
   double clearance_m(geometry::Point at) const;
 
  private:
