@@ -57,6 +57,7 @@ class RouteGraph {
   const std::vector<Label>& word(std::uint32_t number) const { return words_.all[number]; }
   std::size_t words() const { return words_.all.size(); }
   const Places& places() const { return places_; }
+  double clearance_m(geometry::Point at) const { return walls_.clearance_m(at); }
   const RouteOptions& options() const { return options_; }
 
   // Different words, each once. Those of `before` come first in the numbering.

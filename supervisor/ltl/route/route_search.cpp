@@ -75,6 +75,18 @@ double RouteSearch::to_go_m(std::uint32_t point, std::uint32_t row) const {
   return kTrust * guide_.guide->to_go_m(regions_[point], row_[row].state);
 }
 
+// A row of n trailers follows the car's way as if that were smoothed over about hitch * sqrt(n): at a turn its
+// last one is that much times sqrt(2 / pi) times the sine of half of the angle inwards of it.
+double RouteSearch::cut_m(const Step& step, Point out, const RouteQuery& query) const {
+  const double in_m = std::hypot(step.came.x_m, step.came.y_m), out_m = std::hypot(out.x_m, out.y_m);
+  if (query.trail_m <= 0.0 || in_m == 0.0 || out_m == 0.0) return 0.0;
+  const Point inwards = (0.5 / out_m) * out - (0.5 / in_m) * step.came;
+  double least_m = query.half_m;
+  for (const double share : {0.5, 1.0})
+    least_m = std::min(least_m, graph_.clearance_m(step.at + share * query.trail_m * inwards));
+  return query.cut_m * (1.0 - least_m / query.half_m);
+}
+
 // What a way costs from there, and whether that is better than what was known of its end.
 void RouteSearch::relax(const Step& step, const RouteQuery& query, const RouteGraph::Words& words) {
   const RouteGraph::Way& way = *step.way;
@@ -86,7 +98,8 @@ void RouteSearch::relax(const Step& step, const RouteQuery& query, const RouteGr
     const std::uint32_t from = step.before == kStart ? count : step.before % count;
     more *= 1.0 + query.noise * (2.0 * chance(query.seed, from, way.to) - 1.0);
   }
-  more += query.turn_m * turn_rad(step.came, graph_.points()[way.to] - step.at);
+  const Point out = graph_.points()[way.to] - step.at;
+  more += query.turn_m * turn_rad(step.came, out) + cut_m(step, out, query);
   const std::uint32_t to_row = row(state);
   const std::uint32_t index = to_row * count + way.to;
   Node& next = node(index);

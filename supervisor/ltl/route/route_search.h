@@ -37,6 +37,11 @@ struct RouteQuery {
   std::uint32_t state = 0;  // has read the label at that point
   double turn_m = 1.0;      // cost of a turn of one radian
   double close_m = 6.0;     // cost of passing a place closely that must not be entered
+  // What is pulled cuts a turn by so many metres times the sine of half of its angle; where it comes nearer to
+  // a wall than `half_m`, the turn costs up to cut_m more.
+  double trail_m = 0.0;
+  double half_m = 0.0;
+  double cut_m = 40.0;
   double noise = 0.0;       // ways cost up to so much more or less, as a share, by chance
   std::uint64_t seed = 0;
   std::size_t most_nodes = 4'000'000;  // of the product
@@ -93,6 +98,7 @@ class RouteSearch {
   std::uint32_t after(std::uint32_t row, const RouteGraph::Way& way, const RouteGraph::Words& words);
   bool close(std::uint32_t row, Label near);
   std::uint32_t row(std::uint32_t state);
+  double cut_m(const Step& step, geometry::Point out, const RouteQuery& query) const;
   void relax(const Step& step, const RouteQuery& query, const RouteGraph::Words& words);
   double to_go_m(std::uint32_t point, std::uint32_t row) const;
   Node& node(std::uint32_t index) { return is_sparse_ ? sparse_[index] : dense_[index]; }
