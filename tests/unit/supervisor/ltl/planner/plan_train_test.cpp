@@ -158,6 +158,34 @@ TEST(PlanTrain, WhenTheAutomatonWouldBeTooLarge_ThenItIsPlannedStepByStep) {
   expect_solved(problem, 1);
 }
 
+TEST(PlanTrain, WhenManyPlacesAreToBeVisited_ThenThePlanVisitsThem) {
+  for (const int side : {4, 5}) {
+    Problem problem = hall(0, "");
+    problem.floor.border = Rectangle{0, 0, 6 * side + 4, 6 * side + 4}.area("border");
+    problem.floor.obstacles.clear();
+    problem.floor.propositions.clear();
+    for (int k = 0; k < side * side; ++k) {
+      const int x = 4 + 6 * (k % side), y = 4 + 6 * (k / side);
+      problem.floor.propositions.push_back(Rectangle{x, y, x + 2, y + 2}.area("p" + std::to_string(k)));
+      problem.task += (k == 0 ? "visit p" : ", visit p") + std::to_string(k);
+    }
+    problem.start = {2.5, 2.0, 0.0};
+    expect_solved(problem, 1);
+  }
+}
+
+TEST(PlanTrain, WhenTheTimeIsOverOrItIsCancelled_ThenItEndsBeforeTheFloorIsRead) {
+  EXPECT_EQ(code_of(plan_train(hall(1, "visit press"), {.most_s = 0.0})), kNoPlan);
+  const std::atomic<bool> cancel{true};
+  EXPECT_EQ(code_of(plan_train(hall(1, "visit press"), {.most_s = kGenerous_s, .cancel = &cancel})), kPlanCancelled);
+}
+
+TEST(PlanTrain, WhenATaskIsPlannedByItsAutomaton_ThenTheAnswerSaysHowLargeItIs) {
+  const auto answer = plan_train(hall(0, "visit press then visit rack"), {.most_s = kGenerous_s});
+  ASSERT_TRUE(answer);
+  EXPECT_EQ(answer->states, 3u);
+}
+
 class Published : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(Published, WhenTheSceneIsRead_ThenTheTrainVisitsPlacesOfIt) {

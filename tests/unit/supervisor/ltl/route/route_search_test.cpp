@@ -218,6 +218,29 @@ TEST(RouteSearch, WhenAskedAgainOrWithABound_ThenItAnswersAllTheSame) {
   EXPECT_GT(asked, 20);
 }
 
+TEST(RouteSearch, WhenWhatIsPulledCutsTurns_ThenTheyAreWider) {
+  Floor floor;
+  floor.border = testing::Rectangle{0, 0, 40, 20}.area("border");
+  floor.obstacles = {testing::Rectangle{20, 0, 21, 10}.area("wall")};
+  floor.propositions = {testing::Rectangle{28, 1, 31, 4}.area("press")};
+  const Places places(floor.propositions);
+  const Walls walls(floor, {});
+  const RouteGraph graph(floor, places, walls, {.margin_m = 0.4, .wanted_m = 3.0, .weight = 0.0});
+  const auto task = read_task("visit press", {"press"});
+  RouteSearch search(graph, TaskStates(task->automaton));
+  const auto nearest_m = [&](double trail_m) {
+    const Route route = search.route(
+        {.at = {12, 2}, .state = task->automaton.initial, .trail_m = trail_m, .half_m = 0.3});
+    EXPECT_GE(route.size(), 3u);
+    double least_m = kNever;
+    for (std::size_t k = 1; k + 1 < route.size(); ++k)
+      least_m = std::min(least_m, geometry::distance(route[k].at, {20.5, 10.0}));
+    return least_m;
+  };
+  EXPECT_LT(nearest_m(0.0), 1.5);
+  EXPECT_GT(nearest_m(3.0), 3.0);
+}
+
 TEST(RouteSearch, WhenTheTaskIsOverAlready_ThenTheRouteIsItsStart) {
   Setting setting(3);
   const auto done = read_task("true", setting.names), failed = read_task("false", setting.names);
