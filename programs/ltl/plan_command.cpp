@@ -100,24 +100,25 @@ std::string json_of(const Problem& problem, const PlanAnswer& answer, const Plan
                     const Figures& figures) {
   json word = json::array();
   for (const ltl::Label label : answer.judgement.word) word.push_back(places_of(problem, label));
-  const json document = {{"solved", true},
-                         {"task", problem.task},
-                         {"trailers", problem.train.trailers},
-                         {"seed", arguments.seed},
-                         {"length_m", answer.judgement.length_m},
-                         {"first_length_m", answer.search.plan->length_m},
-                         {"bound_m", figures.bound_m ? json(*figures.bound_m) : json()},
-                         {"length_ratio", figures.bound_m ? json(answer.judgement.length_m / *figures.bound_m) : json()},
-                         {"duration_s", answer.judgement.duration_s},
-                         {"end_error", answer.judgement.end_error},
-                         {"tries", answer.tries},
-                         {"drives", answer.search.drives},
-                         {"states", answer.search.nodes},
-                         {"found_s", answer.search.spent_s},
-                         {"spent_s", figures.spent_s},
-                         {"word", std::move(word)},
-                         {"controls", pieces_of(answer)},
-                         {"way", way_of(problem, answer)}};
+  const json document = {
+      {"solved", true},
+      {"task", problem.task},
+      {"trailers", problem.train.trailers},
+      {"seed", arguments.seed},
+      {"length_m", answer.judgement.length_m},
+      {"first_length_m", answer.search.plan->length_m},
+      {"bound_m", figures.bound_m ? json(*figures.bound_m) : json()},
+      {"length_ratio", figures.bound_m ? json(answer.judgement.length_m / *figures.bound_m) : json()},
+      {"duration_s", answer.judgement.duration_s},
+      {"end_error", answer.judgement.end_error},
+      {"tries", answer.tries},
+      {"drives", answer.search.drives},
+      {"states", answer.search.nodes},
+      {"found_s", answer.search.spent_s},
+      {"spent_s", figures.spent_s},
+      {"word", std::move(word)},
+      {"controls", pieces_of(answer)},
+      {"way", way_of(problem, answer)}};
   return document.dump(1, ' ', false, json::error_handler_t::replace) + "\n";
 }
 

@@ -97,6 +97,7 @@ ARROWS = {
     "supervisor/ltl/regions": ["supervisor/geometry", "runtime/ground/result"],
     "supervisor/ltl/scene": ["supervisor/ltl/train", "supervisor/map"],
     "supervisor/ltl/route": ["supervisor/ltl/scene", "supervisor/ltl/guide"],
+    "supervisor/ltl/bound": ["supervisor/ltl/scene", "supervisor/ltl/guide"],
     "supervisor/ltl/search": ["supervisor/ltl/route"],
     "supervisor/ltl/referee": ["supervisor/ltl/automaton", "supervisor/ltl/train", "plant_models/ode"],
     "supervisor/ltl/planner": ["supervisor/ltl/search", "supervisor/ltl/referee", "runtime/ground/markup"],

@@ -227,8 +227,8 @@ double PointBound::length_m(Point from, std::uint32_t state) const {
         const auto through = sight_.through(from, pieces_[piece].middle);
         if (through && (*through & closed) == 0)
           to_m[piece] = std::min(to_m[piece], geometry::distance(from, pieces_[piece].middle));
-        least_m = std::min(least_m, std::max(0.0, to_m[piece] - pieces_[piece].half_m) +
-                                        to_go_m_[after * pieces + piece]);
+        least_m = std::min(
+            least_m, std::max(0.0, to_m[piece] - pieces_[piece].half_m) + to_go_m_[after * pieces + piece]);
       }
     }
     const std::uint32_t waited = next(state, 0);

@@ -38,14 +38,16 @@ void Sight::add_corners(const Outline& outline, bool hole) {
     const double turn = cross(at - before, outline.ring[(k + 1) % count] - at);
     if (hole ? turn > 0.0 : turn < 0.0) continue;
     if (lies_within(border_, at, true)) continue;
-    const bool covered = std::ranges::any_of(
-        obstacles_, [&](const Outline& each) { return !apart(each, at, at) && lies_within(each, at, false); });
+    const bool covered = std::ranges::any_of(obstacles_, [&](const Outline& each) {
+      return !apart(each, at, at) && lies_within(each, at, false);
+    });
     if (!covered) corners_.push_back(at);
   }
 }
 
 bool Sight::apart(const Outline& outline, Point a, Point b) {
-  return std::max(a.x_m, b.x_m) < outline.bounds.low.x_m || std::min(a.x_m, b.x_m) > outline.bounds.high.x_m ||
+  return std::max(a.x_m, b.x_m) < outline.bounds.low.x_m ||
+         std::min(a.x_m, b.x_m) > outline.bounds.high.x_m ||
          std::max(a.y_m, b.y_m) < outline.bounds.low.y_m || std::min(a.y_m, b.y_m) > outline.bounds.high.y_m;
 }
 
@@ -98,8 +100,8 @@ bool Sight::open_beside(const Way& way, std::vector<double>& cuts_m, const Open&
 
 bool Sight::is_free(Point at) const {
   return inside(border_.ring, at) && std::ranges::none_of(obstacles_, [&](const Outline& each) {
-    return !apart(each, at, at) && inside(each.ring, at);
-  });
+           return !apart(each, at, at) && inside(each.ring, at);
+         });
 }
 
 std::optional<Label> Sight::through(Point from, Point to) const {

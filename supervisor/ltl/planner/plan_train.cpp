@@ -29,8 +29,9 @@ struct PlannedTask {
 
 // Acceptance is strong, as the referee reads it.
 result::Result<PlannedTask> read_planned(const Problem& problem) {
-  auto task = read_task(problem.task, problem.places(), kTaskName,
-                        {.most_states = kMostStates, .most_nodes = kMostNodes, .acceptance = Acceptance::Strong});
+  auto task =
+      read_task(problem.task, problem.places(), kTaskName,
+                {.most_states = kMostStates, .most_nodes = kMostNodes, .acceptance = Acceptance::Strong});
   if (task) return PlannedTask{std::move(task->formula), std::move(task->automaton)};
   auto formula = parse_formula(problem.task, kTaskName, problem.places());
   const bool only_too_large = formula && formula->proposition_count() == problem.places().size() &&

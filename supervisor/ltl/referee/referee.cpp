@@ -17,7 +17,7 @@ using geometry::Point;
 
 constexpr double kTouch_m = 1e-7;
 constexpr std::size_t kLooksBetween = 32;  // two looks at the time
-constexpr double kLimit = 1e-6;  // of speed, steering and controls beyond theirs
+constexpr double kLimit = 1e-6;            // of speed, steering and controls beyond theirs
 
 // The equations once more, written as the paper has them: each trailer with the product of the cosines before
 // it.

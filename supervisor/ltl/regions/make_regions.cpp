@@ -97,7 +97,8 @@ void check_propositions(const Geos& geos, const Floor& floor, const Shapes& shap
                "propositions lie within the border");
     for (std::size_t k = 0; k < floor.obstacles.size(); ++k) {
       // Inner points in common; that the two touch is no fault.
-      if (!apart(obstacles[k], places[i]) && geos.answer(GEOSRelatePattern_r(geos, shapes.obstacles[k].get(), shape, "T********")))
+      if (!apart(obstacles[k], places[i]) &&
+          geos.answer(GEOSRelatePattern_r(geos, shapes.obstacles[k].get(), shape, "T********")))
         complain(wrong, "L0204", area.where,
                  "'" + area.name + "' meets the obstacle '" + floor.obstacles[k].name + "'",
                  "a proposition holds on free floor; cut the obstacle out of it");
@@ -123,7 +124,8 @@ bool count_corners(const Floor& floor, Diagnostics& wrong) {
   return false;
 }
 
-std::optional<Shapes> read_shapes(const Geos& geos, const Floor& floor, const Stop& stop, Diagnostics& wrong) {
+std::optional<Shapes> read_shapes(const Geos& geos, const Floor& floor, const Stop& stop,
+                                  Diagnostics& wrong) {
   if (!count_corners(floor, wrong)) return std::nullopt;
   Shapes shapes;
   const auto read_all = [&](const std::vector<Area>& areas, std::vector<Shape>& into) {

@@ -36,8 +36,8 @@ struct Floor {
 // border or meets an obstacle), L0205 (nothing is free), L0206 (too many propositions), L0207 (the
 // triangulation failed).
 //
-// L0208: more than kMostCorners corners, with the outline where that is; L0209: `stop`, which is asked now and
-// then, says that it takes too long.
+// L0208: more than kMostCorners corners, with the outline where that is; L0209: `stop`, which is asked now
+// and then, says that it takes too long.
 [[nodiscard]] result::Result<RegionMap> make_regions(const Floor& floor,
                                                      const std::function<bool()>& stop = {});
 

@@ -72,8 +72,8 @@ class RouteGraph {
       return number < first ? before->all[number] : all[number - first];
     }
   };
-  // The way between any two points, whose word is among `words`; nothing where it comes too near to a wall, or
-  // reads very many labels: then there are points on it.
+  // The way between any two points, whose word is among `words`; nothing where it comes too near to a wall,
+  // or reads very many labels: then there are points on it.
   std::optional<Way> way(geometry::Point from, geometry::Point to, Words& words) const;
   const Words& all_words() const { return words_; }
 

@@ -10,7 +10,7 @@ namespace {
 
 using geometry::Point;
 
-constexpr double kTrust = 0.85;  // share of the guide's ways, which are not taut
+constexpr double kTrust = 0.85;          // share of the guide's ways, which are not taut
 constexpr std::size_t kLookEvery = 256;  // nodes, at the clock
 
 double turn_rad(Point in, Point out) {
@@ -75,8 +75,8 @@ double RouteSearch::to_go_m(std::uint32_t point, std::uint32_t row) const {
   return kTrust * guide_.guide->to_go_m(regions_[point], row_[row].state);
 }
 
-// A row of n trailers follows the car's way as if that were smoothed over about hitch * sqrt(n): at a turn its
-// last one is that much times sqrt(2 / pi) times the sine of half of the angle inwards of it.
+// A row of n trailers follows the car's way as if that were smoothed over about hitch * sqrt(n): at a turn
+// its last one is that much times sqrt(2 / pi) times the sine of half of the angle inwards of it.
 double RouteSearch::cut_m(const Step& step, Point out, const RouteQuery& query) const {
   const double in_m = std::hypot(step.came.x_m, step.came.y_m), out_m = std::hypot(out.x_m, out.y_m);
   if (query.trail_m <= 0.0 || in_m == 0.0 || out_m == 0.0) return 0.0;

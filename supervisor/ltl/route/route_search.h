@@ -12,6 +12,7 @@
 
 #include <chrono>
 #include <limits>
+#include <optional>
 #include <queue>
 #include <unordered_map>
 #include <utility>
@@ -37,12 +38,12 @@ struct RouteQuery {
   std::uint32_t state = 0;  // has read the label at that point
   double turn_m = 1.0;      // cost of a turn of one radian
   double close_m = 6.0;     // cost of passing a place closely that must not be entered
-  // What is pulled cuts a turn by so many metres times the sine of half of its angle; where it comes nearer to
-  // a wall than `half_m`, the turn costs up to cut_m more.
+  // What is pulled cuts a turn by so many metres times the sine of half of its angle; where it comes nearer
+  // to a wall than `half_m`, the turn costs up to cut_m more.
   double trail_m = 0.0;
   double half_m = 0.0;
   double cut_m = 40.0;
-  double noise = 0.0;       // ways cost up to so much more or less, as a share, by chance
+  double noise = 0.0;  // ways cost up to so much more or less, as a share, by chance
   std::uint64_t seed = 0;
   std::size_t most_nodes = 4'000'000;  // of the product
   std::chrono::steady_clock::time_point until = std::chrono::steady_clock::time_point::max();
@@ -64,13 +65,16 @@ class RouteSearch {
   // From there to acceptance; empty if there is no way, or a bound was met (most_nodes, until, that
   // of a progression).
   Route route(const RouteQuery& query);
+  // The same places in the same order on a shorter way, whose bends keep `margin_m` from walls: points move
+  // and vanish while that makes it shorter. Requires a route of this search.
+  Route tightened(Route route, double margin_m, std::chrono::steady_clock::time_point until);
   const RouteGraph& graph() const { return graph_; }
   std::size_t expanded() const { return expanded_; }
 
  private:
   static constexpr std::uint32_t kBroken = 0xFFFF'FFFF;  // after a word that breaks the task
   static constexpr std::uint32_t kUnknown = 0xFFFF'FFFE;
-  static constexpr std::uint32_t kStart = 0xFFFF'FFFF;    // before the first node
+  static constexpr std::uint32_t kStart = 0xFFFF'FFFF;  // before the first node
 
   struct Node {
     double cost_m = std::numeric_limits<double>::infinity();
@@ -103,6 +107,9 @@ class RouteSearch {
   double to_go_m(std::uint32_t point, std::uint32_t row) const;
   Node& node(std::uint32_t index) { return is_sparse_ ? sparse_[index] : dense_[index]; }
   std::size_t size() const { return is_sparse_ ? sparse_.size() : dense_.size(); }
+  std::optional<RoutePoint> reached(const RoutePoint& from, geometry::Point to);
+  std::optional<double> moved(Route& route, std::size_t k, geometry::Point to, double margin_m);
+  bool dropped(Route& route, std::size_t k);
   Route path(std::uint32_t last, const RouteQuery& query, const RouteGraph::Words& own);
 
   const RouteGraph& graph_;

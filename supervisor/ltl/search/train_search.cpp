@@ -15,11 +15,11 @@ constexpr double kSwell_m = 0.05;  // of links, against what two looks do not se
 constexpr std::size_t kLevels = 3;
 constexpr double kShort_m = 0.5;     // a drive that ends sooner says that its state is as good as lost
 constexpr double kShortFails = 1.0;  // and counts so much more
-constexpr double kSmoothing = 0.9;   // of a row of trailers, which cuts turns: more than sqrt(2 / pi), for turns
-                                    // that are several ones shortly after each other
-constexpr double kReach_m = 2.0;     // of a failure, on the way before it
+constexpr double kSmoothing = 0.9;   // of a row of trailers, which cuts turns: more than sqrt(2 / pi), for
+                                    // turns that are several ones shortly after each other
+constexpr double kReach_m = 2.0;                // of a failure, on the way before it
 constexpr std::size_t kMostStages = 2'000'000;  // of the guide: regions times states
-constexpr std::size_t kMostNodes = 100'000;  // beyond them the tree begins anew
+constexpr std::size_t kMostNodes = 100'000;     // beyond them the tree begins anew
 
 TrainModel swollen(TrainModel model) {
   model.length_m += kSwell_m;
@@ -297,10 +297,15 @@ SearchAnswer TrainSearch::shorter(const SearchQuery& query, double than_m) {
     if ((end = over(query, round))) break;
     Routes& ways = routes(chance() < 0.5 ? 0 : 2);
     const double turn_m = tightest_m(model_) * chance();
-    const Route route = route_from(nodes_[0], ways, turn_m, 0.15 * chance());
+    Route route = route_from(nodes_[0], ways, turn_m, round == 0 ? 0.0 : 0.15 * chance());
+    if (!route.empty() && chance() < (model_.trailers == 0 ? 0.9 : 0.5)) {
+      const RouteOptions& kept = ways.graph.options();
+      const double spare = model_.trailers == 0 ? 0.0 : chance() * (kept.wanted_m - kept.margin_m);
+      route = ways.search.tightened(std::move(route), kept.margin_m + spare, until_);
+    }
     for (std::size_t n = 0; n < 4 && !route.empty() && !over(query, round); ++n) {
       ++best.drives;
-      const Drive drive = driver_.along(route, nodes_[0].at, style(true));
+      const Drive drive = driver_.along(route, nodes_[0].at, style(n > 0));
       if (drive.end != DriveEnd::Done || drive.marks.back().length_m >= least) continue;
       least = drive.marks.back().length_m;
       best.plan = TrainPlan{query.start, drive.pieces, drive.marks.back().state, least};

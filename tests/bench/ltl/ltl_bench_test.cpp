@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "supervisor/ltl/planner/plan_train.h"
 #include "supervisor/ltl/guide/task.h"
+#include "supervisor/ltl/planner/plan_train.h"
 #include "tests/bench/ltl/automata_sizes.h"
 #include "tests/bench/ltl/ltl_planner.h"
 #include "tests/bench/ltl/paper_literal.h"

@@ -95,8 +95,8 @@ struct Ours {
   std::vector<double> ratios;  // lengths beside the bound
 };
 
-void run_ours(const Setting& setting, const ltl::Problem& problem, const ltl::PlanOptions& options, Ours& ours,
-              Totals& totals) {
+void run_ours(const Setting& setting, const ltl::Problem& problem, const ltl::PlanOptions& options,
+              Ours& ours, Totals& totals) {
   const auto began = Clock::now();
   const auto answer = ltl::plan_train(problem, options);
   const double spent_ms = std::chrono::duration<double, std::milli>(Clock::now() - began).count();
@@ -134,8 +134,8 @@ Cell run_ltlplanner(const Setting& setting, std::size_t trailers, const Options&
     Cell cell;
     for (int seed = 1; seed <= options.baseline_seeds; ++seed) {
       const auto at = static_cast<std::uint64_t>(seed);
-      const OmplAnswer answer =
-          plan_by_ltlplanner(train_problem(setting.floor, setting.task, trailers, at), explore_s, options.most_s);
+      const OmplAnswer answer = plan_by_ltlplanner(train_problem(setting.floor, setting.task, trailers, at),
+                                                   explore_s, options.most_s);
       const bool accepted = answer.plan && answer.judgement.accepted();
       if (answer.plan && !accepted) ++cell.refused;
       cell.add(accepted, 1e3 * answer.spent_s, accepted ? answer.plan->length_m : 0.0, options.most_s);
@@ -204,13 +204,15 @@ nlohmann::json run_row(const Setting& setting, std::size_t trailers, const Optio
   totals.solved += ours.cell.solved;
   totals.asked += options.seeds;
   ++totals.cells;
-  std::printf("%-8s %-8s %3zu  %3d/%-3d %9.1f %9.1f %7.1f %6.2f %6.2f %4d  %3d/%-3d %9.1f %6.2f", setting.scene.c_str(),
-              setting.name.c_str(), trailers, ours.cell.solved, options.seeds, median_ms, ours.cell.worst_ms(),
-              middle(ours.cell.lengths_m), middle(ours.ratios), middle(shortened.ratios), ours.cell.refused,
-              uniform.solved, options.seeds, uniform.median_ms(), uniform_ratio);
+  std::printf("%-8s %-8s %3zu  %3d/%-3d %9.1f %9.1f %7.1f %6.2f %6.2f %4d  %3d/%-3d %9.1f %6.2f",
+              setting.scene.c_str(), setting.name.c_str(), trailers, ours.cell.solved, options.seeds,
+              median_ms, ours.cell.worst_ms(), middle(ours.cell.lengths_m), middle(ours.ratios),
+              middle(shortened.ratios), ours.cell.refused, uniform.solved, options.seeds, uniform.median_ms(),
+              uniform_ratio);
   if (with_baselines)
     std::printf("  %2d/%-2d %9.1f %7.1f  %2d/%-2d %9.1f %7.1f", ompl.solved, options.baseline_seeds,
-                ompl.median_ms(), ompl_ratio, paper.solved, options.baseline_seeds, paper.median_ms(), paper_ratio);
+                ompl.median_ms(), ompl_ratio, paper.solved, options.baseline_seeds, paper.median_ms(),
+                paper_ratio);
   std::printf("\n");
   std::fflush(stdout);
   return {{"scene", setting.scene},
@@ -236,7 +238,8 @@ nlohmann::json run_row(const Setting& setting, std::size_t trailers, const Optio
           {"ratio_to_paper_literal", paper_ratio}};
 }
 
-std::optional<Setting> setting_of(const std::string& scene, const std::string& name, const std::string& task) {
+std::optional<Setting> setting_of(const std::string& scene, const std::string& name,
+                                  const std::string& task) {
   Setting setting;
   setting.scene = scene;
   setting.name = name;
@@ -291,7 +294,8 @@ int run(const Options& options) {
   json.update(totals.lengths);
   for (const auto& [trailers, all] : totals.ltlplanner) {
     json["ratio_to_ltlplanner_n" + std::to_string(trailers)] = middle(all);
-    std::printf("%zu trailers: LTLPlanner takes %.1f times as long (median of the cells)\n", trailers, middle(all));
+    std::printf("%zu trailers: LTLPlanner takes %.1f times as long (median of the cells)\n", trailers,
+                middle(all));
   }
   if (!totals.ltlplanner.empty()) {
     json["ratio_to_paper_literal_min"] = totals.paper_least;
@@ -306,8 +310,8 @@ int run(const Options& options) {
     file << json.dump(2) << "\n";
     if (!file) return result::to_int(result::ExitCode::BadInput);
   }
-  const bool sound = sizes.mismatches == 0 && totals.word_violations == 0 && totals.collision_violations == 0 &&
-                     totals.tables_in_order == 0;
+  const bool sound = sizes.mismatches == 0 && totals.word_violations == 0 &&
+                     totals.collision_violations == 0 && totals.tables_in_order == 0;
   return result::to_int(sound ? result::ExitCode::Done : result::ExitCode::RuntimeFault);
 }
 
@@ -338,8 +342,9 @@ int main(int argc, char** argv) {
     ++k;
   }
   if (!known || options.seeds < 1 || !(options.most_s > 0.0) || options.baseline_seeds < 0) {
-    std::fprintf(stderr,
-                 "usage: bench_ltl [--full] [--json FILE] [--seeds N] [--time SECONDS] [--baseline-seeds N]\n");
+    std::fprintf(
+        stderr,
+        "usage: bench_ltl [--full] [--json FILE] [--seeds N] [--time SECONDS] [--baseline-seeds N]\n");
     return stepwright::result::to_int(stepwright::result::ExitCode::Usage);
   }
   return stepwright::bench::run(options);

@@ -25,7 +25,7 @@ using ltl::kNoRegion;
 using ltl::Stage;  // <z, r>
 using Clock = std::chrono::steady_clock;
 
-constexpr double kSwell_m = 0.05;  // as ours
+constexpr double kSwell_m = 0.05;       // as ours
 constexpr std::size_t kLookEvery = 32;  // iterations, at the clock
 constexpr std::uint32_t kNoVertex = 0xFFFF'FFFF;
 constexpr std::size_t kMostBytes = std::size_t{1} << 30;  // of the tree
@@ -87,7 +87,9 @@ class Paper {
   }
 
   double chance() { return std::uniform_real_distribution<double>(0.0, 1.0)(dice_); }
-  std::size_t draw(std::size_t count) { return std::uniform_int_distribution<std::size_t>(0, count - 1)(dice_); }
+  std::size_t draw(std::size_t count) {
+    return std::uniform_int_distribution<std::size_t>(0, count - 1)(dice_);
+  }
   std::size_t index(Stage at) const { return at.state * map_.regions().size() + at.region; }
   Stage stage(std::size_t index) const {
     const std::size_t regions = map_.regions().size();
@@ -137,7 +139,8 @@ class Paper {
   std::uint32_t add(const Vertex& vertex, const ltl::TrainState& state) {
     const auto number = static_cast<std::uint32_t>(vertices_.size());
     vertices_.push_back(vertex);
-    states_.insert(states_.end(), state.begin(), state.begin() + static_cast<std::ptrdiff_t>(model_.states()));
+    states_.insert(states_.end(), state.begin(),
+                   state.begin() + static_cast<std::ptrdiff_t>(model_.states()));
     if (of_state_[vertex.z] == 0) gamma_.push_back(vertex.z);
     ++of_state_[vertex.z];
     auto& same = of_stage_[index({vertex.region, vertex.z})];
@@ -331,9 +334,9 @@ class Paper {
   Clock::time_point until_;
   std::vector<std::vector<std::uint32_t>> successors_;
   std::vector<Vertex> vertices_;
-  std::vector<double> states_;                               // of each vertex
-  std::vector<std::size_t> of_state_;                        // |vertices(T, z)|
-  std::vector<std::uint32_t> gamma_;                         // those z that have some
+  std::vector<double> states_;                                // of each vertex
+  std::vector<std::size_t> of_state_;                         // |vertices(T, z)|
+  std::vector<std::uint32_t> gamma_;                          // those z that have some
   std::vector<std::vector<std::uint32_t>> regions_of_state_;  // of each z, those with vertices
   std::vector<std::vector<std::uint32_t>> of_stage_;          // vertices(T, z, r)
   std::vector<std::size_t> active_;
@@ -359,7 +362,8 @@ PaperAnswer plan_by_paper(const ltl::Problem& problem, const PaperOptions& optio
       ltl::read_task(problem.task, problem.places(), "task", {.acceptance = ltl::Acceptance::Strong});
   if (map && task)
     Paper(problem, *map, *task, options)
-        .run(began + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options.most_s)),
+        .run(began +
+                 std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options.most_s)),
              answer);
   answer.spent_s = std::chrono::duration<double>(Clock::now() - began).count();
   return answer;

@@ -4,7 +4,8 @@
 // (2012), Algorithm 1 as it is printed, on what ours plans on: the same triangles, automaton, motion and
 // walls. A baseline; nothing of our search is in it. What the paper leaves open is chosen as follows.
 //
-// - The root has read the label where the train stands: delta(z_init, DISCRETESTATE(s_init)). (Printed: none.)
+// - The root has read the label where the train stands: delta(z_init, DISCRETESTATE(s_init)). (Printed:
+// none.)
 // - delta(z) goes by the labels that the floor has, instead of all 2^n letters, of which most never come.
 // - delta(z_from) - Gamma is often empty: then z_to is any of delta(z_from) but z_from itself; if that is
 //   empty, too, there is no target, and another z_from is drawn.

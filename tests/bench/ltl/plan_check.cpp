@@ -15,8 +15,8 @@ using ltl::Label;
 using ltl::Operator;
 
 constexpr double kStep_s = 0.001;
-constexpr int kLookEvery = 5;    // steps, at walls
-constexpr int kSamples = 8;      // of a step's way: of 2 mm at most
+constexpr int kLookEvery = 5;  // steps, at walls
+constexpr int kSamples = 8;    // of a step's way: of 2 mm at most
 constexpr double kTouch_m = 1e-6;
 
 struct Outline {
@@ -122,7 +122,8 @@ class Replay {
     };
     const State a = change(state_, control), b = change(moved(a, 0.5), control);
     const State c = change(moved(b, 0.5), control), d = change(moved(c, 1.0), control);
-    for (std::size_t k = 0; k < state_.size(); ++k) state_[k] += h / 6.0 * (a[k] + 2.0 * b[k] + 2.0 * c[k] + d[k]);
+    for (std::size_t k = 0; k < state_.size(); ++k)
+      state_[k] += h / 6.0 * (a[k] + 2.0 * b[k] + 2.0 * c[k] + d[k]);
   }
 
   void read(Point at) {

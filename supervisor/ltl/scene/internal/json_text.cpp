@@ -69,7 +69,8 @@ result::Result<json> parse(std::string_view text, const std::string& file) try {
   if (again == std::string_view::npos) return read;
   const std::size_t end = text.find('"', again + 1);
   return result::fail("L0405", place_of(text, again + 1, file),
-                      "the member " + std::string(text.substr(again, std::min(end - again + 1, kLongestName))) +
+                      "the member " +
+                          std::string(text.substr(again, std::min(end - again + 1, kLongestName))) +
                           " is there twice",
                       "leave one of them out");
 } catch (const json::parse_error& error) {

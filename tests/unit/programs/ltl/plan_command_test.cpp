@@ -48,8 +48,8 @@ TEST_F(PlanCommand, WhenATaskIsPossible_ThenPlanJsonAndPictureAgree) {
   EXPECT_LT(std::ranges::find(visited, "p1"), std::ranges::find(visited, "p4"));
   EXPECT_THAT(output, HasSubstr("times the least that a point needs"));
   EXPECT_GT(json["length_m"], json["bound_m"]);
-  EXPECT_NEAR(json["length_ratio"].get<double>(), json["length_m"].get<double>() / json["bound_m"].get<double>(),
-              1e-9);
+  EXPECT_NEAR(json["length_ratio"].get<double>(),
+              json["length_m"].get<double>() / json["bound_m"].get<double>(), 1e-9);
   double sum_s = 0.0;
   for (const auto& each : json["controls"]) sum_s += each["duration_s"].get<double>();
   EXPECT_NEAR(sum_s, json["duration_s"].get<double>(), 1e-6);

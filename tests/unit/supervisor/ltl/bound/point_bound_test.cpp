@@ -37,7 +37,8 @@ TEST(PointBound, WhenAWayIsKnown_ThenTheBoundIsBelowItByNoMoreThanAPieceForEachP
   floor.propositions = {Rectangle{10, 2, 12, 4}.area("press"), Rectangle{16, 2, 18, 4}.area("rack"),
                         Rectangle{13, 0, 15, 20}.area("belt")};
   const Point start{2.0, 3.0};
-  const double around = std::hypot(4.0, 7.0) + 1.0 + std::hypot(3.0, 6.0);  // over the wall's end, to a corner
+  const double around =
+      std::hypot(4.0, 7.0) + 1.0 + std::hypot(3.0, 6.0);  // over the wall's end, to a corner
   const auto expect_near = [&](const std::string& task, double way_m, double places) {
     const auto bound = bound_m(floor, task, start);
     ASSERT_TRUE(bound) << task;
@@ -48,8 +49,7 @@ TEST(PointBound, WhenAWayIsKnown_ThenTheBoundIsBelowItByNoMoreThanAPieceForEachP
   // From the wall's end straight to the rack, through the belt.
   expect_near("visit rack", std::hypot(4.0, 7.0) + 1.0 + std::hypot(9.0, 6.0), 1.0);
   // Along the upper side of the press.
-  expect_near("visit press then visit rack",
-              std::hypot(4.0, 7.0) + 1.0 + std::hypot(5.0, 6.0) + 4.0, 2.0);
+  expect_near("visit press then visit rack", std::hypot(4.0, 7.0) + 1.0 + std::hypot(5.0, 6.0) + 4.0, 2.0);
   expect_near("visit press | visit rack", around, 1.0);
   expect_near("!press U belt", std::hypot(4.0, 7.0) + 1.0 + 6.0, 1.0);
   EXPECT_EQ(bound_m(floor, "!belt U rack", start), PointBound::kNever) << "the belt is from wall to wall";

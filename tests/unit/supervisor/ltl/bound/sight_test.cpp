@@ -68,8 +68,8 @@ TEST(Sight, WhenPointsAreCornersOfSquares_ThenItIsThatOfEachRectangle) {
                                              [&](const Rectangle& each) { return enters(each, a, b); }) &&
                         !leads_between(squares, a, b);
       const auto answer = sight.through(a, b);
-      ASSERT_EQ(answer.has_value(), free) << "seed " << seed << ": " << a.x_m << ", " << a.y_m << " to " << b.x_m
-                                          << ", " << b.y_m;
+      ASSERT_EQ(answer.has_value(), free)
+          << "seed " << seed << ": " << a.x_m << ", " << a.y_m << " to " << b.x_m << ", " << b.y_m;
       ++(free ? seen : blocked);
       if (!free) continue;
       for (std::size_t k = 0; k < squares.propositions.size(); ++k) {
@@ -79,7 +79,8 @@ TEST(Sight, WhenPointsAreCornersOfSquares_ThenItIsThatOfEachRectangle) {
         const bool within = std::min(a.x_m, b.x_m) > place.left && std::max(a.x_m, b.x_m) < place.right &&
                             std::min(a.y_m, b.y_m) > place.low && std::max(a.y_m, b.y_m) < place.high;
         if (within) continue;
-        EXPECT_EQ(crossed, (enters(place, a, b) && a != b) || leads_between(squares, a, b, place)) << "seed " << seed << ", place " << k;
+        EXPECT_EQ(crossed, (enters(place, a, b) && a != b) || leads_between(squares, a, b, place))
+            << "seed " << seed << ", place " << k;
         through += crossed ? 1 : 0;
       }
     }

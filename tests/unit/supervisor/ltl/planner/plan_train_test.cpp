@@ -177,7 +177,8 @@ TEST(PlanTrain, WhenManyPlacesAreToBeVisited_ThenThePlanVisitsThem) {
 TEST(PlanTrain, WhenTheTimeIsOverOrItIsCancelled_ThenItEndsBeforeTheFloorIsRead) {
   EXPECT_EQ(code_of(plan_train(hall(1, "visit press"), {.most_s = 0.0})), kNoPlan);
   const std::atomic<bool> cancel{true};
-  EXPECT_EQ(code_of(plan_train(hall(1, "visit press"), {.most_s = kGenerous_s, .cancel = &cancel})), kPlanCancelled);
+  EXPECT_EQ(code_of(plan_train(hall(1, "visit press"), {.most_s = kGenerous_s, .cancel = &cancel})),
+            kPlanCancelled);
 }
 
 TEST(PlanTrain, WhenATaskIsPlannedByItsAutomaton_ThenTheAnswerSaysHowLargeItIs) {

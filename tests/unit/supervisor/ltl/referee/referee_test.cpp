@@ -60,7 +60,8 @@ TEST(Referee, WhenThereIsNoTime_ThenItIsRefused) {
   const auto formula = parse_formula("visit press", {}, {"press", "rack"});
   std::size_t asked = 0;
   const RefereeOptions options{.stop = [&] { return ++asked == 3; }};
-  const PlanJudgement judgement = judge_plan(drive.floor, drive.model, drive.plan.start, *formula, drive.plan, options);
+  const PlanJudgement judgement =
+      judge_plan(drive.floor, drive.model, drive.plan.start, *formula, drive.plan, options);
   EXPECT_EQ(judgement.reason, "there was no time to judge it");
   EXPECT_EQ(asked, 3u);
 }

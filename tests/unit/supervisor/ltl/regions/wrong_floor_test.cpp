@@ -38,8 +38,8 @@ TEST(WrongFloor, Time_WhenItIsOver_ThenThereAreNoRegions) {
   // A grid of posts, each a hole: the looks at the time are between them.
   Floor floor = Squares{}.floor();
   for (int k = 0; k < 64; ++k)
-    floor.obstacles.push_back(testing::Rectangle{1 + 2 * (k % 8), 1 + 2 * (k / 8), 2 + 2 * (k % 8), 2 + 2 * (k / 8)}
-                                  .area("post"));
+    floor.obstacles.push_back(
+        testing::Rectangle{1 + 2 * (k % 8), 1 + 2 * (k / 8), 2 + 2 * (k % 8), 2 + 2 * (k / 8)}.area("post"));
   std::size_t looks = 0;
   ASSERT_TRUE(make_regions(floor, [&] { return ++looks == 0; }));
   EXPECT_GT(looks, 3u * 64u);

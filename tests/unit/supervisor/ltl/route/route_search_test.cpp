@@ -229,8 +229,8 @@ TEST(RouteSearch, WhenWhatIsPulledCutsTurns_ThenTheyAreWider) {
   const auto task = read_task("visit press", {"press"});
   RouteSearch search(graph, TaskStates(task->automaton));
   const auto nearest_m = [&](double trail_m) {
-    const Route route = search.route(
-        {.at = {12, 2}, .state = task->automaton.initial, .trail_m = trail_m, .half_m = 0.3});
+    const Route route =
+        search.route({.at = {12, 2}, .state = task->automaton.initial, .trail_m = trail_m, .half_m = 0.3});
     EXPECT_GE(route.size(), 3u);
     double least_m = kNever;
     for (std::size_t k = 1; k + 1 < route.size(); ++k)
@@ -239,6 +239,27 @@ TEST(RouteSearch, WhenWhatIsPulledCutsTurns_ThenTheyAreWider) {
   };
   EXPECT_LT(nearest_m(0.0), 1.5);
   EXPECT_GT(nearest_m(3.0), 3.0);
+}
+
+TEST(RouteSearch, WhenARouteIsTightened_ThenItIsOneStillAndNoLonger) {
+  double before_m = 0.0, after_m = 0.0;
+  const auto way_m = [](const Route& route) {
+    double sum_m = 0.0;
+    for (std::size_t k = 1; k < route.size(); ++k) sum_m += geometry::distance(route[k - 1].at, route[k].at);
+    return sum_m;
+  };
+  each_question(8, [&](Setting& setting, const Task& task, Point at, std::uint32_t state) {
+    RouteSearch search(setting.graph, TaskStates(task.automaton));
+    const Route route = search.route({.at = at, .state = state});
+    if (route.size() < 2) return;
+    const Route tight = search.tightened(route, 0.2, std::chrono::steady_clock::time_point::max());
+    EXPECT_EQ(tight.front().at, at);
+    EXPECT_GE(cost_of(setting, task.automaton, tight), 0.0) << "its ways and states are real ones";
+    EXPECT_LE(way_m(tight), way_m(route) + 1e-9);
+    before_m += way_m(route);
+    after_m += way_m(tight);
+  });
+  EXPECT_LT(after_m, 0.98 * before_m);
 }
 
 TEST(RouteSearch, WhenTheTaskIsOverAlready_ThenTheRouteIsItsStart) {

@@ -89,14 +89,16 @@ TEST(SceneReader, WhenPolygonsAreWrong_ThenAllOfThemAreToldWithTheirPlace) {
 }
 
 TEST(SceneReader, WhenAMemberIsThereTwice_ThenTheSecondIsTold) {
-  const auto twice = read_scene("{\"type\": \"FeatureCollection\",\n \"features\": [], \"features\" : []}", "x");
+  const auto twice =
+      read_scene("{\"type\": \"FeatureCollection\",\n \"features\": [], \"features\" : []}", "x");
   ASSERT_FALSE(twice);
   EXPECT_EQ(twice.error()[0].where.line, 2u);
   EXPECT_EQ(twice.error()[0].where.column, 18u);
   EXPECT_EQ(twice.error()[0].code, "L0405");
   EXPECT_EQ(twice.error()[0].message, "the member \"features\" is there twice");
-  EXPECT_EQ(scene_errors(scene(R"({"type": "Feature", "properties": {"kind": "border", "kind": "obstacle"}})")),
-            std::vector<std::string>{"L0405 the member \"kind\" is there twice"});
+  EXPECT_EQ(
+      scene_errors(scene(R"({"type": "Feature", "properties": {"kind": "border", "kind": "obstacle"}})")),
+      std::vector<std::string>{"L0405 the member \"kind\" is there twice"});
   // Names as values, in other objects and within texts are none.
   EXPECT_TRUE(read_scene(scene(feature("border", "a\\\":{\\\"", "[0,0],[9,0],[9,9],[0,0]")), "x"));
 }
