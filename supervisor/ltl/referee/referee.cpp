@@ -199,10 +199,11 @@ class Referee {
       boxes_.push_back(corners_of(middle, heading, model_.length_m, model_.width_m));
       middles_.push_back(middle);
     }
+    find_near();
     for (std::size_t link = 0; link < boxes_.size(); ++link) {
       if (!internal::within(floor_.border.ring, middles_[link]) || meets(link, floor_.border))
         return refuse("link " + std::to_string(link) + " leaves the floor" + there());
-      for (std::size_t k = 0; k < floor_.obstacles.size(); ++k) {
+      for (const std::size_t k : near_) {
         const Area& obstacle = floor_.obstacles[k];
         if (!reaches(boxes_of_obstacles_[k].low, boxes_of_obstacles_[k].high, middles_[link])) continue;
         if (internal::within(obstacle.ring, middles_[link]) || meets(link, obstacle))
@@ -211,10 +212,24 @@ class Referee {
     }
     for (std::size_t i = 0; i < boxes_.size(); ++i)
       for (std::size_t k = i + 2; k < boxes_.size(); ++k)
-        if (geometry::distance(middles_[i], middles_[k]) < 2.0 * reach_m_ && share(boxes_[i], boxes_[k]))
+        if (may_touch(middles_[i] - middles_[k]) && share(boxes_[i], boxes_[k]))
           return refuse("links " + std::to_string(i) + " and " + std::to_string(k) + " meet" + there());
     return true;
   }
+
+  // The obstacles whose bounds the train as a whole comes near to.
+  void find_near() {
+    const geometry::Box all = geometry::bounds_of(middles_);
+    near_.clear();
+    for (std::size_t k = 0; k < boxes_of_obstacles_.size(); ++k) {
+      const geometry::Box& box = boxes_of_obstacles_[k];
+      if (box.low.x_m <= all.high.x_m + reach_m_ && box.high.x_m >= all.low.x_m - reach_m_ &&
+          box.low.y_m <= all.high.y_m + reach_m_ && box.high.y_m >= all.low.y_m - reach_m_)
+        near_.push_back(k);
+    }
+  }
+
+  bool may_touch(Point apart) const { return dot(apart, apart) < 4.0 * reach_m_ * reach_m_; }
 
   bool meets(std::size_t link, const Area& area) const {
     for (std::size_t k = 0; k < area.ring.size(); ++k) {
@@ -236,6 +251,7 @@ class Referee {
   PlanJudgement& judgement_;
   const double reach_m_;  // of a corner from a link's middle
   std::vector<geometry::Box> boxes_of_obstacles_;
+  std::vector<std::size_t> near_;  // obstacles
   std::vector<double> state_;
   std::vector<Corners> boxes_;
   std::vector<Point> middles_;

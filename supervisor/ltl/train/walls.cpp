@@ -99,12 +99,14 @@ void Walls::measure_square(std::size_t row, std::size_t column, std::size_t cell
   const double half = 0.5 * static_cast<double>(cells);
   const Point middle =
       cell_m_ * Point{static_cast<double>(column) + half, static_cast<double>(row) + half} + bounds_.low;
-  std::vector<double> from_middle_m(among.size());
-  double nearest = std::numeric_limits<double>::infinity();
+  std::vector<double> from_middle_m2(among.size());
+  double nearest_m2 = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < among.size(); ++k) {
-    from_middle_m[k] = distance_to_side(middle, sides_[among[k]].from, sides_[among[k]].to);
-    nearest = std::min(nearest, from_middle_m[k]);
+    const Point off = middle - nearest_on_side(sides_[among[k]].from, sides_[among[k]].to, middle);
+    from_middle_m2[k] = dot(off, off);
+    nearest_m2 = std::min(nearest_m2, from_middle_m2[k]);
   }
+  const double nearest = std::sqrt(nearest_m2);
   const double reach_m = std::sqrt(2.0) * half * cell_m_;
   if (cells == 1 || (nearest > kFar_m && reach_m < 0.2 * nearest)) {
     for (std::size_t r = row; r < std::min(rows_, row + cells); ++r)
@@ -113,8 +115,9 @@ void Walls::measure_square(std::size_t row, std::size_t column, std::size_t cell
     return;
   }
   std::vector<std::uint32_t> candidates;
+  const double most_m = nearest + 2.0 * reach_m + kBarely_m;
   for (std::size_t k = 0; k < among.size(); ++k)
-    if (from_middle_m[k] <= nearest + 2.0 * reach_m) candidates.push_back(among[k]);
+    if (from_middle_m2[k] <= most_m * most_m) candidates.push_back(among[k]);
   const std::size_t part = cells / 2;
   for (const std::size_t r : {row, row + part})
     for (const std::size_t c : {column, column + part}) measure_square(r, c, part, candidates);

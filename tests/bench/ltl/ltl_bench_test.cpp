@@ -80,7 +80,7 @@ TEST(LtlBench, WhenAPlanIsTamperedWith_ThenItsCheckTells) {
   EXPECT_FALSE(check_plan(problem, *formula, ahead).clear) << "into the wall";
 }
 
-TEST(LtlBench, WhenFormulasAreKnown_ThenTheyHoldOnWordsAsTheReferreeSays) {
+TEST(LtlBench, WhenFormulasAreKnown_ThenTheyHoldOnWordsAsTheRefereeSays) {
   const auto formula = ltl::parse_formula("!a U (b & X (a | F b))", "", {"a", "b"});
   ASSERT_TRUE(formula);
   int held = 0;
