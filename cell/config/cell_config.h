@@ -22,10 +22,12 @@
 #include "cell/config/metrics_config.h"
 #include "cell/config/modbus_client_config.h"
 #include "cell/config/modbus_server_config.h"
+#include "cell/config/monitor_config.h"
 #include "cell/config/record_config.h"
 #include "cell/config/retain_config.h"
 #include "cell/config/safety_config.h"
 #include "cell/config/task_config.h"
+#include "cell/config/tugger_config.h"
 #include "cell/missions/table/mission_tables.h"
 #include "runtime/ground/log/log_config.h"
 #include "runtime/ground/result/result.h"
@@ -52,14 +54,15 @@ struct PortAddress {
 };
 
 struct PlantConfig {
-  std::string kind = "tank_bench";  // or "sorting_line" or "fleet"; or "none": outputs go nowhere, inputs
-                                    // stay 0
+  std::string kind = "tank_bench";  // or "sorting_line", "fleet" or "tugger"; or "none": outputs go nowhere,
+                                    // inputs stay 0
   std::uint64_t seed = 1;           // of all that is uncertain
   bool uncertainty = true;          // the bench: sensor bias, drift and noise; the line: boxes that differ; a
-                                    // fleet: noise of its sensors
+                                    // fleet and a tugger train: noise of their sensors
   std::size_t diverters = 2;        // of the line; 1 to 4
   std::size_t boxes = 5;            // of the line's order list; 1 to 9
   FleetPlantConfig fleet;           // of kind "fleet" only
+  TuggerPlantConfig tugger;         // of kind "tugger" only
   std::vector<PortAddress> ports;
   bool described = false;  // the file has a table [plant]; without one there is none
 };
@@ -118,6 +121,7 @@ struct CellConfig {
   PlantConfig plant;
   ImageConfig image;
   std::vector<ScheduledFault> faults;
+  std::vector<MonitorConfig> monitors;  // [[monitors]]: formulas that the scan watches
   SafetyConfig safety;  // [safe_state] by cause and output, [watchdog], [tasks.NAME], [guard], [io]
   LostSupervisorPolicy on_lost_supervisor = LostSupervisorPolicy::Continue;
   std::chrono::milliseconds supervisor_lost_after{1'000};

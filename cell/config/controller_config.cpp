@@ -33,7 +33,7 @@ void refuse(const TomlTable& table, std::initializer_list<const char*> keys, con
   for (const char* key : keys) {
     if (!table.has(key)) continue;
     table.report(key, std::string("'") + key + "' says nothing about a controller of kind \"" + kind + "\"",
-                 "modbus-rtu has device, baud, parity and stop_bits; modbus-tcp has host and port", "0542");
+                 "modbus-rtu has device, baud, parity and stop_bits; modbus-tcp has host and port", "0562");
   }
 }
 
@@ -44,12 +44,12 @@ void check_kind(const TomlTable& table, const ControllerConfig& controller) {
     case ControllerKind::ModbusRtu:
       if (controller.device.empty())
         table.report("kind", "a controller of kind \"modbus-rtu\" needs a device",
-                     "device = \"/dev/ttyUSB0\"", "0541");
+                     "device = \"/dev/ttyUSB0\"", "0561");
       return refuse(table, {"host", "port"}, "modbus-rtu");
     case ControllerKind::ModbusTcp:
       if (controller.host.empty())
         table.report("kind", "a controller of kind \"modbus-tcp\" needs a host", "host = \"10.0.0.7\"",
-                     "0541");
+                     "0561");
       return refuse(table, {"device", "baud", "parity", "stop_bits"}, "modbus-tcp");
   }
 }
@@ -74,7 +74,7 @@ result::Diagnostics check_parts(const TomlTable& root) {
   for (const Part& part : kParts) {
     const TomlTable table = root.table(part.table);
     if (!table.has(part.key) || (part.flag && !table.boolean(part.key, false))) continue;
-    problems.push_back({"C0543", result::Severity::Error, table.where(part.key),
+    problems.push_back({"C0563", result::Severity::Error, table.where(part.key),
                         std::string("[") + part.table + "] " + part.key +
                             " is for a runtime on this host, not for a controller behind Modbus",
                         part.hint});
@@ -106,7 +106,7 @@ result::Diagnostics read_controller(const TomlTable& root, const std::filesystem
   if (!plan.empty()) controller.plan = folder / plan;
   if (controller.loaded_by_hand && plan.empty()) {
     table.report("program", "a program that was loaded by hand needs the table of its plan",
-                 "`stepwright translate --handshake table.json` writes it; plan = \"table.json\"", "0541");
+                 "`stepwright translate --handshake table.json` writes it; plan = \"table.json\"", "0565");
   }
   controller.metrics = read_metrics(table);
   check_kind(table, controller);

@@ -11,8 +11,8 @@
 //   plan = "table.json"        # then: what `translate --handshake` has written
 //
 // [controller.metrics] has the gateway serve its figures (metrics_config.h).
-// Diagnostics with their place: C0541 no device or host for this kind; C0542 a key of the other kind; C0543 a
-// part of the cell that no controller behind Modbus has.
+// Diagnostics with their place: C0561 no device or host for this kind; C0562 a key of the other kind; C0563 a
+// part of the cell that no controller behind Modbus has; C0565 no plan for a program loaded by hand.
 
 #include <chrono>
 #include <cstdint>

@@ -25,27 +25,14 @@
 #include <filesystem>
 #include <vector>
 
-#include "runtime/ground/result/diagnostic.h"
+#include "cell/config/place_config.h"
 #include "runtime/ground/settings/toml_document.h"
 
 namespace stepwright::config {
 
-struct PlaceConfig {
-  double x_m = 0.0;
-  double y_m = 0.0;
-  double heading_deg = 0.0;
-  result::Location where;
-};
-
 struct PalletConfig {
   PlaceConfig place;
   double load_kg = 600.0;
-};
-
-struct BlockageConfig {
-  PlaceConfig place;
-  double length_m = 1.0;
-  double width_m = 1.0;
 };
 
 struct FleetPlantConfig {

@@ -1,36 +1,14 @@
 #include "cell/fleet/cell_fleet.h"
 
-#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
 #include <string>
 
+#include "cell/config/port_reader.h"
 #include "supervisor/fleet/mission/problem_reader.h"
 
 namespace stepwright::config {
-namespace {
-
-class PortReader {
- public:
-  explicit PortReader(const CellConfig& cell) : cell_(cell) {}
-
-  std::string address(const std::string& port) {
-    const auto found = std::ranges::find(cell_.plant.ports, port, &PortAddress::port);
-    if (found != cell_.plant.ports.end()) return found->address;
-    problems_.push_back({"C0541", result::Severity::Error, cell_.plant.ports.front().where,
-                         "the terminal " + port + " has no address",
-                         port + " = \"%...\" in [plant.ports], or no [plant.ports] for terminals in a row"});
-    return {};
-  }
-  result::Diagnostics take() { return std::move(problems_); }
-
- private:
-  const CellConfig& cell_;
-  result::Diagnostics problems_;
-};
-
-}  // namespace
 
 result::Result<fleet::FleetTerminals> fleet_terminals(const CellConfig& cell, std::size_t vehicles) {
   if (cell.plant.kind == "fleet" && cell.plant.fleet.vehicles.size() != vehicles) {

@@ -43,7 +43,7 @@ tl::expected<remote::HandAction, std::string> action_of(const json& entry, std::
 
 result::Result<HandPlan> read_hand_plan(const std::filesystem::path& file) {
   const auto fail = [&](std::string message) {
-    return result::fail("C0545", {file.string(), 0, 0}, std::move(message),
+    return result::fail("C0566", {file.string(), 0, 0}, std::move(message),
                         "`stepwright translate --handshake` writes it");
   };
   const auto text = process::read_file(file.string());

@@ -17,7 +17,7 @@ struct HandPlan {
   std::vector<remote::HandAction> actions;
 };
 
-// C0545 with the file's name for anything else, and for a file that cannot be read.
+// C0566 with the file's name for anything else, and for a file that cannot be read.
 [[nodiscard]] result::Result<HandPlan> read_hand_plan(const std::filesystem::path& file);
 
 }  // namespace stepwright::gateway

@@ -8,11 +8,14 @@
 #include <optional>
 #include <utility>
 
+#include "cell/hall/hall.h"
 #include "cell/hmi/floor_picture.h"
+#include "cell/hmi/hall_drawing.h"
 #include "cell/hmi/picture_points.h"
 #include "plant_models/assemblies/bench_ports.h"
 #include "plant_models/assemblies/fleet_ports.h"
 #include "plant_models/assemblies/line_ports.h"
+#include "plant_models/assemblies/tugger_ports.h"
 #include "plant_models/bridge/plant_driver.h"
 #include "plant_models/core/names.h"
 #include "supervisor/map/map_file.h"
@@ -21,7 +24,6 @@ namespace stepwright::hmi {
 namespace {
 
 using core::PlantDescription;
-using server::PointSource;
 using server::PointSourceKind;
 using server::PointSources;
 
@@ -171,6 +173,31 @@ assemblies::FleetParameters seen_of(const config::FleetPlantConfig& fleet) {
   return parameters;
 }
 
+// Those of the configuration, or the wires that there are without any.
+std::vector<config::PortAddress> ports_or(const config::PlantConfig& plant,
+                                          std::vector<bridge::PortWire> otherwise) {
+  std::vector<config::PortAddress> ports = plant.ports;
+  if (!ports.empty()) return ports;
+  for (bridge::PortWire& wire : otherwise)
+    ports.push_back({std::move(wire.port), std::move(wire.address), {}});
+  return ports;
+}
+
+result::Result<PlantPicture> tugger_picture(const config::PlantConfig& plant) {
+  auto parameters = cell_hall::hall_parameters(plant);
+  if (!parameters) return result::forward(parameters);
+  const std::vector<config::PortAddress> ports =
+      ports_or(plant, bridge::default_tugger_wires(assemblies::most_trailers(*parameters),
+                                                   cell_hall::place_names(*parameters)));
+  PicturePoints points(ports);
+  PlantPicture picture;
+  picture.drawing = hall_drawing(assemblies::describe_tugger(*parameters), points);
+  picture.synoptic.floor.estop_ok_point = points.terminal("estop_ok", "estop_ok");
+  picture.synoptic.points = std::move(points.points);
+  picture.sources = std::move(points.sources);
+  return picture;
+}
+
 result::Result<PlantPicture> fleet_picture(const config::PlantConfig& plant) {
   std::optional<fleet::OccupancyGrid> map;
   if (!plant.fleet.map.empty()) {
@@ -178,12 +205,8 @@ result::Result<PlantPicture> fleet_picture(const config::PlantConfig& plant) {
     if (!read) return result::forward(read);
     map = std::move(*read);
   }
-  std::vector<config::PortAddress> ports = plant.ports;
-  if (ports.empty()) {
-    for (auto& wire : bridge::default_fleet_wires(plant.fleet.vehicles.size())) {
-      ports.push_back({std::move(wire.port), std::move(wire.address), {}});
-    }
-  }
+  const std::vector<config::PortAddress> ports =
+      ports_or(plant, bridge::default_fleet_wires(plant.fleet.vehicles.size()));
   PicturePoints points(ports);
   PlantPicture picture;
   picture.synoptic.floor =
@@ -201,6 +224,7 @@ PlantPicture picture_of(const PlantDescription& plant, const std::vector<config:
 
 result::Result<PlantPicture> picture_of(const config::PlantConfig& plant) {
   if (plant.kind == "fleet") return fleet_picture(plant);
+  if (plant.kind == "tugger") return tugger_picture(plant);
   if (plant.kind == "sorting_line") {
     assemblies::LineParameters parameters;
     parameters.seed = plant.seed;

@@ -12,6 +12,7 @@
 // them. The true state of a simulated plant stands
 // beside it.
 
+#include <string>
 #include <vector>
 
 #include "cell/config/cell_config.h"
@@ -25,10 +26,12 @@ namespace stepwright::hmi {
 struct PlantPicture {
   protocol::Synoptic synoptic;
   std::vector<server::PointSources> sources;  // by the points of the synoptic
+  // An SVG (hmi_web/doc/drawings.md) of a plant that the page cannot draw by itself; empty: it can.
+  std::string drawing = {};
 };
 
 // The configured plant; an empty picture for a kind without a description. Fails with what is wrong with a
-// fleet's map (F0101 to F0104).
+// fleet's map (F0101 to F0104) or a hall's scene (hall_parameters()).
 [[nodiscard]] result::Result<PlantPicture> picture_of(const config::PlantConfig& plant);
 
 // `ports` says at which address of the process image each terminal of the plant is.

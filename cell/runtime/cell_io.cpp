@@ -8,9 +8,11 @@
 
 #include "cell/runtime/fleet_plant.h"
 #include "cell/runtime/plant_memory.h"
+#include "cell/runtime/tugger_plant.h"
 #include "plant_models/assemblies/fleet_floor.h"
 #include "plant_models/assemblies/sorting_line.h"
 #include "plant_models/assemblies/tank_bench.h"
+#include "plant_models/assemblies/tugger.h"
 #include "plant_models/bridge/plant_driver.h"
 #include "plant_models/bridge/port_map.h"
 #include "runtime/image/no_io.h"
@@ -159,9 +161,19 @@ result::Result<std::unique_ptr<core::Plant>> make_fleet(const config::PlantConfi
   return std::unique_ptr<core::Plant>(std::move(*floor));
 }
 
+result::Result<std::unique_ptr<core::Plant>> make_tugger(const config::PlantConfig& plant, const Kept& left) {
+  auto parameters = tugger_parameters(plant);
+  if (!parameters) return result::forward(parameters);
+  auto tugger = assemblies::Tugger::create(*parameters);
+  if (!tugger) return result::forward(tugger);
+  if (left) (void)(*tugger)->resume(*left);  // the same
+  return std::unique_ptr<core::Plant>(std::move(*tugger));
+}
+
 result::Result<std::unique_ptr<core::Plant>> make_plant(const config::PlantConfig& plant,
                                                         const Kept& left = std::nullopt) {
   if (plant.kind == "fleet") return make_fleet(plant, left);
+  if (plant.kind == "tugger") return make_tugger(plant, left);
   return plant.kind == "sorting_line" ? make_line(plant, left) : make_bench(plant, left);
 }
 
@@ -191,7 +203,7 @@ result::Diagnostics check_no_plant(const config::CellConfig& config) {
     if (config::is_goal_change(fault)) continue;
     problems.push_back({"C0448", result::Severity::Error, fault.where,
                         "fault '" + fault.name + "' is of a simulated plant, and this cell has none",
-                        "[plant] kind = \"tank_bench\", \"sorting_line\" or \"fleet\""});
+                        "[plant] kind = \"tank_bench\", \"sorting_line\", \"fleet\" or \"tugger\""});
   }
   return problems;
 }
@@ -207,6 +219,7 @@ std::vector<bridge::PortWire> plant_wires(const config::CellConfig& config) {
   if (wires.empty() && config.plant.kind == "fleet") {
     wires = bridge::default_fleet_wires(config.plant.fleet.vehicles.size());
   }
+  if (wires.empty() && config.plant.kind == "tugger") wires = tugger_wires(config.plant);
   return wires;
 }
 

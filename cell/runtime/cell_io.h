@@ -37,7 +37,7 @@ class CellIo {
   [[nodiscard]] static result::Result<std::unique_ptr<CellIo>> create(const config::CellConfig& config);
 };
 
-// The wires of the cell's plant: its own, or those that a tank bench has by default.
+// The wires of the cell's plant: its own, or those that its kind has by default.
 std::vector<bridge::PortWire> plant_wires(const config::CellConfig& config);
 
 // Everything that create() would refuse, found without leaving a trace: nothing is opened or kept.

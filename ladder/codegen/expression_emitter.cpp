@@ -57,6 +57,8 @@ void ExpressionEmitter::value(const Value& value, Width width) {
       return chain(value);
     case ValueKind::Fail:
       return b_.trap(static_cast<std::uint8_t>(bytecode::TrapCode::BadArgument));
+    case ValueKind::Stop:
+      return b_.trap(static_cast<std::uint8_t>(bytecode::TrapCode::UserTrap));
     case ValueKind::Now:
       return b_.emit(Opcode::Now);
     case ValueKind::Text:

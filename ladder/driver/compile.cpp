@@ -32,6 +32,17 @@ std::vector<std::byte> with_sources(std::vector<std::byte> container, const Comp
   return writer::with_document(container, print::program_document(*sheets));
 }
 
+// What is said of a watcher is said of what it was made from.
+result::Diagnostics at_origins(result::Diagnostics diagnostics, std::span<const Watcher> watchers) {
+  for (result::Diagnostic& each : diagnostics) {
+    const auto watcher = std::ranges::find(watchers, each.where.file, &Watcher::name);
+    if (watcher == watchers.end() || watcher->origins.empty()) continue;
+    const std::size_t line = std::min<std::size_t>(std::max(each.where.line, 1u), watcher->origins.size());
+    each.where = watcher->origins[line - 1];
+  }
+  return diagnostics;
+}
+
 }  // namespace
 
 result::Result<CompileOutput> compile(const CompileInput& input) {
@@ -40,7 +51,7 @@ result::Result<CompileOutput> compile(const CompileInput& input) {
   // Tests are checked and left behind: the container is that of the same sources without them.
   for (const semantics::TestGroup& each : front.test_groups()) front.analyze(&each);
   const auto model = front.analyze();
-  if (sink.has_errors()) return tl::unexpected(sink.take());
+  if (sink.has_errors()) return tl::unexpected(at_origins(sink.take(), input.watchers));
   CompileOutput output;
   const bool runs = !model->instances.empty() || !input.library;
   if (runs) {
@@ -49,7 +60,7 @@ result::Result<CompileOutput> compile(const CompileInput& input) {
     output.container = input.document ? with_sources(std::move(*container), input) : std::move(*container);
   }
   lint::check(*model, front.unit(), front.user_pous(), input.lint, sink);
-  output.warnings = lint::without_suppressed(sink.take(), front.sources());
+  output.warnings = at_origins(lint::without_suppressed(sink.take(), front.sources()), input.watchers);
   return output;
 }
 

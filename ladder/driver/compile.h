@@ -14,9 +14,11 @@
 // function blocks (TON .. RS) are there without being named.
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "ladder/driver/watcher.h"
 #include "ladder/graphic/project.h"
 #include "ladder/lint/lint.h"
 #include "ladder/source/dialect.h"
@@ -41,6 +43,8 @@ struct CompileInput {
   const source::Dialect* dialect = &source::standard_dialect();
   // The sources are only checked: they may be a library without a program, which has no container.
   bool library = false;
+  // Programs that watch the others and run behind them. What is wrong with one is said at its places.
+  std::span<const Watcher> watchers{};
 };
 
 struct CompileOutput {

@@ -41,6 +41,17 @@ std::vector<codegen::ChartOrigin> chart_origins(const PouLowering& lowering, con
   return origins;
 }
 
+// Its states as steps, each of which may follow the first one.
+codegen::ChartOrigin chart_of(const Watcher& watcher, const semantics::Pou* pou) {
+  codegen::ChartOrigin origin;
+  origin.pou = pou;
+  for (const WatcherState& each : watcher.states)
+    origin.steps.push_back({each.shown, each.comment, origin.steps.empty(), each.variable});
+  for (std::uint32_t k = 1; k < origin.steps.size(); ++k)
+    origin.transitions.push_back({{}, watcher.states[k].variable, {0}, {k}, {}});
+  return origin;
+}
+
 }  // namespace
 
 FrontEnd::FrontEnd(const CompileInput& input)
@@ -49,13 +60,16 @@ FrontEnd::FrontEnd(const CompileInput& input)
       library_(input.library),
       sink_(sources_),
       context_{sources_, names_, sink_, input.dialect},
-      lowering_(context_, unit_) {
+      lowering_(context_, unit_),
+      watchers_(input.watchers) {
   syntax::intern_keywords(names_);
   for (const source::NamedText& each : input.texts)
     syntax::parse_unit(context_, sources_.add(each.name, each.text), unit_);
   lowering_.lower_charts();
   lowering_.add_projects(input.projects);
   user_pous_ = unit_.pous.size();
+  for (const Watcher& each : watchers_)
+    syntax::parse_unit(context_, sources_.add(each.name, each.text), unit_);
   add_library(context_, unit_);
   if (dialect_->extension_types) add_extension_types(context_, unit_);
   lowering_.report_foreign_types();
@@ -63,13 +77,22 @@ FrontEnd::FrontEnd(const CompileInput& input)
 }
 
 std::unique_ptr<semantics::Model> FrontEnd::analyze(const semantics::TestGroup* tests) {
+  std::vector<std::uint32_t> watchers;
+  for (const Watcher& each : watchers_) watchers.push_back(each.outside_reads);
   return semantics::analyze(unit_, user_pous_, names_, sink_,
-                            {.tests = tests, .library = library_, .dialect = dialect_});
+                            {.tests = tests,
+                             .library = library_,
+                             .first_watcher = user_pous_,
+                             .watchers = std::move(watchers),
+                             .dialect = dialect_});
 }
 
 result::Result<std::vector<std::byte>> FrontEnd::container(const semantics::Model& model) const {
-  return codegen::generate(model, chart_origins(lowering_, model), sources_,
-                           container_names(sources_, folder_));
+  auto charts = chart_origins(lowering_, model);
+  for (std::size_t k = 0; k < watchers_.size(); ++k)
+    if (!watchers_[k].states.empty())
+      charts.push_back(chart_of(watchers_[k], model.pous[user_pous_ + k].get()));
+  return codegen::generate(model, charts, sources_, container_names(sources_, folder_));
 }
 
 result::Result<std::vector<std::byte>> FrontEnd::test_container(const semantics::Model& model) const {

@@ -47,6 +47,7 @@ class FrontEnd {
   syntax::Unit unit_;
   PouLowering lowering_;
   std::size_t user_pous_ = 0;
+  std::span<const Watcher> watchers_;  // POUs from user_pous_ on, one each
 };
 
 }  // namespace stepwright::driver

@@ -6,6 +6,7 @@
 #include "ladder/semantics/internal/declarer.h"
 #include "ladder/semantics/internal/statement_analyzer.h"
 #include "ladder/semantics/internal/test_suite.h"
+#include "ladder/semantics/internal/watcher.h"
 #include "runtime/bytecode/container_format.h"
 
 namespace stepwright::semantics {
@@ -130,8 +131,13 @@ std::unique_ptr<Model> analyze(const syntax::Unit& unit, std::size_t user_pous, 
   for (const auto& pou : model->pous) types.lay_out(*pou);
   if (tests != nullptr) check_mocks(a, types, unit, *tests);
   note_block_tasks(a, unit);
+  for (std::size_t k = 0; k < options.watchers.size(); ++k) {
+    Pou& watcher = *model->pous[options.first_watcher + k];
+    watcher.watches = true;
+    watcher.outside_reads = options.watchers[k];
+  }
   for (const auto& pou : model->pous)
-    if (pou->test == nullptr) StatementAnalyzer(a, *pou).body(pou->declaration->body);
+    if (pou->test == nullptr && !pou->watches) StatementAnalyzer(a, *pou).body(pou->declaration->body);
   // What follows walks along the calls.
   if (!check_calls(a)) return model;
   protect_inputs(a);
@@ -139,6 +145,9 @@ std::unique_ptr<Model> analyze(const syntax::Unit& unit, std::size_t user_pous, 
   if (runs || (tests == nullptr && !options.library)) configure(a, types, unit, user_pous);
   // Tests name the variables of program instances.
   if (tests != nullptr) analyze_tests(a);
+  if (tests == nullptr && runs && !sink.has_errors())
+    for (std::size_t k = 0; k < options.watchers.size(); ++k)
+      add_watcher(a, *model->pous[options.first_watcher + k]);
   place_hierarchical(a);
   check_overlaps(a);
   return model;

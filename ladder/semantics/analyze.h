@@ -23,6 +23,10 @@ struct TestGroup {
 struct AnalysisOptions {
   const TestGroup* tests = nullptr;  // the model is one to run them: it needs no main program
   bool library = false;              // nor does what is only checked
+  // POUs of the unit from here on, so many, are programs that watch the others (internal/watcher.h).
+  // Of each: how many assignments at its beginning take their values from outside.
+  std::size_t first_watcher = 0;
+  std::vector<std::uint32_t> watchers = {};
   const source::Dialect* dialect = &source::standard_dialect();
 };
 

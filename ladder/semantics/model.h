@@ -78,6 +78,10 @@ struct Pou {
   bool writes_outside = false;      // a global, an address, what a reference leads to; itself, not by calls
   std::vector<const Pou*> callees;  // functions called and blocks used, without repetition
   Test* test = nullptr;             // of the program that a TEST became
+  bool watches = false;             // reads variables of program instances, and writes none but its own
+  std::vector<std::uint32_t> watched;  // then: indexes of those instances, without repetition
+  std::uint32_t outside_reads = 0;     // then: the assignments at its beginning whose values are read outside
+  bool own_hidden = false;             // while such a value is analysed
   std::unordered_set<const Pou*> known_callees;  // the same, to be asked
 
   void note_callee(const Pou& callee) {

@@ -23,7 +23,7 @@ bool is_outside(const Place& place) {
 }  // namespace
 
 const Variable* Places::find_variable(NameId name) const {
-  if (pou_ != nullptr) {
+  if (pou_ != nullptr && !pou_->own_hidden) {
     if (const Variable* found = pou_->find(name)) return found;
   }
   const auto global = a_.globals.find(name.value);
@@ -43,7 +43,7 @@ void Places::report_unknown(const syntax::Name& name) {
                     "a block names its own variables as they are, and other blocks by their instances");
   if (a_.sink.is_full()) return a_.error(code::kUndeclared, name.where, {});
   std::vector<std::string_view> candidates;
-  if (pou_ != nullptr)
+  if (pou_ != nullptr && !pou_->own_hidden)
     for (const Variable& each : pou_->variables) candidates.push_back(each.spelling);
   for (const Variable& each : a_.model.globals) candidates.push_back(each.spelling);
   a_.unknown_name(code::kUndeclared, pou_, name.where, quote(name.text) + " is not declared",
@@ -86,7 +86,11 @@ std::optional<Place> Places::place(const Expression& expression, Access access) 
     a_.error(code::kReadOnly, read_only_where_, read_only_.why + " and cannot be written", read_only_.hint);
     found.reset();
   }
-  if (found && access == Access::Write && pou_ != nullptr && is_outside(*found)) pou_->writes_outside = true;
+  if (found && access == Access::Write && pou_ != nullptr && is_outside(*found)) {
+    pou_->writes_outside = true;
+    if (pou_->watches)
+      a_.error(code::kReadOnly, expression.where, "what watches a program writes nothing of it");
+  }
   read_only_ = std::move(outer);
   read_only_where_ = outer_where;
   return found;
@@ -133,7 +137,7 @@ std::optional<Place> Places::part(const Expression& expression) {
 std::optional<Place> Places::variable_place(const syntax::Name& name) {
   const Variable* found = find_variable(name.id);
   if (found == nullptr) {
-    std::optional<Place> instance = in_test() ? program_instance(name) : std::nullopt;
+    std::optional<Place> instance = sees_instances() ? program_instance(name) : std::nullopt;
     if (!instance && !is_unconfigured(name)) report_unknown(name);
     return instance;
   }
@@ -159,7 +163,7 @@ Place Places::known_place(const Variable& variable, const syntax::Name& name) {
 }
 
 std::optional<Place> Places::field_place(const Expression& expression) {
-  if (in_test()) {
+  if (sees_instances()) {
     if (auto flag = step_flag(expression)) return flag;
   }
   if (const Variable* global = qualified_global(expression)) {
@@ -169,7 +173,7 @@ std::optional<Place> Places::field_place(const Expression& expression) {
   std::optional<Place> base = part(*expression.operands[0]);
   if (!base) return std::nullopt;
   const Type& type = *base->type;
-  if (type.kind == TypeKind::Instance && in_test()) return inner_place(std::move(*base), expression);
+  if (type.kind == TypeKind::Instance && sees_instances()) return inner_place(std::move(*base), expression);
   std::optional<Member> member;
   if (type.kind == TypeKind::Struct) {
     member = struct_member(type, expression.name);

@@ -55,6 +55,8 @@ std::span<const StandardAnalyzer::Entry> StandardAnalyzer::time_entries() {
       // What the library is written with; no names that a user's source can hold by accident.
       {"__NOW", "", 0, &S::now},
       {"__FAIL", "", 0, &S::fail},
+      // What watchers of a program stop it with.
+      {"__STOP", "", 0, &S::stop},
   };
   return kEntries;
 }
@@ -82,6 +84,10 @@ ValuePtr StandardAnalyzer::now(const Expression& call, Values, int) {
 // Stops the program: an argument of a function of the library is outside of its domain.
 ValuePtr StandardAnalyzer::fail(const Expression& call, Values, int) {
   return make(ValueKind::Fail, a_.type_table().boolean(), call.where);
+}
+
+ValuePtr StandardAnalyzer::stop(const Expression& call, Values, int) {
+  return make(ValueKind::Stop, a_.type_table().boolean(), call.where);
 }
 
 }  // namespace stepwright::semantics::internal

@@ -70,7 +70,7 @@ std::optional<Statement> StatementAnalyzer::statement(const syntax::Statement& s
         return test_->statement(called);
       auto call = CallAnalyzer(a_, expressions_, &pou_).call_statement(*statement.value);
       if (call && call->kind == StatementKind::Evaluate && call->value->kind != ValueKind::Call &&
-          call->value->kind != ValueKind::Fail)
+          call->value->kind != ValueKind::Fail && call->value->kind != ValueKind::Stop)
         a_.sink.warning(code::kUnusedResult, statement.where, "the result of the function is not used");
       return call;
     }
@@ -139,7 +139,12 @@ std::optional<Statement> StatementAnalyzer::assign(const syntax::Statement& stat
   }
   if (wire != nullptr) deduce(*wire, value->type, statement.value->where);
   auto target = expressions_.places().place(*statement.target, Access::Write);
+  // What a watcher reads of others has nothing to do with its own names.
+  const bool outside = pou_.outside_reads > 0;
+  if (outside) --pou_.outside_reads;
+  pou_.own_hidden = outside;
   if (wire == nullptr) value = expressions_.value(*statement.value);
+  pou_.own_hidden = false;
   if (!target || !value) return std::nullopt;
   if (target->type->kind == TypeKind::Instance) {
     a_.error(code::kTypeMismatch, statement.target->where, "a function block cannot be assigned",

@@ -1,5 +1,6 @@
 // What a TEST reads and writes: the variables of program instances under the names that every viewer uses
-// (INSTANCE.block.variable), also those that are internal to their POU, and inputs of the plant.
+// (INSTANCE.block.variable), also those that are internal to their POU, and inputs of the plant. A program
+// that watches others (internal/watcher.h) reads the same.
 
 #include <algorithm>
 
@@ -23,9 +24,12 @@ std::string path_of(const Expression& expression) {
 
 }  // namespace
 
-std::optional<Place> Places::program_instance(const syntax::Name& name) const {
-  for (const ProgramInstance& each : a_.model.instances) {
+std::optional<Place> Places::program_instance(const syntax::Name& name) {
+  for (std::uint32_t k = 0; k < a_.model.instances.size(); ++k) {
+    const ProgramInstance& each = a_.model.instances[k];
     if (!naming::same_name(each.name, name.text)) continue;
+    if (pou_->watches && std::ranges::find(pou_->watched, k) == pou_->watched.end())
+      pou_->watched.push_back(k);
     Place place;
     place.base = Base::Data;
     place.offset = each.offset;

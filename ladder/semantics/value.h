@@ -93,6 +93,7 @@ enum class ValueKind : std::uint8_t {
   Multiplex,  // operands[0] (DINT) chooses among the rest, all evaluated
   Chain,      // operands[0] `op` operands[1] AND operands[1] `op` operands[2] ..., each evaluated once
   Fail,       // stops the program: bad argument
+  Stop,       // stops the program, because it says so
   Call,       // user function `pou`; operands in the order of its slots; a result in memory is at `place`
   Enabled,    // operands[0] ? operands[1] : the first value of the type; `after` passes ENO on, in `place`
   Now,        // time since the start, TIME

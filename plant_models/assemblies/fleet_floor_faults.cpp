@@ -3,12 +3,12 @@
 namespace stepwright::assemblies {
 namespace {
 
-constexpr std::string_view kPlant = "the fleet";
+constexpr std::string_view kFleetPlant = "the fleet";
 
 }  // namespace
 
 result::Result<void> FleetFloor::inject_fault(std::string_view name, double value) {
-  auto fault = find_fault(kPlant, ports_.faults, name);
+  auto fault = find_fault(kFleetPlant, ports_.faults, name);
   if (!fault) return result::forward(fault);
   if (auto good = check_fault(ports_.faults[*fault], ports_.fault_ranges[*fault], value); !good) return good;
   apply_fault(*fault, value, true);
@@ -16,7 +16,7 @@ result::Result<void> FleetFloor::inject_fault(std::string_view name, double valu
 }
 
 result::Result<void> FleetFloor::clear_fault(std::string_view name) {
-  auto fault = find_fault(kPlant, ports_.faults, name);
+  auto fault = find_fault(kFleetPlant, ports_.faults, name);
   if (!fault) return result::forward(fault);
   apply_fault(*fault, 0.0, false);
   return {};

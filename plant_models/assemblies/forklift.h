@@ -11,10 +11,11 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "plant_models/assemblies/forklift_equations.h"
-#include "plant_models/ode/cvode_solver.h"
+#include "plant_models/assemblies/switched_motion.h"
 
 namespace stepwright::assemblies {
 
@@ -48,7 +49,7 @@ class Forklift {
   const ForkliftModes& modes() const { return equations_.modes; }
 
   // Runs to `t_s`; a time that has passed changes nothing. False if the solver has given up, for good.
-  bool advance_to(double t_s);
+  bool advance_to(double t_s) { return motion_->advance_to(t_s, y_); }
 
   ForkliftPose pose() const { return {y_[kForkliftX], y_[kForkliftY], y_[kForkliftHeading]}; }
   double speed_m_s() const { return equations_.ground_speed_m_s(y_); }
@@ -64,10 +65,7 @@ class Forklift {
 
   ForkliftEquations equations_;  // the solver points to it
   std::array<double, kForkliftStates> y_{};
-  std::unique_ptr<ode::CvodeSolver> solver_;
-  double now_s_ = 0.0;
-  bool changed_ = false;  // at now_s_: restart before the next step
-  bool failed_ = false;
+  std::optional<SwitchedMotion> motion_;
 };
 
 }  // namespace stepwright::assemblies

@@ -1,42 +1,27 @@
 #pragma once
 
-// The differential equations of a forklift, as plant_models/doc/forklift.md derives them: a kinematic bicycle
-// that is steered at the rear, with a force-limited drive, a rate-limited steering and slip. Pure functions
-// of parameters, modes and state, SI units. Between two changes of the modes the equations are smooth except
-// for the kinks of the limits, which the error control of the solver handles.
-//
-// Invariant: |steering angle| and |wheel speed| never pass the greater of their start and their limit.
+// The differential equations of a forklift, as plant_models/doc/forklift.md derives them: those of bicycle.h
+// with the figures of a vehicle that is steered at the rear. Pure functions of parameters, modes and state.
 
 #include <cstddef>
 #include <span>
 
+#include "plant_models/assemblies/bicycle.h"
 #include "plant_models/assemblies/forklift_parameters.h"
 #include "plant_models/ode/ode_system.h"
 
 namespace stepwright::assemblies {
 
 // Places of the state vector.
-inline constexpr std::size_t kForkliftX = 0;        // m, of the reference point
-inline constexpr std::size_t kForkliftY = 1;        // m
-inline constexpr std::size_t kForkliftHeading = 2;  // rad, not wrapped
-inline constexpr std::size_t kForkliftWheel = 3;    // m/s, speed of the drive wheels' rim
-inline constexpr std::size_t kForkliftLock = 4;     // rad, steering; positive turns left when driving forward
-inline constexpr std::size_t kForkliftTravel =
-    5;  // m, way of the wheels' rim, whichever direction: the odometer
-inline constexpr std::size_t kForkliftStates = 6;
+inline constexpr std::size_t kForkliftX = kBicycleX;
+inline constexpr std::size_t kForkliftY = kBicycleY;
+inline constexpr std::size_t kForkliftHeading = kBicycleHeading;
+inline constexpr std::size_t kForkliftWheel = kBicycleWheel;
+inline constexpr std::size_t kForkliftLock = kBicycleLock;
+inline constexpr std::size_t kForkliftTravel = kBicycleTravel;
+inline constexpr std::size_t kForkliftStates = kBicycleStates;
 
-// Inputs of the equations that are constant between two commands or faults.
-struct ForkliftModes {
-  bool enabled = false;    // off: the spring brake holds
-  double speed_m_s = 0.0;  // commanded, of the wheels' rim
-  double lock_rad = 0.0;   // commanded
-  double load_kg = 0.0;
-  double drive_strength = 1.0;  // 1 = healthy
-  double extra_slip = 0.0;      // on top of the parameters' slip
-  bool steering_stuck = false;
-
-  friend bool operator==(const ForkliftModes&, const ForkliftModes&) = default;
-};
+using ForkliftModes = BicycleModes;
 
 class ForkliftEquations final : public ode::OdeSystem {
  public:
@@ -46,19 +31,17 @@ class ForkliftEquations final : public ode::OdeSystem {
 
   std::size_t state_size() const override { return kForkliftStates; }
   std::size_t root_count() const override { return 0; }
-  void derivative(double t, std::span<const double> y, std::span<double> dydt) const override;
+  void derivative(double, std::span<const double> y, std::span<double> dydt) const override {
+    bicycle_.derivative(modes, y, dydt);
+  }
   void roots(double, std::span<const double>, std::span<double>) const override {}
 
-  // m/s of the reference point over ground.
-  double ground_speed_m_s(std::span<const double> y) const;
-  // 1/m, of the way of the reference point; positive to the left when driving forward.
-  double curvature_1_m(std::span<const double> y) const;
+  // As Bicycle has them.
+  double ground_speed_m_s(std::span<const double> y) const { return bicycle_.ground_speed_m_s(modes, y); }
+  double curvature_1_m(std::span<const double> y) const { return bicycle_.curvature_1_m(modes, y); }
 
  private:
-  double wheel_acceleration(double wheel_m_s) const;
-
-  ForkliftParameters parameters_;
-  double full_lock_rad_;
+  Bicycle bicycle_;
 };
 
 }  // namespace stepwright::assemblies

@@ -5,12 +5,12 @@
 namespace stepwright::assemblies {
 namespace {
 
-constexpr std::string_view kPlant = "the sorting line";
+constexpr std::string_view kLinePlant = "the sorting line";
 
 }  // namespace
 
 result::Result<void> SortingLine::inject_fault(std::string_view name, double value) {
-  auto fault = find_fault(kPlant, ports_.faults, name);
+  auto fault = find_fault(kLinePlant, ports_.faults, name);
   if (!fault) return result::forward(fault);
   if (auto good = check_fault(ports_.faults[*fault], ports_.fault_ranges[*fault], value); !good) return good;
   apply_fault(*fault, value, true);
@@ -18,7 +18,7 @@ result::Result<void> SortingLine::inject_fault(std::string_view name, double val
 }
 
 result::Result<void> SortingLine::clear_fault(std::string_view name) {
-  auto fault = find_fault(kPlant, ports_.faults, name);
+  auto fault = find_fault(kLinePlant, ports_.faults, name);
   if (!fault) return result::forward(fault);
   apply_fault(*fault, 0.0, false);
   return {};

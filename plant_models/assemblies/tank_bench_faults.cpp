@@ -9,7 +9,7 @@
 namespace stepwright::assemblies {
 namespace {
 
-constexpr std::string_view kPlant = "the tank bench";
+constexpr std::string_view kBenchPlant = "the tank bench";
 
 bool allowed(const FaultTarget& target, double value) {
   if (target.kind == FaultKind::StuckSwitch || target.kind == FaultKind::FrozenSensor)
@@ -20,7 +20,7 @@ bool allowed(const FaultTarget& target, double value) {
 }  // namespace
 
 result::Result<void> TankBench::inject_fault(std::string_view name, double value) {
-  auto fault = find_fault(kPlant, bench_faults(), name);
+  auto fault = find_fault(kBenchPlant, bench_faults(), name);
   if (!fault) return result::forward(fault);
   const FaultTarget target = bench_fault_target(*fault);
   if (!allowed(target, value)) {
@@ -38,7 +38,7 @@ result::Result<void> TankBench::inject_fault(std::string_view name, double value
 }
 
 result::Result<void> TankBench::clear_fault(std::string_view name) {
-  auto fault = find_fault(kPlant, bench_faults(), name);
+  auto fault = find_fault(kBenchPlant, bench_faults(), name);
   if (!fault) return result::forward(fault);
   apply_fault(*fault, 0.0, false);
   return {};

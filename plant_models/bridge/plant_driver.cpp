@@ -49,6 +49,26 @@ std::vector<PortWire> default_fleet_wires(std::size_t vehicles) {
   return wires;
 }
 
+std::vector<PortWire> default_tugger_wires(std::size_t trailers, std::span<const std::string> places) {
+  std::vector<std::string> words = {"x", "y", "heading", "speed", "lock"};
+  for (std::size_t k = 1; k <= trailers; ++k) words.push_back("hitch_" + std::to_string(k));
+  words.emplace_back("trailers");
+  std::vector<PortWire> wires;
+  for (std::size_t k = 0; k < words.size(); ++k) wires.push_back({words[k], "%IW" + std::to_string(k), {}});
+  const auto add_switch = [&](const std::string& name, std::size_t byte, std::size_t bit) {
+    wires.push_back({name, "%IX" + std::to_string(byte + bit / 8) + "." + std::to_string(bit % 8), {}});
+  };
+  const std::size_t switches = 2 * words.size();
+  add_switch("bumper", switches, 0);
+  add_switch("estop_ok", switches, 1);
+  add_switch("way_free", switches, 2);
+  for (std::size_t k = 0; k < places.size(); ++k) add_switch("at_" + places[k], switches + 1, k);
+  wires.push_back({"set_speed", "%QW0", {}});
+  wires.push_back({"set_lock", "%QW1", {}});
+  wires.push_back({"enable", "%QX4.0", {}});
+  return wires;
+}
+
 result::Result<PlantDriver> PlantDriver::create(core::Plant& plant, std::span<const PortWire> wires,
                                                 AreaSizes sizes) {
   auto checked = check_wires(plant, wires, sizes);

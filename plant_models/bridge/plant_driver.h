@@ -38,6 +38,12 @@ std::vector<PortWire> default_bench_wires();
 // for each with enable and lift.
 std::vector<PortWire> default_fleet_wires(std::size_t vehicles);
 
+// The wiring of a tugger train with terminals for so many trailers, in a hall with those places, when a cell
+// file gives none. Inputs: x, y, heading, speed and lock in %IW0 to %IW4, then hitch_1 and so on, then
+// trailers; behind all words a byte with bumper, estop_ok and way_free; from the next byte on a bit for each
+// place. Outputs: set_speed in %QW0, set_lock in %QW1, enable in %QX4.0.
+std::vector<PortWire> default_tugger_wires(std::size_t trailers, std::span<const std::string> places);
+
 // Sizes of the areas that the scan passes to the driver.
 struct AreaSizes {
   std::size_t input_bytes = 0;

@@ -22,8 +22,15 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BoxDescription, name, length, width, state_tr
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ForkliftDescription, name, front, rear, width, x_truth, y_truth,
                                    heading_truth, lock_truth, load_truth, wheelbase)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ObstacleDescription, name, x, y, angle, length, width, there_truth)
+NLOHMANN_JSON_SERIALIZE_ENUM(RegionKind, {{RegionKind::Wall, "wall"},
+                                          {RegionKind::Obstacle, "obstacle"},
+                                          {RegionKind::Place, "place"},
+                                          {RegionKind::Blockage, "blockage"}})
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RegionDescription, name, kind, x, y, live)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LinkDescription, name, length, width, x_truth, y_truth, heading_truth,
+                                   state_truth)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PlantDescription, name, tanks, pumps, pipes, vehicles, sensors, belts,
-                                   beams, pushers, boxes, forklifts, obstacles)
+                                   beams, pushers, boxes, forklifts, obstacles, regions, links)
 
 std::string to_json(const PlantDescription& description) {
   return nlohmann::json(description).dump();

@@ -4,6 +4,7 @@
 // while the plant lives; any thread. Invariant: every name refers to a port or a truth of the same plant, so
 // that live values can be looked up.
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -133,6 +134,34 @@ struct ObstacleDescription {
   std::string there_truth;  // 1 = it stands there; empty = always
 };
 
+enum class RegionKind : std::uint8_t {
+  Wall,  // nothing passes it from the inside
+  Obstacle,
+  Place,
+  Blockage,  // stands there now and then
+};
+
+// A polygon on the floor, m.
+struct RegionDescription {
+  std::string name;
+  RegionKind kind = RegionKind::Obstacle;
+  std::vector<double> x;  // of its corners
+  std::vector<double> y;
+  std::string live;  // of a place: the port that says that the vehicle is in it; of a blockage: the truth
+                     // that is 1 while it stands there
+};
+
+// A link of a train, a box around its middle, m.
+struct LinkDescription {
+  std::string name;
+  double length = 0.0;
+  double width = 0.0;
+  std::string x_truth;
+  std::string y_truth;
+  std::string heading_truth;  // rad
+  std::string state_truth;    // 0 = it is not there, 1 = coupled, 2 = left standing; empty = it is there
+};
+
 struct PlantDescription {
   std::string name;
   std::vector<TankDescription> tanks;
@@ -146,6 +175,8 @@ struct PlantDescription {
   std::vector<BoxDescription> boxes;
   std::vector<ForkliftDescription> forklifts;
   std::vector<ObstacleDescription> obstacles;
+  std::vector<RegionDescription> regions;
+  std::vector<LinkDescription> links;  // the one in front first
 };
 
 // One JSON object with the field names above, for a viewer in another process.

@@ -7,6 +7,7 @@
 
 #include "cell/config/state_dir.h"
 #include "cell/missions/mission_kinds.h"
+#include "cell/monitors/cell_monitors.h"
 #include "cell/runtime/cell_io.h"
 #include "cell/runtime/host_options.h"
 #include "hmi_web/alarms/definition_file.h"
@@ -31,6 +32,18 @@ void check_mission(const config::CellConfig& config, CheckReport& report) {
   report.program = "the program of the plan";
   add(report.problems, check_program(config, {report.program, first->program}));
   report.plan = {first->actions, first->cost, first->program.size()};
+}
+
+// What each monitor watches, in plain words, or what is wrong with it.
+void check_monitors(const config::CellConfig& config, result::Diagnostics& problems) {
+  const auto monitors = cell_monitors::cell_monitors(config);
+  if (!monitors) return add(problems, monitors.error());
+  for (const cell_monitors::CellMonitor& each : *monitors)
+    problems.push_back({"C0559",
+                        result::Severity::Note,
+                        each.where,
+                        "monitor '" + each.name + "': " + cell_monitors::sentence_of(each),
+                        {}});
 }
 
 // A sound report must not be taken for more than it is.
@@ -78,6 +91,7 @@ CheckReport check_cell(const std::filesystem::path& file, const std::vector<std:
   add(report.problems, check_processes(cell.config));
   if (const auto trusted = config::check_state_dir(cell.config); !trusted)
     add(report.problems, trusted.error());
+  check_monitors(cell.config, report.problems);
   if (!cell.config.history.alarms.empty()) {
     if (const auto alarms = alarms::load_alarms(cell.config.history.alarms); !alarms)
       add(report.problems, alarms.error());

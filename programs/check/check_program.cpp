@@ -3,6 +3,7 @@
 #include <span>
 #include <utility>
 
+#include "cell/monitors/missing_monitors.h"
 #include "cell/runtime/boot_program.h"
 #include "cell/runtime/host_options.h"
 #include "programs/check/check_tags.h"
@@ -70,6 +71,7 @@ result::Diagnostics check_program(const config::CellConfig& config, const CellPr
     add(problems, modbus::map::build_map(*info, config.modbus_server.map).problems);
   add(problems, check_tags(config.modbus_client, *info));
   add(problems, check_wires(config, *info));
+  add(problems, cell_monitors::missing_monitors(config, *info));
   return problems;
 }
 

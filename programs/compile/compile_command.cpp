@@ -4,6 +4,7 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 
+#include "cell/monitors/cell_monitors.h"
 #include "ladder/source_files/source_files.h"
 #include "runtime/ground/process/diagnostics_json.h"
 #include "runtime/ground/process/files.h"
@@ -43,12 +44,31 @@ void apply(const WarningOptions& options, result::Diagnostics& diagnostics) {
     if (each.severity == Severity::Warning) each.severity = Severity::Error;
 }
 
+// The monitors of a cell, by its file.
+result::Result<std::vector<driver::Watcher>> watchers_of(const std::string& cell) {
+  const auto config = config::load_cell_config(cell);
+  if (!config) return tl::unexpected(config.error());
+  const auto monitors = cell_monitors::cell_monitors(*config);
+  if (!monitors) return tl::unexpected(monitors.error());
+  return cell_monitors::watchers_of(*monitors);
+}
+
 std::vector<std::byte> compile(const CompileArguments& arguments, sources::SourceFiles& files,
                                result::Diagnostics& diagnostics) {
   files = sources::load(arguments.sources, diagnostics, arguments.options);
   if (!diagnostics.empty()) return {};
   const WarningOptions options = warning_options(arguments.warnings);
+  std::vector<driver::Watcher> watchers;
+  if (!arguments.cell.empty()) {
+    auto made = watchers_of(arguments.cell);
+    if (!made) {
+      diagnostics = std::move(made.error());
+      return {};
+    }
+    watchers = *std::move(made);
+  }
   driver::CompileInput input = files.input();
+  input.watchers = watchers;
   input.lint = options.level;
   input.library = arguments.check;
   input.document = !arguments.bare && !input.library;

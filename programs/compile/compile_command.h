@@ -14,6 +14,7 @@ struct CompileArguments {
   std::vector<std::string> sources;
   std::string image;
   bool check = false;  // instead of writing an image
+  std::string cell;    // whose monitors are compiled with it; empty: none
   std::string json_file;
   bool bare = false;  // without the sources for viewers
   sources::SourceOptions options;

@@ -19,6 +19,8 @@ void describe_compile(CLI::App& app, compile_program::CompileArguments& argument
                    "write no image: the sources may be a library without a PROGRAM");
   result->require_option(1);
   sources::add_source_options(app, arguments.options);
+  app.add_option("--config", arguments.cell, "the cell (cell.toml) whose [[monitors]] the image shall have")
+      ->check(CLI::ExistingFile);
   app.add_option("--json", arguments.json_file, "file for the report, - for standard output");
   app.add_flag("--bare", arguments.bare,
                "leave out the sources, which the page in the browser shows: smaller");

@@ -44,6 +44,10 @@ result::Result<ControllerChoice> emulated(const std::filesystem::path& programs)
 
 }  // namespace
 
+void count_instructions(EmulatedController& board) {
+  board.arguments.insert(board.arguments.end(), {"-icount", "shift=auto"});
+}
+
 result::Result<ControllerChoice> choose_controller(const std::string& text,
                                                    const std::filesystem::path& programs) {
   if (text == "qemu") return emulated(programs);

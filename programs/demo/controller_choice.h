@@ -23,6 +23,10 @@ struct EmulatedController {
   std::vector<std::string> arguments;  // the first one is the program
 };
 
+// Its clock follows its instructions: a board that the machine holds up for seconds loses no time, and its
+// watchdog does not bite. For simulated time, in which nobody compares that clock with the wall's.
+void count_instructions(EmulatedController& board);
+
 struct ControllerChoice {
   std::vector<std::string> overrides;  // KEY=VALUE of the cell
   std::optional<EmulatedController> emulator = std::nullopt;

@@ -184,6 +184,8 @@ int run_demo(const DemoOptions& options) {
   auto config = config::load_cell_config(*cell, first);
   if (!config) return fail(config.error(), ExitCode::BadInput);
   if (config->controller.remote()) setting.scan = "gateway";
+  if (setting.emulator && config->clock.mode == config::ClockMode::Simulated)
+    count_instructions(*setting.emulator);
   if (auto writable = check_outputs(options); !writable) return fail(writable.error(), ExitCode::BadInput);
   if (!options.headless) {
     std::printf("Open http://%s:%u in a browser; Ctrl-C ends the demo.\n", config->hmi.host.c_str(),

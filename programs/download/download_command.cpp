@@ -14,6 +14,8 @@
 #include <vector>
 
 #include "cell/config/cell_options.h"
+#include "cell/monitors/missing_monitors.h"
+#include "runtime/bytecode/reader/program_info.h"
 #include "runtime/bytecode/writer/document_section.h"
 #include "runtime/ground/process/command_line.h"
 #include "runtime/ground/process/diagnostics_json.h"
@@ -118,9 +120,18 @@ void print(DownloadMode mode, const service::Reply& reply) {
     std::printf("  %u forces are gone with their variables\n", reply.change.dropped_forces);
 }
 
+// What is no program is left to the runtime, which says why.
+result::Diagnostics missing_monitors(const config::CellConfig& config, const std::string& image) {
+  if (config.monitors.empty()) return {};
+  const auto info = reader::ProgramInfo::read(std::as_bytes(std::span(image)));
+  return info ? cell_monitors::missing_monitors(config, *info) : result::Diagnostics{};
+}
+
 int download(const config::CellConfig& config, const Arguments& arguments) {
   const auto image = process::read_file(arguments.image);
   if (!image) return refuse(arguments, image.error(), ExitCode::BadInput);
+  if (const auto problems = missing_monitors(config, *image); !problems.empty())
+    return refuse(arguments, problems, ExitCode::BadInput);
   auto connection = service::Connection::open(config.socket_path(),
                                               {.role = service::Role::Controller, .name = "download"});
   if (!connection) return refuse(arguments, connection.error(), ExitCode::RuntimeFault);

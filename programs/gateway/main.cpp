@@ -151,7 +151,7 @@ int serve(const config::CellConfig& config, log::Logger& log, const process::Sto
 int run(const config::CellConfig& config) {
   if (!config.controller.remote()) {
     return fail(
-        result::fail("C0544", {config.file.string(), 0, 0}, "the cell has no controller behind Modbus",
+        result::fail("C0564", {config.file.string(), 0, 0}, "the cell has no controller behind Modbus",
                      "[controller] kind = \"modbus-rtu\" or \"modbus-tcp\"; else `stepwright runtime`")
             .value(),
         ExitCode::BadInput);

@@ -6,7 +6,8 @@
 
 namespace stepwright::hmi {
 
-result::Result<api::Compiled> compile_sources(const api::SourceTexts& texts, const source::Dialect& dialect) {
+result::Result<api::Compiled> compile_sources(const api::SourceTexts& texts, const source::Dialect& dialect,
+                                              std::span<const driver::Watcher> watchers) {
   sources::SourceFiles files;
   files.options.dialect = &dialect;
   result::Diagnostics problems;
@@ -15,6 +16,7 @@ result::Result<api::Compiled> compile_sources(const api::SourceTexts& texts, con
   driver::CompileInput input = files.input();
   input.folder.clear();  // they come from a page, not from here
   input.document = true;
+  input.watchers = watchers;
   input.lint = lint::Level::Default;
   auto output = driver::compile(input);
   if (!output) return tl::unexpected(std::move(output.error()));

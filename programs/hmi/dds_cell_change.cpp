@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "cell/hmi/supervisor_word.h"
+#include "cell/monitors/cell_monitors.h"
 #include "hmi_web/api/cell_codes.h"
 #include "programs/hmi/compile_sources.h"
 #include "programs/hmi/source_cache.h"
@@ -49,6 +50,7 @@ DdsCellChange::DdsCellChange(DdsCellSource& source, const config::CellConfig& co
     : source_(source),
       trial_scans_(config.change.trial_scans),
       dialect_(config.mission.table ? config.mission.table->dialect() : source::standard_dialect()),
+      config_(config),
       remote_(config.controller.remote()),
       listener_([this](const std::stop_token& stop) { listen(stop); }) {}
 
@@ -163,7 +165,9 @@ void DdsCellChange::judge(Change& change, const dds::RuntimeStatus& status) cons
 }
 
 Result<api::Compiled> DdsCellChange::compile(const api::SourceTexts& sources) {
-  return compile_sources(sources, dialect_);
+  const auto monitors = cell_monitors::cell_monitors(config_);
+  if (!monitors) return tl::unexpected(monitors.error());
+  return compile_sources(sources, dialect_, cell_monitors::watchers_of(*monitors));
 }
 
 api::Answer DdsCellChange::sources(const std::string& digest, std::span<const std::byte> container) {

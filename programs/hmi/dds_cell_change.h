@@ -3,7 +3,7 @@
 // Online changes of the cell's program over Fast DDS, and what becomes of them.
 //
 // Threads: every function from any; `change` blocks for dds::kDownloadTimeout at most. A thread of its own
-// takes the events of the runtime. The source outlives it.
+// takes the events of the runtime. Source and configuration outlive it.
 
 #include <condition_variable>
 #include <mutex>
@@ -51,6 +51,7 @@ class DdsCellChange final : public api::CellChange {
   DdsCellSource& source_;
   const std::uint32_t trial_scans_;
   const source::Dialect& dialect_;
+  const config::CellConfig& config_;
   const bool remote_;  // a controller behind a gateway keeps no sources
   std::mutex mutex_;   // guards what follows
   std::optional<Change> change_;

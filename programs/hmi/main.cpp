@@ -53,10 +53,16 @@ int run(const config::CellConfig& config) {
     auto read = drawing::load_drawing(file);
     if (!read) return fail(read.error(), ExitCode::BadInput);
     drawn = std::move(*read);
+  } else if (!picture->drawing.empty()) {
+    // A hall with more corners than a page can draw is shown without a picture.
+    auto made = drawing::read_drawing("picture of the plant", picture->drawing);
+    if (made)
+      drawn = std::move(*made);
+    else
+      (*log)->warning("setup", result::to_string(made.error()));
   }
-  server::Feed feed(
-      {config.name, STEPWRIGHT_VERSION, !config.hmi.recipes.empty(), !config.hmi.drawing.empty()},
-      picture->synoptic);
+  server::Feed feed({config.name, STEPWRIGHT_VERSION, !config.hmi.recipes.empty(), !drawn.svg.empty()},
+                    picture->synoptic);
   const auto where = hmi::listening_of(config.hmi);
   if (!where) return fail(where.error(), ExitCode::BadInput);
   // The port first: it fails at once, and before anything else has begun.

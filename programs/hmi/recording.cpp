@@ -3,6 +3,7 @@
 #include <chrono>
 #include <utility>
 
+#include "cell/hmi/monitor_alarms.h"
 #include "hmi_web/alarms/definition_file.h"
 #include "hmi_web/storage/codes.h"
 
@@ -31,6 +32,7 @@ result::Result<recorder::RecorderOptions> options_of(const config::CellConfig& c
   options.most_bytes = history.max_mb << 20;
   options.points = synoptic.points;
   options.alarms = recorder::built_in_alarms(synoptic, wanted);
+  for (alarms::AlarmDefinition& each : monitor_alarms(config)) options.alarms.push_back(std::move(each));
   if (!history.alarms.empty()) {
     auto more = alarms::load_alarms(history.alarms);
     if (!more) return result::forward(more);

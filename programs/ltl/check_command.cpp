@@ -49,7 +49,8 @@ result::Result<Answer> judge(const CheckArguments& arguments) {
   if (!text) return tl::unexpected<result::Diagnostics>(text.error());
   Answer answer{
       arguments.trace, watched ? watched->automaton.propositions : formula->tree.propositions, {}, {}};
-  auto trace = ltl::read_trace(*text, arguments.trace, answer.propositions, bindings);
+  auto trace = watched ? ltl::read_trace(*text, arguments.trace, answer.propositions, bindings)
+                       : ltl::read_trace(*text, arguments.trace, formula->tree, bindings);
   if (!trace) return result::forward(trace);
   answer.trace = *std::move(trace);
   if (watched) {

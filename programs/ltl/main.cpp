@@ -72,10 +72,15 @@ std::string is_seed(const std::string& text) {
   return number ? "" : "'" + text + "' is no whole number of up to 18 digits";
 }
 
+std::string is_file_name(const std::string& text) {
+  return text.empty() ? "a file has a name" : "";
+}
+
 void describe_plan(CLI::App& app, ltl_program::PlanArguments& arguments) {
   app.add_option("problem", arguments.problem, "the problem, JSON (supervisor/doc/ltl.md)")->required();
-  app.add_option("--json", arguments.json_file, "write the plan: controls, way, word, figures");
-  app.add_option("--svg", arguments.svg_file, "draw the plan on its floor");
+  app.add_option("--json", arguments.json_file, "write the plan: controls, way, word, figures")
+      ->check(is_file_name);
+  app.add_option("--svg", arguments.svg_file, "draw the plan on its floor")->check(is_file_name);
   app.add_option("--seed", arguments.seed, "of what is tried by chance (default 1)")->check(is_seed);
   app.add_option("--time", arguments.time_s, "seconds until a plan must be there (default 10)")
       ->check(is_seconds);

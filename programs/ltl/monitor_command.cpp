@@ -20,6 +20,7 @@ result::Result<std::string> block_text(const Watched& watched, const MonitorArgu
     options.inputs.push_back(names.unique(graphic::is_keyword(each) ? each + "_in" : each));
   options.about = watched.about;
   options.form = arguments.form;
+  options.formula = watched.formula ? &watched.formula->tree : nullptr;
   options.on_changes = watched.stutter.kind != ltl::StutterKind::Invariant;
   return ltl::monitor_block(watched.automaton, options);
 }

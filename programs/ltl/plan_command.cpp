@@ -5,12 +5,14 @@
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <vector>
 
 #include "programs/ltl/formula_input.h"
 #include "runtime/ground/process/files.h"
+#include "supervisor/ltl/bound/point_bound.h"
 #include "supervisor/ltl/planner/plan_svg.h"
 #include "supervisor/ltl/planner/plan_train.h"
 #include "supervisor/ltl/planner/plan_way.h"
@@ -24,6 +26,19 @@ using ltl::PlanAnswer;
 using ltl::Problem;
 using nlohmann::json;
 using result::ExitCode;
+
+constexpr std::chrono::seconds kBoundTime{2};  // for the bound, beyond which it is left out
+
+struct Figures {
+  double spent_s = 0.0;
+  std::optional<double> bound_m;  // greater than 0
+};
+
+Figures figures_of(const Problem& problem, double spent_s) {
+  auto bound_m = ltl::point_bound_m(problem, {.until = std::chrono::steady_clock::now() + kBoundTime});
+  if (bound_m && !(*bound_m > 0.0)) bound_m.reset();
+  return {spent_s, bound_m};
+}
 
 std::vector<std::string> places_of(const Problem& problem, ltl::Label label) {
   std::vector<std::string> names;
@@ -42,10 +57,13 @@ std::string text_of(const Problem& problem, ltl::Label label) {
   return text.empty() ? "-" : text;
 }
 
-void print(const Problem& problem, const PlanAnswer& answer, double spent_s) {
+void print(const Problem& problem, const PlanAnswer& answer, const Figures& figures) {
   const ltl::PlanJudgement& judged = answer.judgement;
   std::printf("plan: %.1f m in %.1f s, %zu controls\n", judged.length_m, judged.duration_s,
               answer.plan.pieces.size());
+  if (figures.bound_m)
+    std::printf("length: %.2f times the least that a point needs (%.1f m)\n",
+                judged.length_m / *figures.bound_m, *figures.bound_m);
   std::string word;
   for (const ltl::Label each : judged.word) word += (word.empty() ? "" : ", ") + text_of(problem, each);
   std::printf("places: %s\n", word.c_str());
@@ -54,7 +72,7 @@ void print(const Problem& problem, const PlanAnswer& answer, double spent_s) {
   std::printf("found: %.3f s, %zu drives, %zu states", answer.search.spent_s, answer.search.drives,
               answer.search.nodes);
   if (answer.shortened) std::printf("; %.1f m at first", answer.search.plan->length_m);
-  std::printf("; %.3f s in all\n", spent_s);
+  std::printf("; %.3f s in all\n", figures.spent_s);
 }
 
 json pieces_of(const PlanAnswer& answer) {
@@ -79,26 +97,36 @@ json way_of(const Problem& problem, const PlanAnswer& answer) {
 }
 
 std::string json_of(const Problem& problem, const PlanAnswer& answer, const PlanArguments& arguments,
-                    double spent_s) {
+                    const Figures& figures) {
   json word = json::array();
   for (const ltl::Label label : answer.judgement.word) word.push_back(places_of(problem, label));
-  const json document = {{"solved", true},
-                         {"task", problem.task},
-                         {"trailers", problem.train.trailers},
-                         {"seed", arguments.seed},
-                         {"length_m", answer.judgement.length_m},
-                         {"first_length_m", answer.search.plan->length_m},
-                         {"duration_s", answer.judgement.duration_s},
-                         {"end_error", answer.judgement.end_error},
-                         {"tries", answer.tries},
-                         {"drives", answer.search.drives},
-                         {"states", answer.search.nodes},
-                         {"found_s", answer.search.spent_s},
-                         {"spent_s", spent_s},
-                         {"word", std::move(word)},
-                         {"controls", pieces_of(answer)},
-                         {"way", way_of(problem, answer)}};
+  const json document = {
+      {"solved", true},
+      {"task", problem.task},
+      {"trailers", problem.train.trailers},
+      {"seed", arguments.seed},
+      {"length_m", answer.judgement.length_m},
+      {"first_length_m", answer.search.plan->length_m},
+      {"bound_m", figures.bound_m ? json(*figures.bound_m) : json()},
+      {"length_ratio", figures.bound_m ? json(answer.judgement.length_m / *figures.bound_m) : json()},
+      {"duration_s", answer.judgement.duration_s},
+      {"end_error", answer.judgement.end_error},
+      {"tries", answer.tries},
+      {"drives", answer.search.drives},
+      {"states", answer.search.nodes},
+      {"found_s", answer.search.spent_s},
+      {"spent_s", figures.spent_s},
+      {"word", std::move(word)},
+      {"controls", pieces_of(answer)},
+      {"way", way_of(problem, answer)}};
   return document.dump(1, ' ', false, json::error_handler_t::replace) + "\n";
+}
+
+// Of a run before this one, which the plan beside it does not belong to.
+void remove_picture(const std::string& file) {
+  std::error_code failed;
+  if (file.empty() || process::is_stream(file) || !std::filesystem::remove(file, failed)) return;
+  std::fprintf(stderr, "the picture of an earlier run was removed: %s\n", file.c_str());
 }
 
 ExitCode failed(const result::Diagnostics& diagnostics, const PlanArguments& arguments) {
@@ -111,6 +139,7 @@ ExitCode failed(const result::Diagnostics& diagnostics, const PlanArguments& arg
     const json document = {{"solved", false}, {"code", code}, {"reason", diagnostics.front().message}};
     (void)write(arguments.json_file, document.dump(1, ' ', false, json::error_handler_t::replace) + "\n");
   }
+  if (unsolved) remove_picture(arguments.svg_file);
   (void)fail(diagnostics);
   return exit;
 }
@@ -153,9 +182,10 @@ ExitCode run_plan(const PlanArguments& arguments) {
       *problem, {.seed = arguments.seed, .most_s = arguments.time_s, .shorten_s = arguments.shorten_s});
   if (!answer) return failed(answer.error(), arguments);
   const double spent_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-  if (arguments.json_file != "-") print(*problem, *answer, spent_s);
+  const Figures figures = figures_of(*problem, spent_s);
+  if (arguments.json_file != "-") print(*problem, *answer, figures);
   if (!arguments.json_file.empty()) {
-    const ExitCode written = write(arguments.json_file, json_of(*problem, *answer, arguments, spent_s));
+    const ExitCode written = write(arguments.json_file, json_of(*problem, *answer, arguments, figures));
     if (written != ExitCode::Done) return written;
   }
   if (arguments.svg_file.empty()) return ExitCode::Done;

@@ -80,7 +80,7 @@ void wait_for_devices(const config::CellConfig& config, const CellIo& io, const 
 
 int run(const config::CellConfig& config) {
   if (config.controller.remote()) {
-    return fail(result::fail("C0544", config.controller.where,
+    return fail(result::fail("C0564", config.controller.where,
                              "this cell's program runs on a controller behind Modbus", "`stepwright gateway`")
                     .value(),
                 ExitCode::BadInput);

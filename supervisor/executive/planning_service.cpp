@@ -19,13 +19,15 @@ namespace stepwright::executive {
 namespace {
 
 result::Result<void> compile_project(const graphic::Project& project, const HandWritten& programs,
-                                     const PlanningOptions& options, PreparedPlan& prepared) {
+                                     const PlanningOptions& options, bool watched, PreparedPlan& prepared) {
   auto joined = programs.joined(project);
   if (!joined) return tl::unexpected(std::move(joined.error()));
-  auto output = driver::compile({.texts = {},
-                                 .projects = joined->projects(),
-                                 .document = options.document,
-                                 .dialect = options.dialect});
+  auto output = driver::compile(
+      {.texts = {},
+       .projects = joined->projects(),
+       .document = options.document,
+       .dialect = options.dialect,
+       .watchers = watched ? std::span(options.watchers) : std::span<const driver::Watcher>()});
   if (!output) return tl::unexpected(std::move(output.error()));
   prepared.container = std::move(output->container);
   return {};
@@ -248,7 +250,7 @@ result::Result<void> PlanningService::build(PreparedPlan& prepared, const pddl::
     if (step.kind == translate::StepKind::Action) prepared.episode.actions[*step.action].step = step.name;
   }
   if (auto scheduled = fill_schedule(prepared, binding_, options_.sequential); !scheduled) return scheduled;
-  return compile_project(prepared.translation.project, programs_, options_, prepared);
+  return compile_project(prepared.translation.project, programs_, options_, true, prepared);
 }
 
 result::Result<PreparedPlan> PlanningService::observer(bool locate, std::chrono::milliseconds settle) const {
@@ -258,7 +260,7 @@ result::Result<PreparedPlan> PlanningService::observer(bool locate, std::chrono:
   options.locate = locate;
   options.interval_us = options_.interval_us;
   prepared.translation = translate::observe_program(binding_, options);
-  if (auto compiled = compile_project(prepared.translation.project, programs_, options_, prepared);
+  if (auto compiled = compile_project(prepared.translation.project, programs_, options_, false, prepared);
       !compiled) {
     return tl::unexpected(std::move(compiled.error()));
   }

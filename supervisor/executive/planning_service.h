@@ -18,6 +18,7 @@
 #include <string>
 #include <vector>
 
+#include "ladder/driver/watcher.h"
 #include "ladder/source/dialect.h"
 #include "runtime/ground/result/result.h"
 #include "supervisor/executive/hand_written.h"
@@ -45,6 +46,8 @@ struct PlanningOptions {
   std::string report_fluent;  // what the report follows per action, "(transport-cost)"; empty: the metric
   // Extensions of the standard for hand-written programs.
   const source::Dialect* dialect = &source::standard_dialect();
+  // Compiled with every plan; not with what only looks at the plant at rest.
+  std::vector<driver::Watcher> watchers{};
 };
 
 // Where a plan starts: what the planner sees, what was measured, the tare of the sensors.

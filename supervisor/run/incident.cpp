@@ -11,10 +11,10 @@ namespace {
 
 using internal::json;
 
-constexpr std::array kKinds = {"level",          "position",       "timeout",         "refused",
-                               "new_goal",       "changed_demand", "failed_actuator", "failed_sensor",
-                               "leak",           "lost_runtime",   "program_fault",   "operator",
-                               "lost_supervisor"};
+constexpr std::array kKinds = {
+    "level",          "position",        "timeout",         "refused", "new_goal",
+    "changed_demand", "failed_actuator", "failed_sensor",   "leak",    "lost_runtime",
+    "program_fault",  "operator",        "lost_supervisor", "monitor"};
 constexpr std::array kResponses = {"open", "go_on", "repair", "replan", "safe_stop"};
 
 json alarm_json(const Alarm& alarm) {

@@ -26,6 +26,7 @@ enum class IncidentKind : std::uint8_t {
   ProgramFault,    // the program trapped, was stopped from outside, or could not be made
   Operator,        // aborted
   LostSupervisor,  // the supervisor was away, and the runtime went on or went to its safe state
+  Monitor,         // a formula of the cell's [[monitors]] is FALSE
 };
 
 enum class Response : std::uint8_t {

@@ -82,13 +82,23 @@ Decision Mission::judge(const host::StepEvent& event) {
     case host::EventKind::RolledBack:
       return {};
     case host::EventKind::StepChange:
+      if (auto cause = watch_.news(event.image)) return {Verdict::Replan, *std::move(cause)};
       return judge_image(event.image);
     case host::EventKind::Trap:
-      return give_up_because(IncidentKind::ProgramFault, "the program trapped: " + event.detail);
+      return trapped(event);
     case host::EventKind::Stopped:
       break;
   }
   return stopped(event);
+}
+
+// A monitor may have ended the scan: then that is why.
+Decision Mission::trapped(const host::StepEvent& event) {
+  const std::string what = "the program trapped: " + event.detail;
+  auto cause = watch_.news(event.image);
+  if (!cause) return give_up_because(IncidentKind::ProgramFault, what);
+  cause->evidence.push_back(what);
+  return {Verdict::GiveUp, *std::move(cause)};
 }
 
 // Whoever stopped the plant on purpose does not want it to go on by itself.

@@ -36,6 +36,7 @@
 #include "supervisor/run/request.h"
 #include "supervisor/run/run_clock.h"
 #include "supervisor/run/run_record.h"
+#include "supervisor/run/tag_watch.h"
 
 namespace stepwright::run {
 
@@ -55,6 +56,8 @@ class Mission {
   Mission(const Mission&) = delete;
   Mission& operator=(const Mission&) = delete;
 
+  // Before the first run: a tag that becomes TRUE is an incident, for which a new plan is made.
+  void watch(std::vector<WatchedTag> tags) { watch_ = TagWatch(std::move(tags)); }
   // Until the goal is reached (Phase::Done) or the outputs are safe (Phase::Safe).
   RunRecord run();
   // Stops the plant safely at the next decision and ends the run.
@@ -191,11 +194,13 @@ class Mission {
  private:
   Decision follow();
   Decision judge(const host::StepEvent& event);
+  Decision trapped(const host::StepEvent& event);
   bool act_on(const Decision& decision);
   void brought(std::string digest);
 
   const MissionOptions options_;
   const Observer observer_;
+  TagWatch watch_;
   bool ended_ = false;     // this run has told its end, and somebody may have started another one since
   int silent_rounds_ = 0;  // without news and without that status
   std::optional<std::chrono::steady_clock::time_point> working_since_;  // on a decision

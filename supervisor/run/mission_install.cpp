@@ -40,8 +40,10 @@ bool Mission::bring_to_run(const std::function<bool()>& install) {
 bool Mission::runs_program(std::span<const std::byte> container) {
   const auto program = controller_.program();
   const auto status = controller_.status();
-  return program && std::ranges::equal(*program, container) && status &&
-         status->state == host::RuntimeState::Running && status->program_digest == digest_;
+  const bool runs = program && std::ranges::equal(*program, container) && status &&
+                    status->state == host::RuntimeState::Running && status->program_digest == digest_;
+  if (runs) watch_.begin(container, true);
+  return runs;
 }
 
 double Mission::shown_time(const std::optional<host::Snapshot>& snapshot, double now_s) const {
@@ -58,6 +60,7 @@ bool Mission::runs() const {
 bool Mission::change(std::span<const std::byte> container) {
   auto digest = controller_.change(container);
   if (digest) brought(std::move(*digest));
+  if (digest) watch_.begin(container, false);  // its charts begin anew, and monitors with them
   return digest.has_value();
 }
 
@@ -65,6 +68,7 @@ bool Mission::download(std::span<const std::byte> container) {
   auto digest = controller_.download(container);
   if (digest) {
     brought(std::move(*digest));
+    watch_.begin(container, false);
     return true;
   }
   return controller_.alive() ? give_up("the runtime refuses the program", digest.error()) : false;

@@ -97,21 +97,25 @@ ARROWS = {
     "supervisor/ltl/regions": ["supervisor/geometry", "runtime/ground/result"],
     "supervisor/ltl/scene": ["supervisor/ltl/train", "supervisor/map"],
     "supervisor/ltl/route": ["supervisor/ltl/scene", "supervisor/ltl/guide"],
+    "supervisor/ltl/bound": ["supervisor/ltl/scene", "supervisor/ltl/guide"],
     "supervisor/ltl/search": ["supervisor/ltl/route"],
     "supervisor/ltl/referee": ["supervisor/ltl/automaton", "supervisor/ltl/train", "plant_models/ode"],
     "supervisor/ltl/planner": ["supervisor/ltl/search", "supervisor/ltl/referee", "runtime/ground/markup"],
+    "supervisor/ltl/program": ["supervisor/ltl/planner", "supervisor/ltl/monitor", "supervisor/vehicle", "ladder/graphic"],
+    "supervisor/ltl/mission": ["supervisor/ltl/program", "supervisor/run", "ladder/driver", "runtime/bytecode/reader"],
     "supervisor/geometry": [],
+    "supervisor/vehicle": ["supervisor/geometry", "ladder/graphic"],
     "supervisor/map": ["supervisor/geometry", "runtime/ground/result"],
     "supervisor/fleet/lattice": ["supervisor/map"],
     "supervisor/fleet/envelope": ["supervisor/map"],
     "supervisor/fleet/network": ["runtime/base"],
     "supervisor/fleet/schedule": ["supervisor/fleet/network", "supervisor/fleet/envelope"],
-    "supervisor/fleet/control": ["supervisor/geometry", "runtime/ground/result"],
+    "supervisor/fleet/control": ["supervisor/geometry", "supervisor/vehicle", "runtime/ground/result"],
     "supervisor/fleet/plan": ["supervisor/fleet/lattice", "supervisor/fleet/schedule"],
     "supervisor/fleet/allocation": ["supervisor/fleet/network", "runtime/ground/result"],
     "supervisor/fleet/mission": ["runtime/ground/markup", "supervisor/fleet/allocation", "supervisor/fleet/plan"],
     "supervisor/fleet/traffic": ["supervisor/fleet/plan", "supervisor/fleet/control"],
-    "supervisor/fleet/program": ["supervisor/fleet/plan", "supervisor/fleet/control", "ladder/graphic"],
+    "supervisor/fleet/program": ["supervisor/fleet/plan", "supervisor/fleet/control", "supervisor/vehicle", "ladder/graphic"],
     "supervisor/fleet/report": ["supervisor/fleet/mission"],
     "supervisor/fleet/prepare": ["supervisor/fleet/mission", "supervisor/fleet/program", "ladder/driver"],
     "supervisor/fleet/executive": ["supervisor/fleet/prepare", "supervisor/fleet/report", "supervisor/run"],
@@ -148,12 +152,14 @@ ARROWS = {
         "runtime/modbus/server",
     ],
     "cell/device_status": ["runtime/ground/result"],
+    "cell/hall": ["cell/config", "plant_models/assemblies", "supervisor/ltl/scene"],
     "cell/runtime": [
-        "cell/config", "cell/device_status", "plant_models/assemblies", "plant_models/bridge", "runtime/io_memory", "runtime/service", "supervisor/map",
+        "cell/config", "cell/device_status", "cell/hall", "plant_models/assemblies", "plant_models/bridge", "runtime/io_memory", "runtime/service", "supervisor/map",
     ],
+    "cell/monitors": ["cell/config", "ladder/driver", "ladder/graphic", "runtime/bytecode/reader", "supervisor/ltl/monitor"],
     "cell/fleet": ["cell/config", "supervisor/fleet/mission", "supervisor/fleet/program"],
     "cell/gateway": ["cell/runtime", "runtime/metrics", "runtime/remote"],
-    "cell/hmi": ["cell/config", "hmi_web/server", "plant_models/assemblies", "plant_models/bridge", "runtime/dds", "supervisor/map"],
+    "cell/hmi": ["cell/config", "cell/hall", "hmi_web/alarms", "hmi_web/server", "plant_models/assemblies", "plant_models/bridge", "runtime/dds", "runtime/ground/markup", "supervisor/map"],
     "cell/link": ["runtime/dds"],
     "cell/metrics_server": ["cell/config", "hmi_web/server", "runtime/metrics"],
     "cell/modbus_client": ["cell/device_status", "runtime/io_memory", "runtime/metrics", "runtime/modbus/client"],
@@ -180,7 +186,7 @@ def add_missions(root: pathlib.Path) -> None:
         table, mission = f"cell/missions/{name}/table", f"cell/missions/{name}"
         ARROWS[table] = ["cell/missions/table"]
         planners = [folder for folder in ARROWS if folder.startswith("supervisor/")]
-        ARROWS[mission] = ["cell/missions", "cell/fleet", table, *planners]
+        ARROWS[mission] = ["cell/missions", "cell/fleet", "cell/monitors", table, *planners]
 
 
 def folder_of(path: str) -> str:

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Keeps the documents readable: README.md has at most 120 lines; the glossary has one term a row, in alphabetical order and
-each once; every relative link of a Markdown file leads to a file of the tree, and its anchor to a heading there.
+each once; every relative link of a Markdown file leads to a file of the tree, and its anchor to a heading there; a code of a
+message has one row in all tables of codes.
 
 Prints each problem as file:line and exits with 1.
 """
@@ -17,6 +18,7 @@ ROW = re.compile(r"^\| (?P<term>[^|]+) \| [^|]+ \|$")
 LINK = re.compile(r"\[[^\]]*\]\((?P<target>[^)\s]+)\)")
 HEADING = re.compile(r"^#{1,6} +(?P<title>.+?)\s*$")
 FENCE = re.compile(r"^\s*```")
+CODE_ROW = re.compile(r"^\| (?P<code>[A-Z][0-9]{4}) \|")
 
 
 def prose(text: str) -> list[tuple[int, str]]:
@@ -52,6 +54,19 @@ def unsorted_terms(text: str) -> list[str]:
         seen.setdefault(term, number)
         before = term
     return problems if len(rows) > 2 else [f"{GLOSSARY}:1: no table of terms"]
+
+
+def repeated_codes(name: str, text: str, seen: dict[str, str]) -> list[str]:
+    """Codes that have a row already, and so perhaps two meanings."""
+    problems = []
+    for number, line in enumerate(text.splitlines(), 1):
+        if not (row := CODE_ROW.match(line)):
+            continue
+        code = row["code"]
+        if code in seen:
+            problems.append(f"{name}:{number}: {code} stands in {seen[code]} already: a code has one meaning and one row")
+        seen.setdefault(code, f"{name}:{number}")
+    return problems
 
 
 def anchors(text: str) -> set[str]:
@@ -96,8 +111,9 @@ def main() -> int:
     ).stdout.split("\0")
     texts = {name: (root / name).read_text(encoding="utf-8") for name in listed if name and (root / name).is_file()}
     problems = long_readme(texts["README.md"]) + unsorted_terms(texts[GLOSSARY])
+    codes: dict[str, str] = {}
     for name in sorted(texts):
-        problems += broken_links(root, name, texts)
+        problems += broken_links(root, name, texts) + repeated_codes(name, texts[name], codes)
     print("\n".join(problems) or f"{len(texts)} documents are in order")
     return 1 if problems else 0
 

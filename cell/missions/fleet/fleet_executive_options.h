@@ -10,6 +10,7 @@
 
 #include "cell/fleet/cell_fleet.h"
 #include "cell/missions/fleet/table/fleet_table.h"
+#include "cell/monitors/cell_monitors.h"
 #include "supervisor/fleet/executive/fleet_executive.h"
 
 namespace stepwright::missions {
@@ -40,7 +41,11 @@ inline fleet::FleetPlanningOptions fleet_planning_options(const config::CellConf
       config::fleet_size(fleet_table(config).problem).value_or(config.plant.fleet.vehicles.size());
   auto terminals = config::fleet_terminals(config, vehicles);
   if (!terminals) return result::forward(terminals);
-  return fleet::FleetPlanning::open(fleet_planning_options(config, *std::move(terminals)));
+  const auto monitors = cell_monitors::cell_monitors(config);
+  if (!monitors) return tl::unexpected(monitors.error());
+  fleet::FleetPlanningOptions options = fleet_planning_options(config, *std::move(terminals));
+  options.watchers = cell_monitors::watchers_of(*monitors);
+  return fleet::FleetPlanning::open(options);
 }
 
 inline geometry::ConvexPolygon area_of(const config::BlockageConfig& blockage) {

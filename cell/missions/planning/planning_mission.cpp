@@ -4,6 +4,7 @@
 
 #include "cell/missions/mission_kinds.h"
 #include "cell/missions/planning/executive_options.h"
+#include "cell/monitors/cell_monitors.h"
 #include "supervisor/pddl/plan/describe_run.h"
 
 namespace stepwright::missions {
@@ -41,7 +42,11 @@ class PlanningPlanner final : public CellPlanner {
 }  // namespace
 
 result::Result<std::unique_ptr<CellPlanner>> open_planning(const config::CellConfig& config) {
-  auto planning = executive::PlanningService::open(planning_options(config));
+  const auto monitors = cell_monitors::cell_monitors(config);
+  if (!monitors) return tl::unexpected(monitors.error());
+  executive::PlanningOptions options = planning_options(config);
+  options.watchers = cell_monitors::watchers_of(*monitors);
+  auto planning = executive::PlanningService::open(options);
   if (!planning) return result::forward(planning);
   return std::make_unique<PlanningPlanner>(executive_options(config), *std::move(planning));
 }

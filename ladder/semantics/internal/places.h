@@ -36,6 +36,8 @@ class Places {
   void report_unknown(const syntax::Name& name);
   // Does it stand in a TEST, which sees more than a program (test_place.cpp)?
   bool in_test() const { return pou_ != nullptr && pou_->test != nullptr; }
+  // Or in a program that watches others?
+  bool sees_instances() const { return in_test() || (pou_ != nullptr && pou_->watches); }
 
  private:
   // place.cpp
@@ -62,9 +64,9 @@ class Places {
   // dotted_name.cpp: the name of a configuration, a resource, or of the file that declares the global.
   bool is_list_of(const Variable& global, const syntax::Name& list) const;
 
-  // test_place.cpp: what a TEST sees beside what a program sees.
+  // test_place.cpp: what a TEST, or a program that watches others, sees beside what a program sees.
   // The instance of a program that a task runs.
-  std::optional<Place> program_instance(const syntax::Name& name) const;
+  std::optional<Place> program_instance(const syntax::Name& name);
   // A program that has no instance because something else is wrong.
   bool is_unconfigured(const syntax::Name& name) const;
   // INSTANCE.Step.X and .T, as the chart of the instance names its steps; nothing, and no report, for others.

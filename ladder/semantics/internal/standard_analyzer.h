@@ -91,6 +91,7 @@ class StandardAnalyzer {
 
   ValuePtr now(const syntax::Expression& call, Values values, int which);
   ValuePtr fail(const syntax::Expression& call, Values values, int which);
+  ValuePtr stop(const syntax::Expression& call, Values values, int which);
 
   Analysis& a_;
   ExpressionAnalyzer& e_;

@@ -4,10 +4,12 @@
 #include <cmath>
 #include <vector>
 
-#include "supervisor/fleet/control/greatest_speeds.h"
+#include "supervisor/vehicle/greatest_speeds.h"
 
 namespace stepwright::fleet {
 namespace {
+
+using vehicle::kSteeringWindow_m;
 
 constexpr double kStep_m = 0.1;
 constexpr double kTick_s = 0.02;
@@ -28,14 +30,17 @@ SpeedPlan::SpeedPlan(const Leg& leg, const DriveLimits& limits)
     : limits_(limits), begin_m_(leg.begin_m()), end_m_(leg.end_m()) {
   const auto steps = static_cast<std::size_t>(std::ceil((end_m_ - begin_m_) / kStep_m));
   step_m_ = (end_m_ - begin_m_) / static_cast<double>(std::max<std::size_t>(1, steps));
-  std::vector<SpeedStation> stations;
+  std::vector<vehicle::SpeedStation> stations;
   for (std::size_t k = 0; k <= steps; ++k) {
     const double arc_m = begin_m_ + static_cast<double>(k) * step_m_;
     stations.push_back({.sharpest_1_m = leg.sharpest_1_m(arc_m - step_m_, arc_m + step_m_),
                         .turn_rad = turn_rad(leg, arc_m),
                         .to_next_m = step_m_});
   }
-  ceiling_m_s_ = greatest_speeds(stations, limits);
+  ceiling_m_s_ = vehicle::greatest_speeds(stations, {.top_speed_m_s = limits.top_speed_m_s,
+                                                     .brake_m_s2 = limits.brake_m_s2,
+                                                     .lateral_m_s2 = limits.lateral_m_s2,
+                                                     .lock_rate_rad_s = limits.lock_rate_rad_s});
 }
 
 double SpeedPlan::ceiling_m_s(double arc_m) const {

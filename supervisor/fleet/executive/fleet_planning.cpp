@@ -151,7 +151,7 @@ result::Result<PreparedFleet> FleetPlanning::program_of(FleetPlan plan, std::uin
   options.revision = revision;
   auto program = fleet_program(plan, options_.terminals, options);
   if (!program) return result::forward(program);
-  auto container = compile_fleet(*program);
+  auto container = compile_fleet(*program, options_.watchers);
   if (!container) return result::forward(container);
   PreparedFleet prepared;
   prepared.answer.verdict = Verdict::Scheduled;

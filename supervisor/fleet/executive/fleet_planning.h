@@ -30,7 +30,8 @@ struct FleetPlanningOptions {
   double path_factor = 1.5;
   // Zero: none, so that a plan does not depend on the machine; searches have budgets that are counted.
   std::chrono::milliseconds time{0};
-  std::filesystem::path cache;  // for look-up tables; empty: they are built each time
+  std::filesystem::path cache;              // for look-up tables; empty: they are built each time
+  std::vector<driver::Watcher> watchers{};  // compiled with every program
 };
 
 // A vehicle that takes no part, and what nobody may drive into for it. The place holds the vehicle.

@@ -15,8 +15,9 @@ FleetOptions planning_options(const PrepareOptions& options) {
   return planning;
 }
 
-result::Result<std::vector<std::byte>> compile_fleet(const FleetProgram& program) {
-  auto compiled = driver::compile({.texts = {}, .projects = {&program.project}});
+result::Result<std::vector<std::byte>> compile_fleet(const FleetProgram& program,
+                                                     std::span<const driver::Watcher> watchers) {
+  auto compiled = driver::compile({.texts = {}, .projects = {&program.project}, .watchers = watchers});
   if (!compiled) return result::forward(compiled);
   return std::move(compiled->container);
 }

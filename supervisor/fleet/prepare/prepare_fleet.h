@@ -12,8 +12,10 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
+#include "ladder/driver/watcher.h"
 #include "runtime/ground/result/result.h"
 #include "supervisor/fleet/mission/plan_fleet.h"
 #include "supervisor/fleet/prepare/reserve.h"
@@ -41,7 +43,8 @@ FleetOptions planning_options(const PrepareOptions& options);
 [[nodiscard]] result::Result<PreparedFleet> prepare_fleet(const MissionProblem& problem, FleetFloor& floor,
                                                           const PrepareOptions& options);
 
-// The program of a plan that is there already.
-[[nodiscard]] result::Result<std::vector<std::byte>> compile_fleet(const FleetProgram& program);
+// The program of a plan that is there already, with programs that watch it.
+[[nodiscard]] result::Result<std::vector<std::byte>> compile_fleet(
+    const FleetProgram& program, std::span<const driver::Watcher> watchers = {});
 
 }  // namespace stepwright::fleet

@@ -5,43 +5,20 @@
 #include <cmath>
 #include <utility>
 
+#include "ladder/graphic/externals.h"
 #include "ladder/graphic/identifier.h"
 #include "supervisor/fleet/program/interlocks.h"
 #include "supervisor/fleet/program/mission_chart.h"
 #include "supervisor/fleet/program/program_texts.h"
 #include "supervisor/fleet/program/tables.h"
+#include "supervisor/vehicle/news_chart.h"
 
 namespace stepwright::fleet {
 namespace {
 
 using graphic::Variable;
-using graphic::VariableSection;
 
 constexpr const char* kTask = "fleet";
-
-// The globals whose names occur in `text`, as VAR_EXTERNAL.
-std::vector<Variable> externals(const std::vector<Variable>& globals, const std::string& text) {
-  std::vector<Variable> declared;
-  for (const Variable& shared : globals) {
-    if (!mentions(text, shared.name)) continue;
-    Variable external;
-    external.name = shared.name;
-    external.type = shared.type;
-    external.section = VariableSection::External;
-    declared.push_back(std::move(external));
-  }
-  return declared;
-}
-
-std::string text_of(const graphic::SfcChart& chart) {
-  std::string text;
-  for (const graphic::Step& step : chart.steps) {
-    for (const graphic::ActionBlock& block : step.actions) text += block.target + "\n";
-  }
-  for (const graphic::Action& action : chart.actions) text += action.st_body;
-  for (const graphic::Transition& transition : chart.transitions) text += to_st(transition.condition) + "\n";
-  return text;
-}
 
 class ProjectWriter {
  public:
@@ -73,7 +50,7 @@ class ProjectWriter {
     if (options_.news_every.count() > 0) {
       graphic::Pou pou;
       pou.name = kNewsProgram;
-      pou.body = news_chart(options_.news_every);
+      pou.body = vehicle::news_chart(options_.news_every);
       add_program(std::move(pou));
     }
     project.tasks = {{kTask, options_.interval_us, 0}};
@@ -104,7 +81,7 @@ class ProjectWriter {
   void add_text(const std::string& name, const std::string& text, std::vector<Variable> blocks) {
     graphic::Pou pou;
     pou.name = name;
-    pou.variables = externals(made_.project.globals, text);
+    pou.variables = graphic::externals(made_.project.globals, text);
     for (Variable& block : blocks) pou.variables.push_back(std::move(block));
     pou.body = graphic::StBody{text};
     add_program(std::move(pou));
@@ -114,7 +91,7 @@ class ProjectWriter {
     MissionChart chart = mission_chart(plan_, names_, interlocks, v, options_);
     graphic::Pou pou;
     pou.name = "mission_" + names_[v];
-    pou.variables = externals(made_.project.globals, text_of(chart.chart));
+    pou.variables = graphic::externals(made_.project.globals, graphic::text_of(chart.chart));
     pou.body = std::move(chart.chart);
     for (const auto& waits : interlocks.before[v]) made_.figures.interlocks += waits.size();
     made_.missions.push_back({plan_.missions[v].vehicle, names_[v], pou.name, std::move(chart.steps)});

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "supervisor/vehicle/literals.h"
+
 namespace stepwright::fleet {
 namespace {
 
@@ -16,6 +18,8 @@ using graphic::Condition;
 using graphic::contact;
 using graphic::Qualifier;
 using graphic::StepId;
+using vehicle::real_literal;
+using vehicle::time_literal;
 
 constexpr double kArrived_m = 0.06;
 constexpr std::chrono::milliseconds kNoLoad{2'000};  // behind the end of a lift
@@ -272,40 +276,6 @@ std::string waited_name(std::size_t wait) {
 
 bool set_by_chart(const MissionEvent& event) {
   return event.kind == EventKind::Begun || event.kind == EventKind::StopDone;
-}
-
-graphic::SfcChart news_chart(std::chrono::milliseconds every) {
-  graphic::SfcChart chart;
-  for (const char* name : {"TICK", "TOCK"}) {
-    graphic::Step step;
-    step.name = name;
-    step.initial = chart.steps.empty();
-    chart.steps.push_back(std::move(step));
-  }
-  for (std::uint32_t from = 0; from < 2; ++from) {
-    graphic::Transition turn;
-    turn.name = fmt::format("T{:03}", from);
-    turn.sources = {StepId(from)};
-    turn.targets = {StepId(1 - from)};
-    turn.condition = compare(chart.steps[from].name + ".T", CompareOp::GreaterEqual, time_literal(every));
-    turn.priority = 1;
-    chart.transitions.push_back(std::move(turn));
-  }
-  return chart;
-}
-
-std::string real_literal(double value) {
-  std::string text = fmt::format("{:.7g}", value);
-  if (text == "-0") text = "0";
-  const std::size_t exponent = text.find('e');
-  if (text.find('.') == std::string::npos)
-    text.insert(exponent == std::string::npos ? text.size() : exponent, ".0");
-  return text;
-}
-
-std::string time_literal(std::chrono::milliseconds time) {
-  return time.count() % 1'000 == 0 ? fmt::format("T#{}s", time.count() / 1'000)
-                                   : fmt::format("T#{}ms", time.count());
 }
 
 }  // namespace stepwright::fleet

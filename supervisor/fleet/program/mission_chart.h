@@ -29,12 +29,4 @@ std::string waited_name(std::size_t wait);
 // By an action of its vehicle's chart; the others are seen from measurements.
 bool set_by_chart(const MissionEvent& event);
 
-// Two steps that take turns.
-graphic::SfcChart news_chart(std::chrono::milliseconds every);
-
-// 1.25, 1.0E-05: as a REAL literal of ST.
-std::string real_literal(double value);
-// T#90s, T#250ms
-std::string time_literal(std::chrono::milliseconds time);
-
 }  // namespace stepwright::fleet

@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
-
-#include "supervisor/fleet/control/greatest_speeds.h"
 
 namespace stepwright::fleet {
 namespace {
@@ -42,7 +39,7 @@ std::vector<Leg> legs_of(const VehicleMission& mission) {
   return legs;
 }
 
-Leg thinned(const Leg& leg, double sample_m) {
+vehicle::PathLeg sampled(const Leg& leg, double sample_m) {
   Leg kept = {leg.front()};
   for (std::size_t k = 1; k + 1 < leg.size(); ++k) {
     if (leg[k + 1].arc_m - kept.back().arc_m > sample_m + kSame_m) kept.push_back(leg[k]);
@@ -51,7 +48,9 @@ Leg thinned(const Leg& leg, double sample_m) {
   const bool short_end = leg.back().arc_m - kept.back().arc_m < 0.25 * sample_m;
   if (short_end && kept.size() > 1) kept.pop_back();
   kept.push_back(leg.back());
-  return kept;
+  vehicle::PathLeg made{.poses = {}, .way = leg.back().travel == Travel::Reverse ? -1.0 : 1.0};
+  for (const PathPose& at : kept) made.poses.push_back({at.pose, at.arc_m});
+  return made;
 }
 
 // How far the outline may shift along `aside` within the polygon.
@@ -69,87 +68,44 @@ double room_m(const std::vector<geometry::HalfPlane>& sides, const geometry::Con
   return room;
 }
 
-class Table {
+// Where two polygons overlap the vehicle is within both; the later one is the one that it keeps.
+class Rooms {
  public:
-  Table(const VehicleMission& mission, const ProgramOptions& options) : mission_(mission), options_(options) {
+  explicit Rooms(const VehicleMission& mission) : mission_(mission) {
     for (const EnvelopePolygon& polygon : mission.grown.envelope.polygons) {
       sides_.push_back(polygon.area.half_planes());
     }
   }
 
-  std::vector<PathSample> make() {
-    for (const Leg& leg : legs_of(mission_)) add(thinned(leg, options_.sample_m));
-    return std::move(samples_);
-  }
-
- private:
-  void add(const Leg& leg) {
-    const std::size_t first = samples_.size();
-    const double way = leg.back().travel == Travel::Reverse ? -1.0 : 1.0;
-    double heading = first == 0 ? leg.front().pose.heading_rad : samples_.back().pose.heading_rad;
-    for (const PathPose& pose : leg) {
-      heading += std::remainder(pose.pose.heading_rad - heading, 2.0 * std::numbers::pi);
-      PathSample sample{.pose = {pose.pose.x_m, pose.pose.y_m, heading},
-                        .arc_m = pose.arc_m,
-                        .rest_m = leg.back().arc_m,
-                        .way = way};
-      if (samples_.size() > first) {
-        PathSample& before = samples_.back();
-        before.curvature_1_m = way * (heading - before.pose.heading_rad) / (sample.arc_m - before.arc_m);
-        sample.curvature_1_m = before.curvature_1_m;
-      }
-      add_room(sample);
-      samples_.push_back(sample);
-    }
-    limit_speeds(first);
-  }
-
-  // Where two polygons overlap the vehicle is within both; the later one is the one that it keeps.
-  void add_room(PathSample& sample) const {
+  void add_to(PathSample& sample) const {
     const auto& visits = mission_.grown.visits;
     std::size_t at = 0;
     while (at + 1 < visits.size() && visits[at + 1].entry_m <= sample.arc_m) ++at;
     const auto outline = footprint_at(sample.pose, mission_.model.footprint());
     const Point left{-std::sin(sample.pose.heading_rad), std::cos(sample.pose.heading_rad)};
-    constexpr double kEnough_m = 10.0;
-    sample.left_m = std::min(kEnough_m, room_m(sides_[at], outline, left));
-    sample.right_m = std::min(kEnough_m, room_m(sides_[at], outline, -1.0 * left));
+    sample.left_m = std::min(sample.left_m, room_m(sides_[at], outline, left));
+    sample.right_m = std::min(sample.right_m, room_m(sides_[at], outline, -1.0 * left));
   }
 
-  double lock_at(std::size_t first, double arc_m) const {
-    std::size_t k = first;
-    while (k + 1 < samples_.size() && samples_[k + 1].arc_m <= arc_m) ++k;
-    return std::atan(mission_.model.wheelbase_m * samples_[k].curvature_1_m);
-  }
-
-  void limit_speeds(std::size_t first) {
-    std::vector<SpeedStation> stations;
-    for (std::size_t k = first; k < samples_.size(); ++k) {
-      const double arc_m = samples_[k].arc_m;
-      const double before = k > first ? std::abs(samples_[k - 1].curvature_1_m) : 0.0;
-      stations.push_back({.sharpest_1_m = std::max(std::abs(samples_[k].curvature_1_m), before),
-                          .turn_rad = lock_at(first, arc_m + kSteeringWindow_m / 2.0) -
-                                      lock_at(first, arc_m - kSteeringWindow_m / 2.0),
-                          .to_next_m = k + 1 < samples_.size() ? samples_[k + 1].arc_m - arc_m : 0.0});
-    }
-    const std::vector<double> speeds =
-        greatest_speeds(stations, {.top_speed_m_s = mission_.speed.max_mps,
-                                   .brake_m_s2 = options_.drive.brake_m_s2,
-                                   .lateral_m_s2 = options_.drive.lateral_m_s2,
-                                   .lock_rate_rad_s = options_.drive.lock_rate_rad_s});
-    for (std::size_t k = first; k < samples_.size(); ++k) samples_[k].speed_m_s = speeds[k - first];
-  }
-
+ private:
   const VehicleMission& mission_;
-  const ProgramOptions& options_;
   std::vector<std::vector<geometry::HalfPlane>> sides_;
-  std::vector<PathSample> samples_;
 };
 
 }  // namespace
 
 std::vector<PathSample> path_table(const VehicleMission& mission, const ProgramOptions& options) {
-  return Table(mission, options).make();
+  std::vector<vehicle::PathLeg> legs;
+  for (const Leg& leg : legs_of(mission)) legs.push_back(sampled(leg, options.sample_m));
+  std::vector<PathSample> samples =
+      vehicle::path_samples(legs, {.wheelbase_m = mission.model.wheelbase_m,
+                                   .speed = {.top_speed_m_s = mission.speed.max_mps,
+                                             .brake_m_s2 = options.drive.brake_m_s2,
+                                             .lateral_m_s2 = options.drive.lateral_m_s2,
+                                             .lock_rate_rad_s = options.drive.lock_rate_rad_s}});
+  const Rooms rooms(mission);
+  for (PathSample& sample : samples) rooms.add_to(sample);
+  return samples;
 }
 
 }  // namespace stepwright::fleet

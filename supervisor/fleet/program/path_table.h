@@ -8,19 +8,11 @@
 #include <vector>
 
 #include "supervisor/fleet/program/fleet_program.h"
+#include "supervisor/vehicle/path_samples.h"
 
 namespace stepwright::fleet {
 
-struct PathSample {
-  geometry::Pose pose;         // heading without leaps
-  double curvature_1_m = 0.0;  // of the steering from here to the next sample
-  double arc_m = 0.0;
-  double speed_m_s = 0.0;
-  double rest_m = 0.0;  // arc of the next place of rest
-  double left_m = 0.0;
-  double right_m = 0.0;
-  double way = 1.0;  // -1 in reverse
-};
+using vehicle::PathSample;
 
 // Empty where the path goes nowhere.
 std::vector<PathSample> path_table(const VehicleMission& mission, const ProgramOptions& options);

@@ -4,16 +4,19 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 
 #include "supervisor/fleet/program/mission_chart.h"
+#include "supervisor/vehicle/data_tables.h"
+#include "supervisor/vehicle/literals.h"
 
 namespace stepwright::fleet {
 namespace {
 
 using graphic::Variable;
 using graphic::VariableSection;
+using vehicle::real_literal;
+using vehicle::time_literal;
 
 Variable global(std::string name, std::string type, std::string comment, std::string address = {},
                 std::string initial = {}) {
@@ -158,34 +161,25 @@ std::string filled(const char* text, const VehicleNames& names) {
   return fmt::format(fmt::runtime(text), names.name, names.path, names.areas, names.planes);
 }
 
-bool is_name_character(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
-
-std::string vehicle_initial(const VehicleMission& mission, const ProgramOptions& options, double phase) {
+std::string initial_of(const VehicleMission& mission, const ProgramOptions& options, double phase) {
   const VehicleModel& model = mission.model;
   const DriveData& drive = options.drive;
   const double lock = model.max_steering_rad > 0.0
                           ? model.max_steering_rad
                           : std::atan(model.wheelbase_m / model.min_turning_radius_m);
-  const std::pair<const char*, double> figures[] = {{"Wheelbase", model.wheelbase_m},
-                                                    {"Front", model.front_m},
-                                                    {"Rear", model.rear_m},
-                                                    {"HalfWidth", 0.5 * model.width_m},
-                                                    {"MaxSpeed", mission.speed.max_mps},
-                                                    {"Acceleration", drive.speed_up_m_s2},
-                                                    {"Deceleration", drive.brake_m_s2},
-                                                    {"HardDeceleration", drive.hard_brake_m_s2},
-                                                    {"MaxLock", lock},
-                                                    {"LockRate", drive.lock_rate_rad_s},
-                                                    {"SpeedLag", drive.speed_lag_s},
-                                                    {"LockLag", drive.lock_lag_s},
-                                                    {"Phase", phase}};
-  std::string text;
-  for (const auto& [name, value] : figures) {
-    text += fmt::format("{}{} := {}", text.empty() ? "(" : ", ", name, real_literal(value));
-  }
-  return text + ")";
+  return vehicle::vehicle_initial({.wheelbase_m = model.wheelbase_m,
+                                   .front_m = model.front_m,
+                                   .rear_m = model.rear_m,
+                                   .half_width_m = 0.5 * model.width_m,
+                                   .top_speed_m_s = mission.speed.max_mps,
+                                   .speed_up_m_s2 = drive.speed_up_m_s2,
+                                   .brake_m_s2 = drive.brake_m_s2,
+                                   .hard_brake_m_s2 = drive.hard_brake_m_s2,
+                                   .full_lock_rad = lock,
+                                   .lock_rate_rad_s = drive.lock_rate_rad_s,
+                                   .speed_lag_s = drive.speed_lag_s,
+                                   .lock_lag_s = drive.lock_lag_s,
+                                   .phase = phase});
 }
 
 }  // namespace
@@ -231,7 +225,7 @@ std::vector<Variable> vehicle_globals(const VehicleMission& mission, const Vehic
   }
   // Vehicles take turns, so that not all of them compute in the same scan.
   globals.push_back(global("vehicle_" + v, "VEHICLE_REF", mission.vehicle, {},
-                           vehicle_initial(mission, options, static_cast<double>(names.turn % 4) / 4.0)));
+                           initial_of(mission, options, static_cast<double>(names.turn % 4) / 4.0)));
   globals.push_back(global("slack_" + v, "REAL",
                            "by which the outline may be measured outside of its polygons", {},
                            real_literal(options.margins.outside_m)));
@@ -316,15 +310,6 @@ std::vector<Variable> driving_blocks(const std::vector<VehicleNames>& vehicles,
     blocks.push_back(block("run_" + names.name, "MC_RunVehicle"));
   }
   return blocks;
-}
-
-bool mentions(std::string_view text, std::string_view name) {
-  for (std::size_t at = text.find(name); at != std::string_view::npos; at = text.find(name, at + 1)) {
-    const std::size_t end = at + name.size();
-    const bool starts = at == 0 || !is_name_character(text[at - 1]);
-    if (starts && (end == text.size() || !is_name_character(text[end]))) return true;
-  }
-  return false;
 }
 
 }  // namespace stepwright::fleet

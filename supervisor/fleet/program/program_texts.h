@@ -4,7 +4,6 @@
 // Detail of this folder.
 
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -42,8 +41,5 @@ std::vector<graphic::Variable> driving_blocks(const std::vector<VehicleNames>& v
 
 // "set_speed" -> its address, and so on; all of them.
 std::vector<std::pair<std::string, std::string>> named_terminals(const VehicleTerminals& terminals);
-
-// True where `name` stands in `text` as a name of its own.
-bool mentions(std::string_view text, std::string_view name);
 
 }  // namespace stepwright::fleet

@@ -3,53 +3,23 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <cstdint>
-#include <string_view>
-#include <utility>
 
-#include "supervisor/fleet/program/mission_chart.h"
+#include "supervisor/vehicle/data_tables.h"
+#include "supervisor/vehicle/literals.h"
 
 namespace stepwright::fleet {
 namespace {
+
+using vehicle::data_table;
+using vehicle::member;
 
 // Numbers of polygons are INT, places are counts of centimetres in 16 bits.
 constexpr std::size_t kMostPolygons = 32'000;
 constexpr std::size_t kMostSamples = 1'000'000;
 constexpr double kFarthest_m = 320.0;
 
-constexpr std::size_t kSampleBytes = 40;
 constexpr std::size_t kAreaBytes = 16;
 constexpr std::size_t kPlaneBytes = 12;
-
-// FNV-1a, 32 bits.
-std::string digest(std::string_view text) {
-  std::uint32_t hash = 2166136261U;
-  for (const char c : text) hash = (hash ^ static_cast<std::uint8_t>(c)) * 16777619U;
-  return fmt::format("{:08x}", hash);
-}
-
-graphic::Variable table(const std::string& what, const std::string& name, const char* type, std::size_t count,
-                        std::string rows, std::string comment) {
-  graphic::Variable made;
-  made.type = fmt::format("ARRAY[0..{}] OF {}", count - 1, type);
-  made.section = graphic::VariableSection::Global;
-  made.initial = "[" + std::move(rows) + "]";
-  made.name = fmt::format("{}_{}_{}", what, name, digest(made.initial));
-  made.comment = std::move(comment);
-  return made;
-}
-
-std::string field(const char* name, double value) {
-  return fmt::format("{} := {}", name, real_literal(value));
-}
-
-std::string row(const PathSample& s) {
-  return fmt::format("({}, {}, {}, {}, {}, {}, {}, {}, {}, {})", field("X", s.pose.x_m),
-                     field("Y", s.pose.y_m), field("Heading", s.pose.heading_rad),
-                     field("Curvature", s.curvature_1_m), field("Arc", s.arc_m), field("Speed", s.speed_m_s),
-                     field("Rest", s.rest_m), field("Left", s.left_m), field("Right", s.right_m),
-                     field("Way", s.way));
-}
 
 result::Result<void> check_size(const VehicleMission& mission, std::size_t samples) {
   const auto too_large = [&](const std::string& what, const char* hint) {
@@ -83,35 +53,31 @@ result::Result<VehicleTables> vehicle_tables(const VehicleMission& mission, cons
                                              const std::vector<double>& free_m,
                                              const ProgramOptions& options) {
   if (auto good = check_size(mission, mission.path.size()); !good) return result::forward(good);
-  const std::vector<PathSample> samples = path_table(mission, options);
+  const std::vector<vehicle::PathSample> samples = path_table(mission, options);
   VehicleTables tables;
   tables.samples = samples.size();
   tables.polygons = mission.grown.visits.size();
-  std::string rows;
-  for (const PathSample& sample : samples) rows += (rows.empty() ? "" : ",\n") + row(sample);
-  if (!samples.empty()) {
-    tables.path = table("path", name, "MC_PATH_POINT", samples.size(), std::move(rows),
-                        "the way of " + mission.vehicle);
-  }
+  if (!samples.empty()) tables.path = vehicle::path_table(name, samples, "the way of " + mission.vehicle);
   std::string areas;
   std::string planes;
   for (std::size_t k = 0; k < tables.polygons; ++k) {
     const auto sides = mission.grown.envelope.polygons[k].area.half_planes();
     for (const geometry::HalfPlane& side : sides) {
-      planes += (planes.empty() ? "" : ",\n") + fmt::format("({}, {}, {})", field("NormalX", side.normal.x_m),
-                                                            field("NormalY", side.normal.y_m),
-                                                            field("Offset", side.offset_m));
+      planes += (planes.empty() ? "" : ",\n") +
+                fmt::format("({}, {}, {})", member("NormalX", side.normal.x_m),
+                            member("NormalY", side.normal.y_m), member("Offset", side.offset_m));
     }
     areas += (k == 0 ? "" : ",\n") +
              fmt::format("(First := {}, Last := {}, {}, {})", tables.sides, tables.sides + sides.size() - 1,
-                         field("Entry", mission.grown.visits[k].entry_m), field("Free", free_m[k]));
+                         member("Entry", mission.grown.visits[k].entry_m), member("Free", free_m[k]));
     tables.sides += sides.size();
   }
-  tables.areas = table("areas_of", name, "MC_AREA", tables.polygons, std::move(areas),
-                       "the polygons of " + mission.vehicle);
-  tables.planes = table("planes_of", name, "MC_HALF_PLANE", tables.sides, std::move(planes),
-                        "the sides of the polygons of " + mission.vehicle);
-  tables.bytes = kSampleBytes * tables.samples + kAreaBytes * tables.polygons + kPlaneBytes * tables.sides;
+  tables.areas =
+      data_table("areas_of", name, "MC_AREA", tables.polygons, areas, "the polygons of " + mission.vehicle);
+  tables.planes = data_table("planes_of", name, "MC_HALF_PLANE", tables.sides, planes,
+                             "the sides of the polygons of " + mission.vehicle);
+  tables.bytes =
+      vehicle::kPathSampleBytes * tables.samples + kAreaBytes * tables.polygons + kPlaneBytes * tables.sides;
   return tables;
 }
 

@@ -82,7 +82,7 @@ Label mentioned(const Formula& formula, SyntaxId part) {
 class Search {
  public:
   Search(const RegionMap& map, const Task& task, const std::vector<std::string>& places, std::uint32_t start)
-      : map_(map), formula_(task.formula), places_(places), start_(start) {}
+      : map_(map), task_(task), formula_(task.formula), places_(places), start_(start) {}
 
   Impossible blame(const Automaton& whole) {
     std::vector<SyntaxId> parts = conjuncts(formula_.tree);
@@ -113,6 +113,7 @@ class Search {
     some.root = some.terms.conjunction(std::move(terms));
     auto automaton = task_automaton(some);
     if (!automaton) return std::nullopt;
+    begin_behind(task_.read, *automaton);
     const Guide guide(map_, *automaton);
     if (guide.to_go_m(start_, guide.start(start_)) < Guide::kNever) return std::nullopt;
     return *std::move(automaton);
@@ -146,6 +147,7 @@ class Search {
   }
 
   const RegionMap& map_;
+  const Task& task_;
   const Formula& formula_;
   const std::vector<std::string>& places_;
   std::uint32_t start_;

@@ -40,4 +40,8 @@ result::Result<Task> read_task(const std::string& text, const std::vector<std::s
   return Task{*std::move(formula), *std::move(automaton)};
 }
 
+void begin_behind(const std::vector<Letter>& read, Automaton& automaton) {
+  for (const Letter letter : read) automaton.initial = automaton.next(automaton.initial, letter);
+}
+
 }  // namespace stepwright::ltl

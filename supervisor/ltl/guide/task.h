@@ -19,12 +19,16 @@ namespace stepwright::ltl {
 
 struct Task {
   Formula formula;
-  Automaton automaton;  // bit k of a letter is the k-th place
+  Automaton automaton;         // bit k of a letter is the k-th place
+  std::vector<Letter> read{};  // what was read before: the automaton begins behind it
 };
 
 // L0001 to L0007: the text; L0011 to L0013: its automaton; L0311: a name that is no place, with its place in
 // the text and the nearest one.
 [[nodiscard]] result::Result<Task> read_task(const std::string& text, const std::vector<std::string>& places,
                                              const std::string& file = {}, const BuildOptions& options = {});
+
+// The automaton goes on behind these letters.
+void begin_behind(const std::vector<Letter>& read, Automaton& automaton);
 
 }  // namespace stepwright::ltl

@@ -1,18 +1,23 @@
 #include "supervisor/ltl/monitor/monitor_block.h"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 
 #include "supervisor/ltl/monitor/branches.h"
 #include "supervisor/ltl/monitor/step_table.h"
+#include "supervisor/ltl/monitor/timer_text.h"
 
 namespace stepwright::ltl {
 
 namespace {
 
 constexpr std::size_t kLineWidth = 100;
-constexpr std::array<std::string_view, 9> kNames = {"Reset", "Verdict", "State", "Since", "Before",
-                                                    "Begun", "Row",     "Next",  "Last"};
+constexpr std::array<std::string_view, 15> kNames = {"Reset",     "Verdict",   "State",  "Since", "Before",
+                                                     "Begun",     "Row",       "Next",   "Last",  "Left",
+                                                     "Undecided", "Satisfied", "Failed", "Far",   "Made"};
+constexpr std::size_t kBlockNames = 9;
+constexpr std::uint32_t kNoWay = 65'535;
 
 // Without what ends a comment or begins another one.
 std::string in_comment(std::string text) {
@@ -24,10 +29,25 @@ std::string in_comment(std::string text) {
   return text;
 }
 
+// Of the automaton as it is written: tells it from others.
+std::uint32_t fingerprint(const std::string& text) {
+  std::uint32_t hash = 2'166'136'261u;  // FNV-1a
+  for (const char each : text) hash = (hash ^ static_cast<unsigned char>(each)) * 16'777'619u;
+  return hash;
+}
+
 class Block {
  public:
-  Block(const Automaton& automaton, const BlockOptions& options)
-      : automaton_(automaton), options_(options), propositions_(automaton.propositions.size()) {}
+  // `expressions` of a program, null of a block.
+  Block(const Automaton& automaton, const BlockOptions& options,
+        const std::vector<std::string>* expressions = nullptr, bool stops = false)
+      : automaton_(automaton),
+        options_(options),
+        expressions_(expressions),
+        stops_(stops),
+        propositions_(automaton.propositions.size()) {}
+
+  std::vector<std::uint32_t> take_lines() { return std::move(lines_); }
 
   result::Result<std::string> write() {
     if (options_.form != BlockForm::Branches) table_ = step_table(automaton_, options_.most_entries);
@@ -38,8 +58,11 @@ class Block {
                              : branches(automaton_, options_.inputs, options_.most_branches, indent);
     if (!step)
       return too_large("the step has more than " + std::to_string(options_.most_branches) + " branches");
+    made_ = fingerprint((table_ ? table_text() : *step) + array_text("Far", far()));
     head();
+    if (is_program()) reads();
     reset();
+    timers();
     add("Before := State;\n");
     if (options_.on_changes) {
       add("IF NOT Begun" + changed() + " THEN\n" + *step + remembered() + "END_IF;\n");
@@ -60,17 +83,24 @@ class Block {
   void head() {
     add("(* " + in_comment(options_.about) + " *)\n");
     if (options_.on_changes) add("(* X counts letters: a letter is read when the inputs change. *)\n");
-    add("FUNCTION_BLOCK " + options_.name + "\nVAR_INPUT\n");
-    for (std::size_t k = 0; k < propositions_; ++k) {
-      const std::string& name = automaton_.propositions[k];
-      const std::string comment = name == options_.inputs[k] ? "" : "  (* " + in_comment(name) + " *)";
-      add("  " + options_.inputs[k] + " : BOOL;" + comment + "\n");
-    }
+    add((is_program() ? "PROGRAM " : "FUNCTION_BLOCK ") + options_.name + "\n");
+    if (is_program()) flag_declarations();
+    add(is_program() ? "VAR\n" : "VAR_INPUT\n");
+    for (std::size_t k = 0; k < propositions_; ++k)
+      if (timer_of(k) == nullptr) add(declaration(k));
     add("  Reset : BOOL;  (* begins anew and reads no letter *)\nEND_VAR\nVAR_OUTPUT\n");
     add("  Verdict : INT := " + verdict_text(automaton_.initial) +
         ";  (* 0: undecided, 1: TRUE, 2: FALSE *)\n");
     add("  State : UINT := " + std::to_string(automaton_.initial) + ";\n");
-    add("  Since : UDINT;  (* scans since the state was entered *)\nEND_VAR\nVAR\n  Before : UINT;\n");
+    add("  Since : UDINT;  (* scans since the state was entered *)\n");
+    if (is_program())
+      add("  Left : UINT := " + std::to_string(has_way() ? far()[automaton_.initial] : kNoWay) +
+          ";  (* transitions to TRUE, at least *)\n");
+    add("END_VAR\nVAR\n  Before : UINT;\n");
+    for (std::size_t k = 0; k < propositions_; ++k)
+      if (const Timed* timed = timer_of(k))
+        add(declaration(k) + timer_declarations(*timed, options_.inputs[k]));
+    if (is_program()) add("  Made : UDINT := " + std::to_string(made_) + ";  (* of this automaton *)\n");
     if (table_ && table_->looks > 1) add("  Row : UINT;\n");
     if (options_.on_changes) {
       add("  Begun : BOOL;\n");
@@ -78,6 +108,61 @@ class Block {
     }
     add("END_VAR\n");
     if (table_) add(table_text());
+    if (has_way()) add("VAR CONSTANT\n" + array_text("Far", far()) + "END_VAR\n");
+  }
+
+  bool is_program() const { return expressions_ != nullptr; }
+
+  const Timed* timer_of(std::size_t proposition) const {
+    return options_.formula == nullptr ? nullptr
+                                       : timed_of(*options_.formula, static_cast<std::uint32_t>(proposition));
+  }
+
+  std::string declaration(std::size_t k) const {
+    const std::string& name = automaton_.propositions[k];
+    const std::string comment = name == options_.inputs[k] ? "" : "  (* " + in_comment(name) + " *)";
+    return "  " + options_.inputs[k] + " : BOOL;" + comment + "\n";
+  }
+
+  // Only a program tells it, and only of what can become TRUE.
+  bool has_way() const {
+    return is_program() && std::ranges::any_of(automaton_.distance,
+                                               [](std::uint32_t each) { return each != Automaton::kNever; });
+  }
+
+  std::vector<std::uint32_t> far() const {
+    std::vector<std::uint32_t> numbers;
+    for (const std::uint32_t each : automaton_.distance) numbers.push_back(std::min(each, kNoWay));
+    return numbers;
+  }
+
+  // The steps of the chart that viewers see come first: what begins charts anew resets all behind them.
+  void flag_declarations() {
+    add("VAR_OUTPUT\n");
+    const Verdict first = automaton_.verdicts[automaton_.initial];
+    const auto flag = [&](const char* name, Verdict verdict) {
+      add(std::string("  ") + name + " : BOOL" + (first == verdict ? " := TRUE;\n" : ";\n"));
+    };
+    flag("Undecided", Verdict::Undecided);
+    flag("Satisfied", Verdict::True);
+    flag("Failed", Verdict::False);
+    add("END_VAR\n");
+  }
+
+  // What its propositions mean comes first: these statements see no name of the program (Watcher).
+  void reads() {
+    lines_.assign(propositions_, 0);
+    for (std::size_t k = 0; k < propositions_; ++k) {
+      if (timer_of(k) != nullptr) continue;
+      lines_[k] = static_cast<std::uint32_t>(std::ranges::count(text_, '\n')) + 1;
+      add(options_.inputs[k] + " := " + (*expressions_)[k] + ";\n");
+    }
+  }
+
+  void timers() {
+    if (options_.formula == nullptr) return;
+    for (const Timed& each : options_.formula->timed)
+      add(timer_step(*options_.formula, each, options_.inputs));
   }
 
   std::string verdict_text(std::uint32_t state) const {
@@ -85,12 +170,14 @@ class Block {
   }
 
   std::string table_text() const {
-    const std::vector<std::uint32_t>& entries = table_->entries;
-    std::string text =
-        "VAR CONSTANT\n  Next : ARRAY[0.." + std::to_string(entries.size() - 1) + "] OF UINT := [";
+    return "VAR CONSTANT\n" + array_text("Next", table_->entries) + "END_VAR\n";
+  }
+
+  static std::string array_text(const std::string& name, const std::vector<std::uint32_t>& entries) {
+    std::string text = "  " + name + " : ARRAY[0.." + std::to_string(entries.size() - 1) + "] OF UINT := [";
     std::string line = "\n    ";
     for (std::size_t k = 0; k < entries.size(); ++k) {
-      line += std::to_string(entries[k]) + (k + 1 < entries.size() ? ", " : "];\nEND_VAR\n");
+      line += std::to_string(entries[k]) + (k + 1 < entries.size() ? ", " : "];\n");
       if (line.size() < kLineWidth) continue;
       text += line;
       line = "\n    ";
@@ -112,9 +199,16 @@ class Block {
   }
 
   void reset() {
-    add("IF Reset THEN\n  State := " + std::to_string(automaton_.initial) +
+    const std::string made = std::to_string(made_);
+    add(is_program() ? "IF Reset OR Made <> " + made + " THEN\n  Reset := FALSE;\n  Made := " + made + ";\n"
+                     : std::string("IF Reset THEN\n"));
+    add("  State := " + std::to_string(automaton_.initial) +
         ";\n  Verdict := " + verdict_text(automaton_.initial) + ";\n  Since := 0;\n");
     if (options_.on_changes) add("  Begun := FALSE;\n");
+    for (std::size_t k = 0; k < propositions_; ++k)
+      if (const Timed* timed = timer_of(k)) add(timer_reset(*timed, options_.inputs[k]));
+    if (has_way()) add("  Left := Far[State];\n");
+    if (is_program()) add(flags("  "));
     add("  RETURN;\nEND_IF;\n");
   }
 
@@ -132,21 +226,34 @@ class Block {
     return text;
   }
 
+  static std::string flags(const std::string& indent) {
+    return indent + "Undecided := Verdict = 0;\n" + indent + "Satisfied := Verdict = 1;\n" + indent +
+           "Failed := Verdict = 2;\n";
+  }
+
+  // States that are decided are never left: the verdict changes where the state does.
   void tail() {
-    add("IF State <> Before THEN\n  Since := 0;\nELSIF Since < 4294967295 THEN\n  Since := Since + "
-        "1;\nEND_IF;\n");
+    add("IF State <> Before THEN\n  Since := 0;\n");
     std::string cases;
     for (std::uint32_t state = 0; state < automaton_.size(); ++state) {
       if (automaton_.verdicts[state] == Verdict::Undecided) continue;
-      cases += "  " + std::to_string(state) + ": Verdict := " + verdict_text(state) + ";\n";
+      cases += "    " + std::to_string(state) + ": Verdict := " + verdict_text(state) + ";\n";
     }
-    if (!cases.empty()) add("CASE State OF\n" + cases + "ELSE\n  Verdict := 0;\nEND_CASE;\n");
-    add("END_FUNCTION_BLOCK\n");
+    if (!cases.empty()) add("  CASE State OF\n" + cases + "  ELSE\n    Verdict := 0;\n  END_CASE;\n");
+    if (has_way()) add("  Left := Far[State];\n");
+    add("ELSIF Since < 4294967295 THEN\n  Since := Since + 1;\nEND_IF;\n");
+    if (is_program()) add(flags(""));
+    if (stops_) add("IF Failed THEN\n  __STOP();\nEND_IF;\n");
+    add(is_program() ? "END_PROGRAM\n" : "END_FUNCTION_BLOCK\n");
   }
 
   const Automaton& automaton_;
   const BlockOptions& options_;
+  const std::vector<std::string>* expressions_;
+  bool stops_;
   std::size_t propositions_;
+  std::uint32_t made_ = 0;
+  std::vector<std::uint32_t> lines_;
   std::optional<StepTable> table_;
   std::string text_;
 };
@@ -154,12 +261,26 @@ class Block {
 }  // namespace
 
 std::span<const std::string_view> block_names() {
+  return std::span(kNames).first(kBlockNames);
+}
+
+std::span<const std::string_view> program_names() {
   return kNames;
 }
 
 result::Result<std::string> monitor_block(const Automaton& automaton, const BlockOptions& options) {
   assert(options.inputs.size() == automaton.propositions.size());
   return Block(automaton, options).write();
+}
+
+result::Result<MonitorProgram> monitor_program(const Automaton& automaton,
+                                               const std::vector<std::string>& expressions, bool stops,
+                                               const BlockOptions& options) {
+  assert(expressions.size() == automaton.propositions.size());
+  Block block(automaton, options, &expressions, stops);
+  auto text = block.write();
+  if (!text) return result::forward(text);
+  return MonitorProgram{*std::move(text), block.take_lines()};
 }
 
 }  // namespace stepwright::ltl

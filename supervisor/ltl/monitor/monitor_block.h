@@ -8,6 +8,13 @@
 //               State   : UINT   of the automaton
 //               Since   : UDINT  scans since the state was entered, 0 in the scan that entered it
 //
+// Propositions that timers make (syntax_tree.h) are no inputs: the block has a TON for each.
+//
+// As a PROGRAM it takes what its propositions mean from expressions, says besides
+//   Undecided, Satisfied, Failed : BOOL   one of them holds
+//   Left : UINT                           transitions to TRUE, at least; 65535: none leads there
+// and begins anew when somebody sets Reset, or when it takes over from a program with another automaton.
+//
 // Thread rule: pure functions. Example:
 //   auto text = monitor_block(monitor->automaton, {.name = "NO_WASH", .inputs = {"wash"}});
 
@@ -18,6 +25,7 @@
 
 #include "runtime/ground/result/result.h"
 #include "supervisor/ltl/automaton/automaton.h"
+#include "supervisor/ltl/syntax/syntax_tree.h"
 
 namespace stepwright::ltl {
 
@@ -31,7 +39,8 @@ struct BlockOptions {
   std::string name = "LTL_MONITOR";
   // Of each proposition: legal names, different from each other and from block_names().
   std::vector<std::string> inputs = {};
-  std::string about = {};  // the formula, for the comment at the top
+  std::string about = {};               // the formula, for the comment at the top
+  const SyntaxTree* formula = nullptr;  // the automaton's, if it has timers
   BlockForm form = BlockForm::Automatic;
   // Reads a letter only when it differs from the last one, as X wants it (see stutter_report).
   bool on_changes = false;
@@ -39,11 +48,23 @@ struct BlockOptions {
   std::size_t most_branches = 20'000;
 };
 
-// Names that the block has besides its inputs. Names have no case.
+// Names that a block or a program has besides its inputs. Names have no case.
 std::span<const std::string_view> block_names();
+std::span<const std::string_view> program_names();
 
 // Requires an input for each proposition. L0031: table or branches would be larger than the bound.
 [[nodiscard]] result::Result<std::string> monitor_block(const Automaton& automaton,
                                                         const BlockOptions& options);
+
+struct MonitorProgram {
+  std::string text;                  // the statements with expressions are its first ones
+  std::vector<std::uint32_t> lines;  // of each proposition: where its expression stands; 0 of a timer's
+};
+
+// `expressions` in ST, of each proposition; those of timers are not looked at. `stops`: the program ends the
+// scan, and the outputs are safe, as soon as the verdict is FALSE (__STOP, ladder/driver/watcher.h).
+[[nodiscard]] result::Result<MonitorProgram> monitor_program(const Automaton& automaton,
+                                                             const std::vector<std::string>& expressions,
+                                                             bool stops, const BlockOptions& options);
 
 }  // namespace stepwright::ltl

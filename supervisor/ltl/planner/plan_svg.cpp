@@ -56,6 +56,7 @@ class Picture {
     for (const Area& each : problem_.floor.propositions) polygon("place", each.ring, each.name);
     sweep();
     for (const Area& each : problem_.floor.obstacles) polygon("wall", each.ring, each.name);
+    for (const Area& each : problem_.floor.blocked) polygon("wall", each.ring, each.name);
     for (const Area& each : problem_.floor.propositions) name(each);
     draw_way();
     links("end", way_.back().state);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <span>
 
 #include "plant_models/ode/cvode_solver.h"
@@ -16,7 +17,8 @@ namespace {
 using geometry::Point;
 
 constexpr double kTouch_m = 1e-7;
-constexpr double kLimit = 1e-6;  // of speed, steering and controls beyond theirs
+constexpr std::size_t kLooksBetween = 32;  // two looks at the time
+constexpr double kLimit = 1e-6;            // of speed, steering and controls beyond theirs
 
 // The equations once more, written as the paper has them: each trailer with the product of the cosines before
 // it.
@@ -96,8 +98,9 @@ class Referee {
         options_(options),
         judgement_(judgement),
         reach_m_(0.5 * std::hypot(model.length_m, model.width_m)) {
-    for (const Area& obstacle : floor.obstacles)
-      boxes_of_obstacles_.push_back(geometry::bounds_of(obstacle.ring));
+    for (const auto* obstacles : {&floor.obstacles, &floor.blocked})
+      for (const Area& obstacle : *obstacles)
+        obstacles_.push_back({geometry::bounds_of(obstacle.ring), &obstacle});
   }
 
   bool replay(const TrainPlan& plan, const TrainState& start) {
@@ -178,7 +181,8 @@ class Referee {
   }
 
   bool look() {
-    ++judgement_.looks;
+    if (++judgement_.looks % kLooksBetween == 0 && options_.stop && options_.stop())
+      return refuse("there was no time to judge it");
     if (!std::ranges::all_of(state_, [](double value) { return std::isfinite(value); }))
       return refuse("a state is no number");
     if (std::abs(state_[3]) > model_.most_speed_m_s + kLimit) return refuse("too fast" + there());
@@ -197,22 +201,41 @@ class Referee {
       boxes_.push_back(corners_of(middle, heading, model_.length_m, model_.width_m));
       middles_.push_back(middle);
     }
+    find_near();
     for (std::size_t link = 0; link < boxes_.size(); ++link) {
       if (!internal::within(floor_.border.ring, middles_[link]) || meets(link, floor_.border))
         return refuse("link " + std::to_string(link) + " leaves the floor" + there());
-      for (std::size_t k = 0; k < floor_.obstacles.size(); ++k) {
-        const Area& obstacle = floor_.obstacles[k];
-        if (!reaches(boxes_of_obstacles_[k].low, boxes_of_obstacles_[k].high, middles_[link])) continue;
-        if (internal::within(obstacle.ring, middles_[link]) || meets(link, obstacle))
-          return refuse("link " + std::to_string(link) + " meets '" + obstacle.name + "'" + there());
+      for (const std::size_t k : near_) {
+        const Obstacle& obstacle = obstacles_[k];
+        if (!reaches(obstacle.box.low, obstacle.box.high, middles_[link])) continue;
+        if (internal::within(obstacle.area->ring, middles_[link]) || meets(link, *obstacle.area))
+          return refuse("link " + std::to_string(link) + " meets '" + obstacle.area->name + "'" + there());
       }
     }
+    for (std::size_t link = 1; link < model_.links(); ++link)
+      if (std::abs(std::remainder((link == 1 ? state_[2] : state_[3 + link]) - state_[4 + link],
+                                  2.0 * std::numbers::pi)) > model_.most_hitch_rad + kLimit)
+        return refuse("hitch " + std::to_string(link) + " folds" + there());
     for (std::size_t i = 0; i < boxes_.size(); ++i)
       for (std::size_t k = i + 2; k < boxes_.size(); ++k)
-        if (geometry::distance(middles_[i], middles_[k]) < 2.0 * reach_m_ && share(boxes_[i], boxes_[k]))
+        if (may_touch(middles_[i] - middles_[k]) && share(boxes_[i], boxes_[k]))
           return refuse("links " + std::to_string(i) + " and " + std::to_string(k) + " meet" + there());
     return true;
   }
+
+  // The obstacles whose bounds the train as a whole comes near to.
+  void find_near() {
+    const geometry::Box all = geometry::bounds_of(middles_);
+    near_.clear();
+    for (std::size_t k = 0; k < obstacles_.size(); ++k) {
+      const geometry::Box& box = obstacles_[k].box;
+      if (box.low.x_m <= all.high.x_m + reach_m_ && box.high.x_m >= all.low.x_m - reach_m_ &&
+          box.low.y_m <= all.high.y_m + reach_m_ && box.high.y_m >= all.low.y_m - reach_m_)
+        near_.push_back(k);
+    }
+  }
+
+  bool may_touch(Point apart) const { return dot(apart, apart) < 4.0 * reach_m_ * reach_m_; }
 
   bool meets(std::size_t link, const Area& area) const {
     for (std::size_t k = 0; k < area.ring.size(); ++k) {
@@ -233,7 +256,12 @@ class Referee {
   RefereeOptions options_;
   PlanJudgement& judgement_;
   const double reach_m_;  // of a corner from a link's middle
-  std::vector<geometry::Box> boxes_of_obstacles_;
+  struct Obstacle {
+    geometry::Box box;
+    const Area* area;
+  };
+  std::vector<Obstacle> obstacles_;
+  std::vector<std::size_t> near_;  // obstacles
   std::vector<double> state_;
   std::vector<Corners> boxes_;
   std::vector<Point> middles_;
@@ -246,7 +274,10 @@ PlanJudgement judge_plan(const Floor& floor, const TrainModel& model, const Trai
   PlanJudgement judgement;
   Referee referee(floor, model, options, judgement);
   if (!referee.replay(plan, start)) return judgement;
-  if (!satisfies(formula, judgement.word)) judgement.reason = "the way does not satisfy the task";
+  std::vector<Label> word = options.read;
+  for (const Label label : judgement.word)
+    if (word.empty() || word.back() != label) word.push_back(label);
+  if (!satisfies(formula, word)) judgement.reason = "the way does not satisfy the task";
   return judgement;
 }
 

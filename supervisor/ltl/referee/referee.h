@@ -8,6 +8,7 @@
 //   const PlanJudgement judgement = judge_plan(floor, model, start, formula, plan);
 //   if (!judgement.accepted()) std::puts(judgement.reason.c_str());
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,8 @@ struct RefereeOptions {
   double look_every_m = 0.01;    // on the way of the car at its most speed
   double most_end_error = 1e-3;  // of each state: m, rad, m/s
   double longest_s = 86'400.0;
+  std::vector<Label> read = {};  // before the plan, of a run that goes on
+  std::function<bool()> stop{};  // asked now and then: whether there is no time left to judge it
 };
 
 struct PlanJudgement {

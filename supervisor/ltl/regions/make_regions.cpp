@@ -67,7 +67,28 @@ struct Shapes {
   std::vector<Shape> propositions;
 };
 
+void look_at(const Stop& stop) {
+  if (stop && stop()) throw Stopped{};
+}
+
+bool apart(const geometry::Box& a, const geometry::Box& b) {
+  return a.low.x_m > b.high.x_m || a.high.x_m < b.low.x_m || a.low.y_m > b.high.y_m || a.high.y_m < b.low.y_m;
+}
+
+// With some micrometres around them, which the grid may move corners by.
+std::vector<geometry::Box> boxes_of(const std::vector<Area>& areas) {
+  std::vector<geometry::Box> boxes;
+  const Point grid{2.0 * kGrid_m, 2.0 * kGrid_m};
+  for (const Area& each : areas) {
+    geometry::Box box = geometry::bounds_of(each.ring);
+    boxes.push_back({box.low - grid, box.high + grid});
+  }
+  return boxes;
+}
+
 void check_propositions(const Geos& geos, const Floor& floor, const Shapes& shapes, Diagnostics& wrong) {
+  const std::vector<geometry::Box> obstacles = boxes_of(floor.obstacles);
+  const std::vector<geometry::Box> places = boxes_of(floor.propositions);
   for (std::size_t i = 0; i < floor.propositions.size(); ++i) {
     const Area& area = floor.propositions[i];
     const GEOSGeometry* shape = shapes.propositions[i].get();
@@ -76,7 +97,8 @@ void check_propositions(const Geos& geos, const Floor& floor, const Shapes& shap
                "propositions lie within the border");
     for (std::size_t k = 0; k < floor.obstacles.size(); ++k) {
       // Inner points in common; that the two touch is no fault.
-      if (geos.answer(GEOSRelatePattern_r(geos, shapes.obstacles[k].get(), shape, "T********")))
+      if (!apart(obstacles[k], places[i]) &&
+          geos.answer(GEOSRelatePattern_r(geos, shapes.obstacles[k].get(), shape, "T********")))
         complain(wrong, "L0204", area.where,
                  "'" + area.name + "' meets the obstacle '" + floor.obstacles[k].name + "'",
                  "a proposition holds on free floor; cut the obstacle out of it");
@@ -84,10 +106,31 @@ void check_propositions(const Geos& geos, const Floor& floor, const Shapes& shap
   }
 }
 
-std::optional<Shapes> read_shapes(const Geos& geos, const Floor& floor, Diagnostics& wrong) {
+// Whether there are not too many.
+bool count_corners(const Floor& floor, Diagnostics& wrong) {
+  std::size_t corners = floor.border.ring.size();
+  const Area* beyond = corners > kMostCorners ? &floor.border : nullptr;
+  for (const std::vector<Area>* areas : {&floor.obstacles, &floor.propositions}) {
+    for (const Area& each : *areas) {
+      corners += each.ring.size();
+      if (corners > kMostCorners && beyond == nullptr) beyond = &each;
+    }
+  }
+  if (beyond == nullptr) return true;
+  complain(wrong, "L0208", beyond->where,
+           "with '" + beyond->name + "' the floor has more than " + std::to_string(kMostCorners) +
+               " corners, " + std::to_string(corners) + " in all",
+           "simplify outlines, or leave out what no vehicle can reach");
+  return false;
+}
+
+std::optional<Shapes> read_shapes(const Geos& geos, const Floor& floor, const Stop& stop,
+                                  Diagnostics& wrong) {
+  if (!count_corners(floor, wrong)) return std::nullopt;
   Shapes shapes;
   const auto read_all = [&](const std::vector<Area>& areas, std::vector<Shape>& into) {
     for (const Area& area : areas) {
+      look_at(stop);
       if (auto shape = read_area(geos, area, wrong)) into.push_back(*std::move(shape));
     }
   };
@@ -148,7 +191,7 @@ double area_of(const Geos& geos, const GEOSGeometry* shape) {
   return area;
 }
 
-Ring ring_of(const Geos& geos, const GEOSGeometry* face) {
+Ring ring_of(const Geos& geos, const GEOSGeometry* face, const Stop& stop) {
   std::vector<Ring> rings;
   const auto add = [&](const GEOSGeometry* line) {
     rings.push_back(geos.points_of(line));
@@ -157,11 +200,11 @@ Ring ring_of(const Geos& geos, const GEOSGeometry* face) {
   add(GEOSGetExteriorRing_r(geos, face));
   const int holes = GEOSGetNumInteriorRings_r(geos, face);
   for (int i = 0; i < holes; ++i) add(GEOSGetInteriorRingN_r(geos, face, i));
-  return single_ring(std::move(rings));
+  return single_ring(std::move(rings), stop);
 }
 
-void triangulate(const Geos& geos, const GEOSGeometry* face, Label label, Collector& into) {
-  const Shape whole = geos.polygon(ring_of(geos, face));
+void triangulate(const Geos& geos, const GEOSGeometry* face, Label label, const Stop& stop, Collector& into) {
+  const Shape whole = geos.polygon(ring_of(geos, face, stop));
   const Shape triangles = geos.own(GEOSConstrainedDelaunayTriangulation_r(geos, whole.get()));
   const double difference = std::abs(area_of(geos, triangles.get()) - area_of(geos, face));
   if (difference > 1e-6 + 1e-9 * area_of(geos, face))
@@ -173,37 +216,51 @@ void triangulate(const Geos& geos, const GEOSGeometry* face, Label label, Collec
   }
 }
 
-RegionMap cut(const Geos& geos, const Shapes& shapes) {
+RegionMap cut(const Geos& geos, const Floor& floor, const Shapes& shapes, const Stop& stop) {
   Collector collector;
+  const std::vector<geometry::Box> obstacles = boxes_of(floor.obstacles);
+  look_at(stop);
   const Shape faces = faces_of(geos, shapes);
   const int count = GEOSGetNumGeometries_r(geos, faces.get());
   for (int i = 0; i < count; ++i) {
     const GEOSGeometry* face = GEOSGetGeometryN_r(geos, faces.get(), i);
+    look_at(stop);
     const Shape inner = geos.own(GEOSPointOnSurface_r(geos, face));
+    Point at;
+    if (GEOSGeomGetX_r(geos, inner.get(), &at.x_m) != 1 || GEOSGeomGetY_r(geos, inner.get(), &at.y_m) != 1)
+      throw GeosError("a face has no point");
     const auto holds = [&](const Shape& shape) {
       return geos.answer(GEOSContains_r(geos, shape.get(), inner.get()));
     };
-    if (!holds(*shapes.border) || std::ranges::any_of(shapes.obstacles, holds)) continue;
+    const auto is_covered = [&] {
+      for (std::size_t k = 0; k < obstacles.size(); ++k)
+        if (!apart(obstacles[k], {at, at}) && holds(shapes.obstacles[k])) return true;
+      return false;
+    };
+    if (!holds(*shapes.border) || is_covered()) continue;
     Label label = 0;
     for (std::size_t k = 0; k < shapes.propositions.size(); ++k)
       if (holds(shapes.propositions[k])) label |= Label{1} << k;
-    triangulate(geos, face, label, collector);
+    triangulate(geos, face, label, stop, collector);
   }
   return collector.finish();
 }
 
 }  // namespace
 
-result::Result<RegionMap> make_regions(const Floor& floor) try {
+result::Result<RegionMap> make_regions(const Floor& floor, const std::function<bool()>& stop) try {
   const Geos geos;
   Diagnostics wrong;
-  const auto shapes = read_shapes(geos, floor, wrong);
+  const auto shapes = read_shapes(geos, floor, stop, wrong);
   if (!shapes) return tl::unexpected(std::move(wrong));
-  RegionMap map = cut(geos, *shapes);
+  RegionMap map = cut(geos, floor, *shapes, stop);
   if (map.regions().empty())
     return result::fail("L0205", floor.border.where, "obstacles cover the whole floor",
                         "the border holds free floor");
   return map;
+} catch (const Stopped&) {
+  return result::fail(kStoppedRegions, floor.border.where, "the floor was not cut into triangles in time",
+                      "more time, or fewer corners");
 } catch (const GeosError& error) {
   return result::fail("L0207", floor.border.where,
                       std::string("the floor cannot be cut into triangles: ") + error.what(),

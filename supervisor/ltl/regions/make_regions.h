@@ -6,6 +6,7 @@
 //
 // A pure function; any thread. Coordinates count to a micrometre: what lies closer together is one point.
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,9 @@
 #include "supervisor/ltl/regions/region_map.h"
 
 namespace stepwright::ltl {
+
+inline constexpr const char* kStoppedRegions = "L0209";
+inline constexpr std::size_t kMostCorners = 100'000;  // of a floor, in all
 
 // A simple polygon, in either order, with its place in the file for messages.
 struct Area {
@@ -25,12 +29,19 @@ struct Floor {
   Area border;
   std::vector<Area> obstacles;     // may touch or overlap one another and the border
   std::vector<Area> propositions;  // bit k of a label is propositions[k]; at most kMostPropositions
+  // Obstacles that have come later, across propositions too: vehicles go round them, regions do not know
+  // them.
+  std::vector<Area> blocked{};
 };
 
 // Fails with all that is wrong: L0201 (fewer than three points), L0202 (a coordinate that is no number),
 // L0203 (an outline that crosses or touches itself, with the point), L0204 (a proposition outside of the
 // border or meets an obstacle), L0205 (nothing is free), L0206 (too many propositions), L0207 (the
 // triangulation failed).
-[[nodiscard]] result::Result<RegionMap> make_regions(const Floor& floor);
+//
+// L0208: more than kMostCorners corners, with the outline where that is; L0209: `stop`, which is asked now
+// and then, says that it takes too long.
+[[nodiscard]] result::Result<RegionMap> make_regions(const Floor& floor,
+                                                     const std::function<bool()>& stop = {});
 
 }  // namespace stepwright::ltl

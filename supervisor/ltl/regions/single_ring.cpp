@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <utility>
 
+#include "supervisor/geometry/box.h"
 #include "supervisor/geometry/outline.h"
 
 namespace stepwright::ltl {
@@ -41,10 +43,19 @@ bool between(Point a, Point b, Point p) {
   return side(a, b, p) == 0 && dot(p - a, p - b) < 0.0;
 }
 
+// Whether what lies between two points is apart from a box.
+bool apart(Point a, Point b, Point low, Point high) {
+  return std::max(a.x_m, b.x_m) < low.x_m || std::min(a.x_m, b.x_m) > high.x_m ||
+         std::max(a.y_m, b.y_m) < low.y_m || std::min(a.y_m, b.y_m) > high.y_m;
+}
+
 // Whether the open segments share a point, or one of the ring's corners lies within the first.
 bool blocks(const Ring& ring, Point a, Point b) {
+  const Point low{std::min(a.x_m, b.x_m), std::min(a.y_m, b.y_m)};
+  const Point high{std::max(a.x_m, b.x_m), std::max(a.y_m, b.y_m)};
   for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Point c = ring[i], d = cyclic(ring, i + 1);
+    const Point c = ring[i], d = ring[i + 1 < ring.size() ? i + 1 : 0];
+    if (apart(c, d, low, high)) continue;
     if (between(a, b, c)) return true;
     if (side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0) return true;
   }
@@ -81,29 +92,46 @@ std::size_t leftmost_corner(const Ring& ring) {
 }
 
 // The nearest corner of the ring that sees the hole's leftmost one.
-Joint shortest_bridge(const std::vector<Ring>& rings, std::size_t hole) {
-  const Ring& ring = rings.front();
-  const std::size_t from = leftmost_corner(rings[hole]);
-  const Point to = rings[hole][from];
-  std::vector<std::size_t> nearest(ring.size());
-  for (std::size_t i = 0; i < ring.size(); ++i) nearest[i] = i;
-  std::ranges::sort(nearest, {}, [&](std::size_t i) { return distance(ring[i], to); });
-  for (const std::size_t i : nearest) {
-    if (!leaves_inside(ring, i, to) || !leaves_inside(rings[hole], from, ring[i])) continue;
-    if (std::ranges::none_of(rings, [&](const Ring& each) { return blocks(each, ring[i], to); }))
-      return {i, from};
+Joint shortest_bridge(const Ring& ring, std::span<const Ring> holes, std::span<const geometry::Box> boxes) {
+  const std::size_t from = leftmost_corner(holes.front());
+  const Point to = holes.front()[from];
+  std::vector<std::pair<double, std::size_t>> nearest(ring.size());
+  for (std::size_t i = 0; i < ring.size(); ++i) nearest[i] = {dot(ring[i] - to, ring[i] - to), i};
+  const auto blocked = [&](Point at) {
+    if (blocks(ring, at, to)) return true;
+    for (std::size_t k = 0; k < holes.size(); ++k)
+      if (!apart(at, to, boxes[k].low, boxes[k].high) && blocks(holes[k], at, to)) return true;
+    return false;
+  };
+  // Some at a time: nearly always one of the first ones will do.
+  for (std::size_t known = 0; known < nearest.size();) {
+    const std::size_t end = std::min(nearest.size(), 4 * known + 16);
+    std::partial_sort(nearest.begin() + static_cast<std::ptrdiff_t>(known),
+                      nearest.begin() + static_cast<std::ptrdiff_t>(end), nearest.end());
+    for (; known < end; ++known) {
+      const std::size_t i = nearest[known].second;
+      if (!leaves_inside(ring, i, to) || !leaves_inside(holes.front(), from, ring[i])) continue;
+      if (!blocked(ring[i])) return {i, from};
+    }
   }
-  return {nearest.front(), from};  // rings that cross: what follows finds that areas differ
+  return {nearest.front().second, from};  // rings that cross: what follows finds that areas differ
 }
 
 // Holes that touch one another become one, and those that touch the outline a part of it.
-void join_touching(std::vector<Ring>& rings) {
+void join_touching(std::vector<Ring>& rings, const Stop& stop) {
+  std::vector<geometry::Box> boxes;
+  for (const Ring& ring : rings) boxes.push_back(geometry::bounds_of(ring));
   for (std::size_t i = 0; i < rings.size(); ++i) {
+    if (stop && stop()) throw Stopped{};
     for (std::size_t k = i + 1; k < rings.size();) {
-      const auto joint = shared_corner(rings[i], rings[k]);
+      const bool is_far = apart(boxes[i].low, boxes[i].high, boxes[k].low, boxes[k].high);
+      const auto joint = is_far ? std::nullopt : shared_corner(rings[i], rings[k]);
       if (joint) {
         join(rings[i], rings[k], *joint);
+        extend(boxes[i], boxes[k].low);
+        extend(boxes[i], boxes[k].high);
         rings.erase(rings.begin() + static_cast<std::ptrdiff_t>(k));
+        boxes.erase(boxes.begin() + static_cast<std::ptrdiff_t>(k));
       }
       k = joint ? i + 1 : k + 1;
     }
@@ -116,17 +144,17 @@ void turn_anticlockwise(Ring& ring, bool anticlockwise) {
 
 }  // namespace
 
-Ring single_ring(std::vector<Ring> rings) {
+Ring single_ring(std::vector<Ring> rings, const Stop& stop) {
   for (Ring& ring : rings) turn_anticlockwise(ring, &ring == &rings.front());
-  join_touching(rings);
-  while (rings.size() > 1) {
-    std::size_t hole = 1;
-    for (std::size_t k = 2; k < rings.size(); ++k) {
-      if (rings[k][leftmost_corner(rings[k])].x_m < rings[hole][leftmost_corner(rings[hole])].x_m) hole = k;
-    }
-    const Joint joint = shortest_bridge(rings, hole);
-    join(rings.front(), rings[hole], joint);
-    rings.erase(rings.begin() + static_cast<std::ptrdiff_t>(hole));
+  join_touching(rings, stop);
+  const std::span<Ring> holes = std::span(rings).subspan(1);
+  std::ranges::stable_sort(holes, {}, [](const Ring& each) { return each[leftmost_corner(each)].x_m; });
+  std::vector<geometry::Box> boxes;
+  for (const Ring& each : holes) boxes.push_back(geometry::bounds_of(each));
+  for (std::size_t k = 0; k < holes.size(); ++k) {
+    if (stop && stop()) throw Stopped{};
+    const Joint joint = shortest_bridge(rings.front(), holes.subspan(k), std::span(boxes).subspan(k));
+    join(rings.front(), holes[k], joint);
   }
   return std::move(rings.front());
 }

@@ -6,6 +6,7 @@
 //
 // A pure function; any thread. O(points^2) in the usual case.
 
+#include <functional>
 #include <vector>
 
 #include "supervisor/geometry/point.h"
@@ -18,6 +19,9 @@ using Ring = std::vector<geometry::Point>;  // does not repeat its first point
 
 // The first ring is the outline, the others are holes in it that lie beside one another; they may touch in
 // points. The result is anticlockwise.
-Ring single_ring(std::vector<Ring> outline_and_holes);
+// Throws Stopped, which stays inside this folder, when `stop` says so.
+struct Stopped {};
+using Stop = std::function<bool()>;
+Ring single_ring(std::vector<Ring> outline_and_holes, const Stop& stop = {});
 
 }  // namespace stepwright::ltl

@@ -15,6 +15,7 @@ using geometry::Point;
 constexpr double kClose_m = 0.4;        // a place that near may be entered by who drives along
 constexpr double kAtWall_m = 0.005;     // no way begins, ends or passes that near
 constexpr double kLeastDepth_m = 1e-3;  // of a point in a narrow place
+constexpr std::size_t kLongestWord = 12;
 
 Point unit(Point v) {
   const double length = std::hypot(v.x_m, v.y_m);
@@ -35,8 +36,9 @@ RouteGraph::RouteGraph(const Floor& floor, const Places& places, const Walls& wa
                        const RouteOptions& options)
     : places_(places), walls_(walls), options_(options) {
   for (const Area& obstacle : floor.obstacles) add_corners(obstacle.ring, false);
+  for (const Area& obstacle : floor.blocked) add_corners(obstacle.ring, false);
   add_corners(floor.border.ring, true);
-  thin_out();
+  thin_out(0, options_.most_corners);
   add_places();
   connect();
 }
@@ -59,12 +61,12 @@ void RouteGraph::add_corners(const std::vector<Point>& outline, bool hole) {
   }
 }
 
-void RouteGraph::thin_out() {
-  const std::size_t most = std::max<std::size_t>(options_.most_corners, 1);
-  const std::size_t stride = (points_.size() + most - 1) / most;
+void RouteGraph::thin_out(std::size_t from, std::size_t most) {
+  most = std::max<std::size_t>(most, 1);
+  const std::size_t stride = (points_.size() - from + most - 1) / most;
   if (stride < 2) return;
-  std::size_t kept = 0;
-  for (std::size_t k = 0; k < points_.size(); k += stride, ++kept) {
+  std::size_t kept = from;
+  for (std::size_t k = from; k < points_.size(); k += stride, ++kept) {
     points_[kept] = points_[k];
     labels_[kept] = labels_[k];
   }
@@ -103,22 +105,29 @@ void RouteGraph::add_places() {
           outwards(ring[(i + ring.size() - 1) % ring.size()], ring[i], ring[(i + 1) % ring.size()]);
       if (out) add(ring[i] + (2.0 * kClose_m) * *out, options_.margin_m);
     }
+    thin_out(before, options_.most_inner / places_.size());
   }
 }
 
 std::uint32_t RouteGraph::Words::number(const std::vector<Label>& word) {
-  const auto found = std::ranges::find(all, word);
-  const auto at = static_cast<std::uint32_t>(found - all.begin());
-  if (found == all.end()) all.push_back(word);
-  return at;
+  std::size_t first = 0;
+  if (before != nullptr) {
+    if (const auto known = before->numbers.find(word); known != before->numbers.end()) return known->second;
+    first = before->all.size();
+  }
+  const auto [known, is_new] = numbers.try_emplace(word, static_cast<std::uint32_t>(first + all.size()));
+  if (is_new) all.push_back(word);
+  return known->second;
 }
 
-void RouteGraph::read(Way& way, Point from, Point to, Words& words) const {
+bool RouteGraph::read(Way& way, Point from, Point to, Words& words) const {
   const Label here = places_.label(from);
   std::vector<Label> letters;
   places_.read(from, to, here, letters);
+  if (letters.size() > kLongestWord) return false;
   way.word = letters.empty() ? 0 : words.number(letters);
   way.near = places_.near(from, to, kClose_m) & ~here;
+  return true;
 }
 
 std::optional<RouteGraph::Way> RouteGraph::way(Point from, Point to, Words& words) const {
@@ -135,21 +144,22 @@ std::optional<RouteGraph::Way> RouteGraph::way(Point from, Point to, Words& word
     done += step;
   }
   Way found{.cost_m = cost, .length_m = length};
-  read(found, from, to, words);
+  if (!read(found, from, to, words)) return std::nullopt;
   return found;
 }
 
 void RouteGraph::connect() {
   const auto count = static_cast<std::uint32_t>(points_.size());
   std::vector<std::vector<Way>> from(count);
-  for (std::uint32_t a = 0; a < count && std::chrono::steady_clock::now() < options_.until; ++a) {
-    for (std::uint32_t b = a + 1; b < count; ++b) {
+  for (std::uint32_t a = 0; a < count; ++a) {
+    for (std::uint32_t b = a + 1; b < count && std::chrono::steady_clock::now() < options_.until; ++b) {
       auto there = way(points_[a], points_[b], words_);
       if (!there) continue;
       Way back = *there;
       there->to = b;
       back.to = a;
-      if (there->word != 0 || there->near != 0 || labels_[a] != 0) read(back, points_[b], points_[a], words_);
+      const bool reads = there->word != 0 || there->near != 0 || labels_[a] != 0;
+      if (reads && !read(back, points_[b], points_[a], words_)) continue;
       from[a].push_back(*there);
       from[b].push_back(back);
     }

@@ -7,13 +7,14 @@
 // driven).
 //
 // A floor of very many corners, such as that of a map, gives only each n-th of them, so that there are at
-// most `most_corners`: ways are between any two points.
+// most `most_corners`, and as few points of places: ways are between any two points.
 //
 // Immutable; any thread may read. Places and walls must outlive it. Example:
 //   const RouteGraph graph(floor, places, walls, {.margin_m = 0.5});
 
 #include <chrono>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
 #include <vector>
@@ -30,6 +31,7 @@ struct RouteOptions {
   double depth_m = 0.25;  // of points within propositions from their outline
   double spread_m = 2.0;  // between such points
   std::size_t most_corners = 1500;
+  std::size_t most_inner = 1500;  // points within and beside propositions
   // The graph is left as it is by then, without the ways that were not looked at.
   std::chrono::steady_clock::time_point until = std::chrono::steady_clock::time_point::max();
 };
@@ -55,25 +57,34 @@ class RouteGraph {
   const std::vector<Label>& word(std::uint32_t number) const { return words_.all[number]; }
   std::size_t words() const { return words_.all.size(); }
   const Places& places() const { return places_; }
+  double clearance_m(geometry::Point at) const { return walls_.clearance_m(at); }
   const RouteOptions& options() const { return options_; }
 
-  // Different words, each once.
+  // Different words, each once. Those of `before` come first in the numbering.
   struct Words {
+    const Words* before = nullptr;
     std::vector<std::vector<Label>> all = {{}};
+    std::map<std::vector<Label>, std::uint32_t> numbers = {{{}, 0}};
+
     std::uint32_t number(const std::vector<Label>& word);
+    const std::vector<Label>& word(std::uint32_t number) const {
+      const std::size_t first = before == nullptr ? 0 : before->all.size();
+      return number < first ? before->all[number] : all[number - first];
+    }
   };
-  // The way between any two points, whose word is among `words`; nothing where it comes too near to a wall.
+  // The way between any two points, whose word is among `words`; nothing where it comes too near to a wall,
+  // or reads very many labels: then there are points on it.
   std::optional<Way> way(geometry::Point from, geometry::Point to, Words& words) const;
   const Words& all_words() const { return words_; }
 
  private:
   void add(geometry::Point at, double margin_m);
   void add_corners(const std::vector<geometry::Point>& ring, bool hole);
-  void thin_out();
+  void thin_out(std::size_t from, std::size_t most);
   void add_side(std::span<const geometry::Point> ring, geometry::Point from, geometry::Point to);
   void add_places();
   void connect();
-  void read(Way& way, geometry::Point from, geometry::Point to, Words& words) const;
+  bool read(Way& way, geometry::Point from, geometry::Point to, Words& words) const;
 
   const Places& places_;
   const Walls& walls_;

@@ -93,7 +93,8 @@ class ProblemReader {
     if (train.is_null()) return;
     if (!is_object(train, "train",
                    {"trailers", "reading", "hitch_m", "wheelbase_m", "length_m", "width_m", "spacing_m",
-                    "most_speed_m_s", "most_lock_rad", "most_acceleration_m_s2", "most_lock_rate_rad_s"},
+                    "most_speed_m_s", "most_lock_rad", "most_acceleration_m_s2", "most_lock_rate_rad_s",
+                    "most_hitch_rad"},
                    wrong_))
       return;
     read_figures(train);
@@ -123,6 +124,7 @@ class ProblemReader {
         {"most_lock_rad", &model.most_lock_rad},
         {"most_acceleration_m_s2", &model.most_acceleration_m_s2},
         {"most_lock_rate_rad_s", &model.most_lock_rate_rad_s},
+        {"most_hitch_rad", &model.most_hitch_rad},
     };
     for (const auto& [name, into] : figures) {
       const json& value = member(train, name);

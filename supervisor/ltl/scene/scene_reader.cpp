@@ -72,7 +72,17 @@ void add_area(const std::string& kind, Area area, const std::string& key, Floor&
   }
 }
 
+// "Feature" and its like; a value of another type says what the file is instead.
+bool is_type(const json& value, const std::string& key, const char* type, Complaints& wrong) {
+  const json& said = member(value, "type");
+  if (said.is_string() && said.get_ref<const std::string&>() == type) return true;
+  wrong.add("L0402", key, std::string("is missing or not \"") + type + "\"",
+            "a scene is a GeoJSON FeatureCollection of Features (RFC 7946)");
+  return false;
+}
+
 void read_feature(const json& feature, const std::string& key, Floor& floor, Complaints& wrong) {
+  if (!is_type(feature, key + ".type", "Feature", wrong)) return;
   const auto fails = [&](const std::string& name) {
     wrong.add("L0402", key + "." + name, "is missing or of the wrong kind",
               R"(a feature has "properties" with "kind" and "name", and a Polygon as "geometry")");
@@ -98,6 +108,7 @@ result::Result<Floor> read_scene(std::string_view text, const std::string& file,
   if (!root) return result::forward(root);
   Complaints wrong(file);
   const json& features = member(*root, "features");
+  if (root->is_object()) (void)is_type(*root, "type", "FeatureCollection", wrong);
   if (!features.is_array())
     wrong.add("L0402", "features", "is missing or no list", "a scene is a GeoJSON FeatureCollection");
   else

@@ -19,9 +19,10 @@ namespace stepwright::ltl {
 
 enum class Border : std::uint8_t { InTheScene, FromElsewhere };
 
-// L0401: no JSON; L0402: a member that is missing or of the wrong kind; L0403: a coordinate out of range;
-// L0404: a polygon that is not closed; L0201: fewer than three points; L0405: a name that is used twice.
-// `into` has what the scene is added to: its border, if that is from elsewhere.
+// L0401: no JSON; L0402: a member that is missing or of the wrong kind, "type" among them; L0403: a
+// coordinate out of range; L0404: a polygon that is not closed; L0201: fewer than three points; L0405: a name
+// that is used twice, of a place or of a member. `into` has what the scene is added to: its border, if that
+// is from elsewhere.
 [[nodiscard]] result::Result<Floor> read_scene(std::string_view text, const std::string& file,
                                                Floor into = {}, Border border = Border::InTheScene);
 

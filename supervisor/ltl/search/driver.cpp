@@ -115,9 +115,13 @@ TrainControl steer(const TrainModel& model, const TrainState& state, Point targe
 
 }  // namespace
 
-bool Driver::valid(const TrainState& state) const {
+// The link that meets a wall; the middle one where two links meet.
+std::optional<std::size_t> Driver::blocked(const TrainState& state) const {
   const LinkBoxes boxes = link_boxes(model_, state);
-  return !walls_.meet(boxes, model_.links()) && !meets_itself(shape_, boxes);
+  for (std::size_t link = 0; link < model_.links(); ++link)
+    if (walls_.meets(boxes[link])) return link;
+  if (meets_itself(shape_, boxes)) return model_.links() / 2;
+  return std::nullopt;
 }
 
 DriveMark Driver::stand(const TrainState& state, std::uint32_t task) const {
@@ -150,7 +154,10 @@ Driver::Event Driver::advance(TrainMotion& motion, const TrainControl& control, 
       used = held;
     }
     const Point to{next.state[kTrainX], next.state[kTrainY]};
-    if (!valid(next.state)) return refused(Event::Blocked);
+    if (const auto link = blocked(next.state)) {
+      drive.blocked_link = *link;
+      return refused(Event::Blocked);
+    }
     letters_.clear();
     // On with the last label: what a step ends on is read by one of two steps, and by one only.
     next.label = places_.read(from, to, next.label, letters_);

@@ -9,6 +9,7 @@
 //   if (drive.end == DriveEnd::Done) ...
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -46,6 +47,7 @@ enum class DriveEnd : std::uint8_t {
 
 struct Drive {
   DriveEnd end = DriveEnd::Over;
+  std::size_t blocked_link = 0;  // of Blocked: which one met a wall; the middle one, if it was another link
   std::vector<TrainPiece> pieces;
   std::vector<DriveMark> marks;  // the last one is where it ended
 };
@@ -66,12 +68,13 @@ class Driver {
   // One control from there: marks as above. Ends with Over where nothing stops it.
   Drive hold(const DriveMark& from, const TrainControl& control, double duration_s);
 
-  bool valid(const TrainState& state) const;
+  bool valid(const TrainState& state) const { return !blocked(state); }
   std::uint64_t steps() const { return steps_; }
 
  private:
   enum class Event : std::uint8_t { None, Changed, Done, Blocked, Broken };
 
+  std::optional<std::size_t> blocked(const TrainState& state) const;
   Event advance(TrainMotion& motion, const TrainControl& control, double duration_s, DriveMark& at,
                 Drive& drive);
 

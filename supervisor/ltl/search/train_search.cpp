@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 namespace stepwright::ltl {
@@ -13,11 +14,18 @@ using geometry::Point;
 
 constexpr double kSwell_m = 0.05;  // of links, against what two looks do not see between them
 constexpr std::size_t kLevels = 3;
-constexpr std::size_t kMostNodes = 100'000;  // beyond them the tree begins anew
+constexpr double kShort_m = 0.5;     // a drive that ends sooner says that its state is as good as lost
+constexpr double kShortFails = 1.0;  // and counts so much more
+constexpr double kSmoothing = 0.9;   // of a row of trailers, which cuts turns: more than sqrt(2 / pi), for
+                                     // turns that are several ones shortly after each other
+constexpr double kReach_m = 2.0;     // of a failure, on the way before it
+constexpr std::size_t kMostStages = 2'000'000;  // of the guide: regions times states
+constexpr std::size_t kMostNodes = 100'000;     // beyond them the tree begins anew
 
 TrainModel swollen(TrainModel model) {
   model.length_m += kSwell_m;
   model.width_m += kSwell_m;
+  if (model.most_hitch_rad < std::numbers::pi) model.most_hitch_rad -= 1.2 * kSwell_m / model.hitch_m;
   return model;
 }
 
@@ -72,9 +80,14 @@ TrainSearch::Routes& TrainSearch::routes(std::size_t level) {
     RouteOptions options{.margin_m = half + 0.1, .wanted_m = wanted_m(model_), .until = until_};
     if (level == 1) options.wanted_m *= 1.5;
     if (level == 2) options.wanted_m = half + 0.3;
-    if (use_ == SearchGuide::OnTheRegions && !guide_ && states_.automaton() != nullptr)
-      guide_.emplace(map_, *states_.automaton());
-    const RouteGuide guide = guide_ ? RouteGuide{&map_, &*guide_} : RouteGuide{};
+    RouteGuide guide;
+    if (use_ == SearchGuide::OnTheRegions) {
+      const Automaton* const automaton = states_.automaton();
+      if (!guide_ && automaton != nullptr && map_.regions().size() * automaton->size() <= kMostStages)
+        guide_.emplace(map_, *automaton);
+      const geometry::Box box = geometry::bounds_of(map_.points());
+      guide = guide_ ? RouteGuide{&map_, &*guide_} : RouteGuide{.place_m = distance(box.low, box.high)};
+    }
     routes_[level] = std::make_unique<Routes>(floor_, places_, walls_, options, states_, guide);
   }
   return *routes_[level];
@@ -165,19 +178,21 @@ std::size_t TrainSearch::add(std::size_t parent, const Drive& drive) {
   return parent;
 }
 
-// What lies shortly before a failure leads there again.
+// What lies shortly before a failure leads there again; where a trailer met a wall, all that was driven since
+// the car passed there.
 void TrainSearch::blame(std::size_t parent, std::size_t first_new, const Drive& drive) {
   const std::size_t last = nodes_.size() > first_new ? nodes_.size() - 1 : parent;
   const double end_m = nodes_[last].length_m;
-  const double reach_m = 1.5 + 0.4 * static_cast<double>(model_.trailers);
+  const double lag_m = static_cast<double>(drive.blocked_link) * model_.spacing_m;
+  const double reach_m = kReach_m;
   if (drive.end == DriveEnd::Astray || drive.end == DriveEnd::Over) {
     nodes_[last].fails += 0.2;
     return;
   }
   for (std::size_t at = last;; at = nodes_[at].parent) {
     const double before_m = end_m - nodes_[at].length_m;
-    nodes_[at].fails += 1.0 * std::exp(-before_m / reach_m);
-    if (at == 0 || before_m > 6.0 * reach_m) break;
+    nodes_[at].fails += std::exp(-std::max(0.0, before_m - lag_m) / reach_m);
+    if (at == 0 || before_m > lag_m + 6.0 * reach_m) break;
   }
 }
 
@@ -195,10 +210,15 @@ TrainPlan TrainSearch::plan_to(std::size_t node) const {
 
 Route TrainSearch::route_from(const Node& node, Routes& ways, double turn_m, double noise) {
   const TrainState& state = node.at.state;
+  // By chance more or less room for it: where the estimate is wrong, another route is tried.
+  const double share = noise > 0.0 ? 0.6 + 0.8 * chance() : 1.0;
+  const double trail = share * kSmoothing * model_.hitch_m * std::sqrt(static_cast<double>(model_.trailers));
   return ways.search.route({.at = {state[kTrainX], state[kTrainY]},
                             .heading_rad = state[kTrainHeading],
                             .state = node.at.task,
                             .turn_m = turn_m,
+                            .trail_m = trail,
+                            .half_m = 0.5 * model_.width_m + kSwell_m,
                             .noise = noise,
                             .seed = dice_(),
                             .until = until_});
@@ -230,7 +250,12 @@ bool TrainSearch::drive_from(std::size_t from, bool by_chance, SearchAnswer& ans
   ++answer.drives;
   const Drive drive = driver_.along(route, nodes_[from].at, style(by_chance));
   const std::size_t first_new = nodes_.size();
-  add(from, drive);
+  // Hardly moved: what it would add fails as it does.
+  const bool is_short = drive.end != DriveEnd::Done && drive.marks.back().length_m < kShort_m;
+  if (is_short)
+    nodes_[from].fails += kShortFails;
+  else
+    add(from, drive);
   if (drive.end == DriveEnd::Done) return true;
   blame(from, first_new, drive);
   return false;
@@ -276,10 +301,15 @@ SearchAnswer TrainSearch::shorter(const SearchQuery& query, double than_m) {
     if ((end = over(query, round))) break;
     Routes& ways = routes(chance() < 0.5 ? 0 : 2);
     const double turn_m = tightest_m(model_) * chance();
-    const Route route = route_from(nodes_[0], ways, turn_m, 0.15 * chance());
+    Route route = route_from(nodes_[0], ways, turn_m, round == 0 ? 0.0 : 0.15 * chance());
+    if (!route.empty() && chance() < (model_.trailers == 0 ? 0.9 : 0.5)) {
+      const RouteOptions& kept = ways.graph.options();
+      const double spare = model_.trailers == 0 ? 0.0 : chance() * (kept.wanted_m - kept.margin_m);
+      route = ways.search.tightened(std::move(route), kept.margin_m + spare, until_);
+    }
     for (std::size_t n = 0; n < 4 && !route.empty() && !over(query, round); ++n) {
       ++best.drives;
-      const Drive drive = driver_.along(route, nodes_[0].at, style(true));
+      const Drive drive = driver_.along(route, nodes_[0].at, style(n > 0));
       if (drive.end != DriveEnd::Done || drive.marks.back().length_m >= least) continue;
       least = drive.marks.back().length_m;
       best.plan = TrainPlan{query.start, drive.pieces, drive.marks.back().state, least};

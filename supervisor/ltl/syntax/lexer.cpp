@@ -99,6 +99,12 @@ class Lexer {
   void word() {
     const Place begin = place_;
     const std::size_t from = at_;
+    if (begins_duration()) {
+      step();
+      step();
+      while (at_ < text_.size() && in_word(text_[at_])) step();
+      return add(TokenKind::Duration, std::string(text_.substr(from, at_ - from)), begin);
+    }
     while (at_ < text_.size() && in_word(text_[at_])) step();
     const std::string_view word = text_.substr(from, at_ - from);
     if (is_unary_run(word)) {  // GF a
@@ -108,6 +114,12 @@ class Lexer {
       const bool is_sign = is_binary_letter(word) || word == "0" || word == "1";
       add(is_sign ? TokenKind::Sign : TokenKind::Word, std::string(word), begin);
     }
+  }
+
+  // T#5s: a '#' that is no comment.
+  bool begins_duration() const {
+    return at_ + 2 < text_.size() && (text_[at_] == 'T' || text_[at_] == 't') && text_[at_ + 1] == '#' &&
+           text_[at_ + 2] >= '0' && text_[at_ + 2] <= '9';
   }
 
   bool quoted() {

@@ -11,7 +11,7 @@
 
 namespace stepwright::ltl {
 
-enum class TokenKind : std::uint8_t { Word, Quoted, Sign, End };
+enum class TokenKind : std::uint8_t { Word, Quoted, Sign, Duration, End };
 
 struct Token {
   TokenKind kind = TokenKind::End;

@@ -4,6 +4,8 @@
 #include <array>
 #include <utility>
 
+#include "supervisor/ltl/syntax/duration.h"
+
 namespace stepwright::ltl {
 
 namespace {
@@ -191,7 +193,14 @@ SyntaxId Parser::pattern(const Scope& scope, bool scoped) {
   if (accept("responds")) {
     if (peek().kind == TokenKind::Word && peek().text == "to") ++at_;
     const SyntaxId subject = formula();
-    return patterned(Pattern::Response, scope, subject, first, at);
+    if (!times("within")) return patterned(Pattern::Response, scope, subject, first, at);
+    if (scoped) fail("L0008", peek().at, "a scope has no deadline", "leave the scope out");
+    const SyntaxId overdue = timed(TimedKind::Overdue, subject, first, at);
+    return add(Operator::Always, {add(Operator::Not, {overdue}, at)}, at);
+  }
+  if (times("within")) {
+    if (scoped) fail("L0008", peek().at, "a scope has no deadline", "leave the scope out");
+    return within(visited(first), at);
   }
   if (scoped) fail_here("a pattern", "absent p; exists p; holds p; s precedes p; s responds to p");
   return first;
@@ -274,16 +283,63 @@ SyntaxId Parser::primary() {
   if (accept("(")) {
     const SyntaxId inner = sentences();
     expect(")", "each ( needs its )");
-    return inner;
+    return times("for") ? timed(TimedKind::Held, inner, inner, token.at) : inner;
   }
   if (accept("true") || accept("1")) return add(Operator::True, {}, token.at);
   if (accept("false") || accept("0")) return add(Operator::False, {}, token.at);
   if (token.kind == TokenKind::Quoted || (token.kind == TokenKind::Word && !is_reserved(token.text))) {
     ++at_;
-    return name(token);
+    const SyntaxId named = name(token);
+    return times("for") ? timed(TimedKind::Held, named, named, token.at) : named;
   }
   fail_here("a proposition or a formula", "a name that is a word of the language stands in quotes");
   return 0;
+}
+
+bool Parser::times(std::string_view word) const {
+  const Token& token = peek();
+  return token.kind == TokenKind::Word && token.text == word && tokens_[at_ + 1].kind == TokenKind::Duration;
+}
+
+SyntaxId Parser::timed(TimedKind kind, SyntaxId of, SyntaxId answer, Place at) {
+  if (error_) return 0;
+  const Token duration = tokens_[at_ + 1];
+  at_ += 2;
+  const auto ns = duration_ns(duration.text);
+  if (!ns) {
+    fail("L0008", duration.at, "'" + duration.text + "' is no duration between 1 ms and 1,000 hours",
+         "for example T#5s or T#1m30s; units are d, h, m, s and ms, from the largest to the smallest");
+    return 0;
+  }
+  if (kind != TimedKind::Elapsed && (speaks_of_later(of) || speaks_of_later(answer))) {
+    fail("L0008", at, "a timer looks at one instant, and this speaks of later ones",
+         "name what a single scan can see, such as (a & !b)");
+    return 0;
+  }
+  std::string text = duration.text;
+  if (kind == TimedKind::Elapsed) {
+    text += " over";
+  } else {
+    text = to_text(tree_, of, 200) + (kind == TimedKind::Held ? " for " + text : " since " + text);
+    if (kind == TimedKind::Overdue) text += " without " + to_text(tree_, answer, 200);
+  }
+  const bool known = std::ranges::find(tree_.propositions, text) != tree_.propositions.end();
+  const SyntaxId node = name({TokenKind::Quoted, text, at});
+  if (error_) return 0;
+  const std::uint32_t proposition = tree_.nodes[node].proposition;
+  if (!known) {
+    tree_.timed.push_back({proposition, kind, of, answer, *ns, duration.text, at});
+  } else if (timed_of(tree_, proposition) == nullptr) {
+    fail("L0008", at, "there is a proposition '" + text + "', which is what this timer would be called",
+         "give the proposition another name");
+  }
+  return node;
+}
+
+// What is reached does not come later than the deadline: the first scan at or behind it still counts.
+SyntaxId Parser::within(SyntaxId reached, Place at) {
+  const SyntaxId over = timed(TimedKind::Elapsed, reached, reached, at);
+  return add(Operator::Until, {add(Operator::Not, {over}, at), reached}, at);
 }
 
 // What `visit a` or `a` asks to be reached: a. Others are left as they are.

@@ -54,6 +54,11 @@ class Parser {
   SyntaxId primary();
   SyntaxId before(SyntaxId first, SyntaxId later, Place at);
   SyntaxId then(SyntaxId first, SyntaxId later, Place at);
+  // Whether this word and a duration stand here.
+  bool times(std::string_view word) const;
+  // Reads them and adds the proposition of a timer. After an error: 0.
+  SyntaxId timed(TimedKind kind, SyntaxId of, SyntaxId answer, Place at);
+  SyntaxId within(SyntaxId reached, Place at);
   SyntaxId visited(SyntaxId node) const;
   bool speaks_of_later(SyntaxId node) const;
 

@@ -27,4 +27,10 @@ std::vector<SyntaxId> conjuncts(const SyntaxTree& tree) {
   return parts;
 }
 
+const Timed* timed_of(const SyntaxTree& tree, std::uint32_t proposition) {
+  for (const Timed& each : tree.timed)
+    if (each.proposition == proposition) return &each;
+  return nullptr;
+}
+
 }  // namespace stepwright::ltl

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <optional>
 
 #include "runtime/ground/naming/ascii_names.h"
 #include "runtime/ground/result/closest.h"
 #include "supervisor/ltl/trace/csv_rows.h"
+#include "supervisor/ltl/trace/timed_letters.h"
 
 namespace stepwright::ltl {
 
@@ -69,13 +71,16 @@ class Reader {
  public:
   Reader(std::string_view text, const std::string& file) : rows_(text, file), file_(file) {}
 
-  result::Result<Trace> run(const std::vector<std::string>& propositions,
-                            const std::vector<Binding>& bindings) {
+  result::Result<Trace> run(const SyntaxTree& formula, const std::vector<Binding>& bindings) {
     if (!rows_.next())
       return failed("L0041", {file_, 1, 1}, "there is no table", "its first line names the columns");
     names_ = rows_.fields();
-    if (auto bound = bind(propositions, bindings); !bound) return result::forward(bound);
+    if (auto bound = bind(formula, bindings); !bound) return result::forward(bound);
     const auto scan = column("scan"), time = column("time_s");
+    if (!formula.timed.empty() && !time)
+      return failed("L0042", {file_, 1, 1}, "no column 'time_s' for '" + formula.timed.front().duration + "'",
+                    "`stepwright exec --csv` writes one");
+    TimedLetters timers(formula);
     Trace trace;
     while (rows_.next()) {
       if (rows_.fields().size() != names_.size())
@@ -83,8 +88,15 @@ class Reader {
                       "this row has " + std::to_string(rows_.fields().size()) + " fields, and " +
                           std::to_string(names_.size()) + " columns have names",
                       "each row has a field for each column");
-      const auto letter = read_letter();
+      auto letter = read_letter();
       if (!letter) return tl::unexpected<result::Diagnostics>(letter.error());
+      if (!formula.timed.empty()) {
+        const auto seconds = number(rows_.fields()[*time]);
+        if (!seconds || !(std::abs(*seconds) < 1e9))
+          return failed("L0044", rows_.where(*time), "'" + rows_.fields()[*time] + "' is no time",
+                        "seconds since the first scan");
+        *letter = timers.with_timed(*letter, std::llround(*seconds * 1e9));
+      }
       ++trace.rows;
       if (!trace.changes.empty() && trace.changes.back().letter == *letter) continue;
       trace.changes.push_back({trace.rows, rows_.line(), scan ? rows_.fields()[*scan] : "",
@@ -114,8 +126,13 @@ class Reader {
     });
   }
 
-  result::Result<void> bind(const std::vector<std::string>& propositions,
-                            const std::vector<Binding>& bindings) {
+  result::Result<void> bind(const SyntaxTree& formula, const std::vector<Binding>& bindings) {
+    std::vector<std::string> propositions;  // with columns
+    for (std::uint32_t k = 0; k < formula.propositions.size(); ++k) {
+      if (timed_of(formula, k) != nullptr) continue;
+      propositions.push_back(formula.propositions[k]);
+      bits_.push_back(k);
+    }
     for (const Binding& each : bindings)
       if (std::ranges::find(propositions, each.proposition) == propositions.end())
         return result::fail("L0045", {}, "the formula has no proposition '" + each.proposition + "'",
@@ -160,7 +177,7 @@ class Reader {
             "compare numbers with numbers, texts by = and <>: --let " + bindings_[k].proposition + "=" +
                 bindings_[k].column + ">VALUE");
       }
-      if (*holds) letter |= Letter{1} << k;
+      if (*holds) letter |= Letter{1} << bits_[k];
     }
     return letter;
   }
@@ -168,8 +185,9 @@ class Reader {
   CsvRows rows_;
   std::string file_;
   std::vector<std::string> names_;
-  std::vector<Binding> bindings_;     // of each proposition
-  std::vector<std::size_t> columns_;  // of each proposition
+  std::vector<Binding> bindings_;     // of each proposition with a column
+  std::vector<std::size_t> columns_;  // likewise
+  std::vector<std::uint32_t> bits_;   // likewise
 };
 
 }  // namespace
@@ -177,7 +195,14 @@ class Reader {
 result::Result<Trace> read_trace(std::string_view text, const std::string& file,
                                  const std::vector<std::string>& propositions,
                                  const std::vector<Binding>& bindings) {
-  return Reader(text, file).run(propositions, bindings);
+  SyntaxTree tree;
+  tree.propositions = propositions;
+  return Reader(text, file).run(tree, bindings);
+}
+
+result::Result<Trace> read_trace(std::string_view text, const std::string& file, const SyntaxTree& formula,
+                                 const std::vector<Binding>& bindings) {
+  return Reader(text, file).run(formula, bindings);
 }
 
 }  // namespace stepwright::ltl

@@ -16,6 +16,7 @@
 
 #include "runtime/ground/result/result.h"
 #include "supervisor/ltl/automaton/verdict.h"
+#include "supervisor/ltl/syntax/syntax_tree.h"
 #include "supervisor/ltl/trace/binding.h"
 
 namespace stepwright::ltl {
@@ -38,6 +39,12 @@ struct Trace {
 // L0045: a binding for no proposition.
 [[nodiscard]] result::Result<Trace> read_trace(std::string_view text, const std::string& file,
                                                const std::vector<std::string>& propositions,
+                                               const std::vector<Binding>& bindings);
+
+// The same with the propositions of the formula's timers, which have no columns. L0042, too: there are timers
+// and no column `time_s`.
+[[nodiscard]] result::Result<Trace> read_trace(std::string_view text, const std::string& file,
+                                               const SyntaxTree& formula,
                                                const std::vector<Binding>& bindings);
 
 }  // namespace stepwright::ltl

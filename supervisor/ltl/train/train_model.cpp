@@ -1,6 +1,7 @@
 #include "supervisor/ltl/train/train_model.h"
 
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <utility>
 
@@ -41,6 +42,7 @@ result::Result<void> validate(const TrainModel& model) {
   };
   for (const auto& [name, value] : lengths)
     require(problems, positive(value), std::string("train: ") + name + " must be greater than 0");
+  require(problems, positive(model.most_hitch_rad), "train: most_hitch_rad must be greater than 0");
   require(problems, positive(model.most_lock_rad) && model.most_lock_rad < 1.5,
           "train: most_lock_rad must lie between 0 and 1.5");
   if (!problems.empty()) return tl::unexpected(std::move(problems));
@@ -104,7 +106,9 @@ bool overlaps(const TrainModel& model, const LinkBox& a, const LinkBox& b) {
 
 bool meets_itself(const TrainModel& model, const LinkBoxes& boxes) {
   const double reach = std::hypot(model.length_m, model.width_m);
+  const double least = model.most_hitch_rad < std::numbers::pi ? std::cos(model.most_hitch_rad) : -2.0;
   for (std::size_t i = 0; i < model.links(); ++i) {
+    if (i + 1 < model.links() && dot(boxes[i].ahead, boxes[i + 1].ahead) < least) return true;
     for (std::size_t k = i + 2; k < model.links(); ++k) {
       const geometry::Point apart = boxes[k].middle - boxes[i].middle;
       if (dot(apart, apart) < reach * reach && overlaps(model, boxes[i], boxes[k])) return true;

@@ -50,6 +50,8 @@ struct TrainModel {
   double most_lock_rad = 1.0;
   double most_acceleration_m_s2 = 1.0;
   double most_lock_rate_rad_s = 1.0;
+  double most_hitch_rad =
+      3.15;  // between neighbours; more than half a turn: hitches bend as far as they like
 
   std::size_t links() const { return trailers + 1; }
   std::size_t states() const { return kTrainTrailer + trailers; }
@@ -81,7 +83,8 @@ LinkBoxes link_boxes(const TrainModel& model, const TrainState& state);
 
 // Whether two links share inner points (separating axes).
 bool overlaps(const TrainModel& model, const LinkBox& a, const LinkBox& b);
-// Whether two links that are not neighbours do: then the state is no valid one.
+// Whether two links that are not neighbours do, or a hitch is bent further than it may: then the state is no
+// valid one.
 bool meets_itself(const TrainModel& model, const LinkBoxes& boxes);
 
 }  // namespace stepwright::ltl

@@ -1,6 +1,7 @@
 #include "supervisor/ltl/train/walls.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -13,7 +14,7 @@ namespace {
 using geometry::Point;
 
 constexpr double kMostCells = 4e6;
-constexpr std::size_t kBlock = 8;   // cells of a block in each direction
+constexpr double kFar_m = 6.0;      // beyond it a fifth more or less is no matter
 constexpr double kBarely_m = 1e-9;  // a side that comes no further into a box only touches it
 
 }  // namespace
@@ -25,6 +26,7 @@ Walls::Walls(const Floor& floor, const TrainModel& model)
   bounds_ = geometry::kNoBox;
   add(floor.border.ring);
   for (const Area& obstacle : floor.obstacles) add(obstacle.ring);
+  for (const Area& obstacle : floor.blocked) add(obstacle.ring);
   const double wide = bounds_.high.x_m - bounds_.low.x_m;
   const double high = bounds_.high.y_m - bounds_.low.y_m;
   cell_m_ = std::max(0.25 * reach_m_, std::sqrt(wide * high / kMostCells));
@@ -52,15 +54,29 @@ std::size_t Walls::row(double y_m) const {
   return static_cast<std::size_t>(std::clamp(at, 0.0, static_cast<double>(rows_ - 1)));
 }
 
-void Walls::sort_into_cells() {
-  const auto each_cell = [this](const auto& visit) {
-    for (std::uint32_t k = 0; k < sides_.size(); ++k) {
-      const auto [low_x, high_x] = std::minmax(sides_[k].from.x_m, sides_[k].to.x_m);
-      const auto [low_y, high_y] = std::minmax(sides_[k].from.y_m, sides_[k].to.y_m);
-      for (std::size_t r = row(low_y); r <= row(high_y); ++r)
-        for (std::size_t c = column(low_x); c <= column(high_x); ++c) visit(r * columns_ + c, k);
+// Row by row, the columns that the part of a side in it comes to.
+template <typename Visit>
+void Walls::each_cell(const Visit& visit) const {
+  for (std::uint32_t k = 0; k < sides_.size(); ++k) {
+    const bool is_upwards = sides_[k].from.y_m <= sides_[k].to.y_m;
+    const Point low = is_upwards ? sides_[k].from : sides_[k].to;
+    const Point high = is_upwards ? sides_[k].to : sides_[k].from;
+    const double slope = (high.x_m - low.x_m) / std::max(high.y_m - low.y_m, 1e-300);
+    for (std::size_t r = row(low.y_m - kBarely_m); r <= row(high.y_m + kBarely_m); ++r) {
+      const double floor_y = bounds_.low.y_m + cell_m_ * static_cast<double>(r);
+      const auto x_at = [&](double y_m) {
+        if (y_m <= low.y_m) return low.x_m;
+        return y_m >= high.y_m ? high.x_m : low.x_m + slope * (y_m - low.y_m);
+      };
+      const double below = x_at(floor_y - kBarely_m), above = x_at(floor_y + cell_m_ + kBarely_m);
+      const std::size_t last = column(std::max(below, above) + kBarely_m);
+      for (std::size_t c = column(std::min(below, above) - kBarely_m); c <= last; ++c)
+        visit(r * columns_ + c, k);
     }
-  };
+  }
+}
+
+void Walls::sort_into_cells() {
   first_.assign(columns_ * rows_ + 1, 0);
   each_cell([this](std::size_t cell, std::uint32_t) { ++first_[cell + 1]; });
   for (std::size_t cell = 0; cell < columns_ * rows_; ++cell) first_[cell + 1] += first_[cell];
@@ -69,41 +85,43 @@ void Walls::sort_into_cells() {
   each_cell([&](std::size_t cell, std::uint32_t side) { inside_[next[cell]++] = side; });
 }
 
-// Block by block: which sides can be the nearest one of any of its cells is asked once for all of them.
+// Square by square, each a quarter of the one before: which sides can be the nearest one of any of its cells
+// is asked of those that can be of the square around it.
 void Walls::measure_cells() {
   clearance_m_.resize(columns_ * rows_);
-  std::vector<double> from_middle_m(sides_.size());
-  std::vector<std::uint32_t> candidates;
-  for (std::size_t r = 0; r < rows_; r += kBlock) {
-    for (std::size_t c = 0; c < columns_; c += kBlock) {
-      const double half = 0.5 * static_cast<double>(kBlock);
-      const Point middle =
-          cell_m_ * Point{static_cast<double>(c) + half, static_cast<double>(r) + half} + bounds_.low;
-      double nearest = std::numeric_limits<double>::infinity();
-      for (std::size_t k = 0; k < sides_.size(); ++k) {
-        from_middle_m[k] = distance_to_side(middle, sides_[k].from, sides_[k].to);
-        nearest = std::min(nearest, from_middle_m[k]);
-      }
-      candidates.clear();
-      for (std::uint32_t k = 0; k < sides_.size(); ++k)
-        if (from_middle_m[k] <= nearest + 2.0 * std::sqrt(2.0) * half * cell_m_) candidates.push_back(k);
-      measure_block(r, c, candidates);
-    }
-  }
+  std::vector<std::uint32_t> all(sides_.size());
+  for (std::uint32_t k = 0; k < sides_.size(); ++k) all[k] = k;
+  measure_square(0, 0, std::bit_ceil(std::max(rows_, columns_)), all);
 }
 
-void Walls::measure_block(std::size_t row, std::size_t column, const std::vector<std::uint32_t>& candidates) {
-  const double half_diagonal = cell_m_ * std::sqrt(0.5);
-  for (std::size_t r = row; r < std::min(rows_, row + kBlock); ++r) {
-    for (std::size_t c = column; c < std::min(columns_, column + kBlock); ++c) {
-      const Point middle =
-          cell_m_ * Point{static_cast<double>(c) + 0.5, static_cast<double>(r) + 0.5} + bounds_.low;
-      double nearest = std::numeric_limits<double>::infinity();
-      for (const std::uint32_t k : candidates)
-        nearest = std::min(nearest, distance_to_side(middle, sides_[k].from, sides_[k].to));
-      clearance_m_[r * columns_ + c] = std::max(0.0, nearest - half_diagonal);
-    }
+void Walls::measure_square(std::size_t row, std::size_t column, std::size_t cells,
+                           const std::vector<std::uint32_t>& among) {
+  if (row >= rows_ || column >= columns_) return;
+  const double half = 0.5 * static_cast<double>(cells);
+  const Point middle =
+      cell_m_ * Point{static_cast<double>(column) + half, static_cast<double>(row) + half} + bounds_.low;
+  std::vector<double> from_middle_m2(among.size());
+  double nearest_m2 = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < among.size(); ++k) {
+    const Point off = middle - nearest_on_side(sides_[among[k]].from, sides_[among[k]].to, middle);
+    from_middle_m2[k] = dot(off, off);
+    nearest_m2 = std::min(nearest_m2, from_middle_m2[k]);
   }
+  const double nearest = std::sqrt(nearest_m2);
+  const double reach_m = std::sqrt(2.0) * half * cell_m_;
+  if (cells == 1 || (nearest > kFar_m && reach_m < 0.2 * nearest)) {
+    for (std::size_t r = row; r < std::min(rows_, row + cells); ++r)
+      for (std::size_t c = column; c < std::min(columns_, column + cells); ++c)
+        clearance_m_[r * columns_ + c] = std::max(0.0, nearest - reach_m);
+    return;
+  }
+  std::vector<std::uint32_t> candidates;
+  const double most_m = nearest + 2.0 * reach_m + kBarely_m;
+  for (std::size_t k = 0; k < among.size(); ++k)
+    if (from_middle_m2[k] <= most_m * most_m) candidates.push_back(among[k]);
+  const std::size_t part = cells / 2;
+  for (const std::size_t r : {row, row + part})
+    for (const std::size_t c : {column, column + part}) measure_square(r, c, part, candidates);
 }
 
 double Walls::clearance_m(Point at) const {

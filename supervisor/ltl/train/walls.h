@@ -27,7 +27,8 @@ class Walls {
   bool meets(const LinkBox& box) const;
   // Whether any of the train's links does.
   bool meet(const LinkBoxes& boxes, std::size_t links) const;
-  // No side is nearer than this; 0 outside of the border's bounds.
+  // No side is nearer than this, which is near to the truth but far from all of them; 0 outside of the
+  // border's bounds.
   double clearance_m(geometry::Point at) const;
 
  private:
@@ -36,9 +37,12 @@ class Walls {
   };
 
   void add(const std::vector<geometry::Point>& ring);
+  template <typename Visit>
+  void each_cell(const Visit& visit) const;
   void sort_into_cells();
   void measure_cells();
-  void measure_block(std::size_t row, std::size_t column, const std::vector<std::uint32_t>& candidates);
+  void measure_square(std::size_t row, std::size_t column, std::size_t cells,
+                      const std::vector<std::uint32_t>& among);
   std::size_t column(double x_m) const;
   std::size_t row(double y_m) const;
   bool crosses(const Side& side, const LinkBox& box) const;

@@ -104,6 +104,13 @@ class Demo:
         """SIGKILL for a child that is none of ours."""
         os.kill(self.child(executable), signal.SIGKILL)
 
+    def hold_up_foreign(self, executable, seconds):
+        """A child that is none of ours gets no time of the machine for so long."""
+        pid = self.child(executable)
+        os.kill(pid, signal.SIGSTOP)
+        time.sleep(seconds)
+        os.kill(pid, signal.SIGCONT)
+
     def kill(self, program, number=signal.SIGKILL):
         pid = self.pid_of(program)
         assert pid is not None, f"{program} does not run"

@@ -61,12 +61,12 @@ class WrongInput(unittest.TestCase):
             cell.write('[cell]\nname = "x"\n[controller]\nkind = "modbus-tcp"\nhost = "127.0.0.1"\n')
             cell.flush()
             said = self.refused("runtime", "--config", cell.name)
-            self.assertIn("C0544", said)
+            self.assertIn("C0564", said)
             self.assertIn(":3:", said)  # the table of the controller
         with tempfile.NamedTemporaryFile("w", suffix=".toml") as cell:
             cell.write('[cell]\nname = "x"\n')
             cell.flush()
-            self.assertIn("C0544", self.refused("gateway", "--config", cell.name))
+            self.assertIn("C0564", self.refused("gateway", "--config", cell.name))
 
     def test_every_mistake_of_the_table_has_its_place(self):
         with tempfile.NamedTemporaryFile("w", suffix=".toml") as cell:
@@ -76,7 +76,7 @@ class WrongInput(unittest.TestCase):
             done = stepwright("check", "--config", cell.name)
             self.assertEqual(done.returncode, 1)
             said = done.stdout + done.stderr
-            for place in (":4:8: C0541", ":5:8: C0542", ":6:8: C0004", ":8:8: C0543"):
+            for place in (":4:8: C0561", ":5:8: C0562", ":6:8: C0004", ":8:8: C0563"):
                 self.assertIn(place, said)
 
 

@@ -121,7 +121,7 @@ class ByHand(unittest.TestCase):
         (self.folder / "table.json").write_text('{"actions": 3}', encoding="utf-8")
         done = stepwright("gateway", "--config", self.folder / "gateway.toml")
         self.assertEqual(done.returncode, 1)
-        self.assertIn("C0545", done.stderr)
+        self.assertIn("C0566", done.stderr)
         self.assertIn("hint:", done.stderr)
 
 

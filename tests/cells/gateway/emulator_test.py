@@ -18,6 +18,16 @@ class Emulator(unittest.TestCase):
         print(f"turn p50 {report['scan_p50_us']:.0f} us, p99 {report['scan_p99_us']:.0f} us, "
               f"{report['realtime_factor']:.1f} x real time")
 
+    def test_an_emulator_that_its_machine_holds_up_goes_on(self):
+        """Longer than the board's watchdog waits: its clock stands still meanwhile."""
+        with Demo("--no-compare", "--set", "clock.speed=10", "--set", "controller.lost_after_ms=60000",
+                  "--controller", "qemu") as demo:
+            demo.wait_for_line("gateway", "program .* started")
+            demo.hold_up_foreign("qemu-system-arm", 6.0)
+            report, code = demo.result()
+        self.assertEqual(code, 0, report["stdout"])
+        self.assertTrue(report["goal_reached"])
+
     def test_an_emulator_that_is_killed_ends_the_plan_safely(self):
         with Demo("--no-compare", "--set", "clock.speed=3", "--set", "controller.lost_after_ms=3000", "--controller", "qemu") as demo:
             demo.wait_for_line("gateway", "program .* started")

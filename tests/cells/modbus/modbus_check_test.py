@@ -195,7 +195,7 @@ class ModbusCheck(unittest.TestCase):
             if content:
                 table.write_text(content, encoding="utf-8")
             done, found = self.check(gateway)
-            self.assertEqual([each["code"] for each in found], ["C0545"], done.stderr)
+            self.assertEqual([each["code"] for each in found], ["C0566"], done.stderr)
             refused = stepwright("gateway", "--config", self.file)
             self.assertEqual(refused.returncode, 1)
             self.assertEqual(refused.stderr.strip(), done.stderr.strip())

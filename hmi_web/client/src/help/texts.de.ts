@@ -25,6 +25,8 @@ export default {
   colours_scan: 'Gelb: Ein Zyklus hat zu spät begonnen.',
   shows_tags: 'Variablen des laufenden Programms mit den Werten eines Zyklus; Klemmen zuerst. Die Suche sieht in Namen und Adressen nach. Ein Ingenieur kann eine Variable mit „Setzen“ forcen oder schreiben.',
   colours_tags: 'Blau: TRUE.',
+  shows_monitors: 'Formeln aus der Datei der Zelle, in jedem Zyklus überwacht: was jede sagt, ihr Urteil bis jetzt, wie viele Schritte mindestens bis zur Erfüllung fehlen, der Zustand ihres Automaten und seit wie vielen Zyklen. Von vorn beginnt sie mit ihrer Variablen Reset oder mit dem nächsten Programm.',
+  colours_monitors: 'Blau: nichts ist entschieden. Rot mit Zeichen: verletzt, endgültig.',
   shows_result: 'Das Ende des Laufs: jede gemessene Größe gegenüber dem Ziel, und die Dauer gegenüber dem Plan.',
   shows_alarms: 'Alarme nach DIN EN 62682 (ISA-18.2). Anstehend: alle, die nicht normal sind. Alle: alle, die definiert sind. Journal: was geschehen ist. Der Name eines Alarms öffnet, was er bedeutet, was zu tun ist und was Sie mit ihm tun dürfen.',
   colours_alarms: 'Quadrat 1: kritisch, Dreieck 2: hoch (beide rot), Dreieck 3: mittel (gelb), Raute 4: niedrig (blau). Grau, sobald jemand quittiert hat.',

@@ -22,6 +22,8 @@ export default {
   colours_scan: 'Amber: a scan has begun late.',
   shows_tags: 'Variables of the running program with their values of one scan; terminals first. The search looks in names and addresses. An engineer can force or write a variable with “Set”.',
   colours_tags: 'Blue: TRUE.',
+  shows_monitors: 'Formulas of the cell’s file, watched in every scan: what each says, its verdict so far, how many steps are missing at least until it is satisfied, the state of its automaton and for how many scans it has been there. It begins anew with its tag Reset, or with the next program.',
+  colours_monitors: 'Blue: nothing is decided. Red with a sign: it failed, for good.',
   shows_result: 'The end of the run: every measured value against the goal, and how long it took against the plan.',
   shows_alarms: 'Alarms after ISA-18.2. Standing: all that are not normal. All: every one that is defined. Journal: what has happened. An alarm’s name opens what it means, what to do, and what you may do with it.',
   colours_alarms: 'Square 1: critical, triangle 2: high (both red), triangle 3: medium (amber), diamond 4: low (blue). Grey once somebody has acknowledged it.',

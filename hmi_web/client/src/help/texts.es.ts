@@ -25,6 +25,8 @@ export default {
   colours_scan: 'Ámbar: un ciclo ha empezado tarde.',
   shows_tags: 'Variables del programa en marcha con sus valores de un mismo ciclo; primero los bornes. La búsqueda mira nombres y direcciones. Un ingeniero puede forzar o escribir una variable con «Fijar».',
   colours_tags: 'Azul: TRUE.',
+  shows_monitors: 'Fórmulas del archivo de la celda, vigiladas en cada ciclo: lo que dice cada una, su veredicto hasta ahora, cuántos pasos faltan como mínimo para que se cumpla, el estado de su autómata y desde hace cuántos ciclos. Empieza de nuevo con su variable Reset, o con el próximo programa.',
+  colours_monitors: 'Azul: nada está decidido. Rojo con un signo: incumplida, para siempre.',
   shows_result: 'El final de la ejecución: cada magnitud medida frente al objetivo, y lo que duró frente al plan.',
   shows_alarms: 'Alarmas según IEC 62682 (ISA-18.2). Presentes: todas las que no están en estado normal. Todas: todas las definidas. Diario: lo que ha ocurrido. El nombre de una alarma abre qué significa, qué hacer y qué puede hacer usted con ella.',
   colours_alarms: 'Cuadrado 1: crítica, triángulo 2: alta (ambos rojos), triángulo 3: media (ámbar), rombo 4: baja (azul). Gris cuando alguien la ha reconocido.',

@@ -25,6 +25,8 @@ export default {
   colours_scan: 'Ambre : un cycle a commencé en retard.',
   shows_tags: 'Variables du programme en cours avec leurs valeurs d’un même cycle ; les bornes d’abord. La recherche porte sur les noms et les adresses. Un ingénieur peut forcer ou écrire une variable avec « Régler ».',
   colours_tags: 'Bleu : TRUE.',
+  shows_monitors: 'Formules du fichier de la cellule, surveillées à chaque cycle : ce que dit chacune, son verdict jusqu’ici, combien d’étapes manquent au moins pour qu’elle soit satisfaite, l’état de son automate et depuis combien de cycles. Elle recommence avec sa variable Reset, ou avec le prochain programme.',
+  colours_monitors: 'Bleu : rien n’est décidé. Rouge avec un signe : violée, définitivement.',
   shows_result: 'La fin du cycle : chaque grandeur mesurée face à l’objectif, et la durée face au plan.',
   shows_alarms: 'Alarmes selon la norme IEC 62682 (ISA-18.2). Présentes : toutes celles qui ne sont pas normales. Toutes : toutes celles qui sont définies. Journal : ce qui s’est passé. Le nom d’une alarme ouvre sa signification, la conduite à tenir et ce que vous pouvez en faire.',
   colours_alarms: 'Carré 1 : critique, triangle 2 : haute (rouges), triangle 3 : moyenne (ambre), losange 4 : basse (bleu). Gris une fois acquittée.',

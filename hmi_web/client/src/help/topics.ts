@@ -2,7 +2,7 @@
 // and where there is something to say `colours_<topic>` and `keys_<topic>`.
 
 export const TOPICS = [
-  'synoptic', 'sfc', 'plan', 'incidents', 'trend', 'state', 'replans', 'scan', 'tags', 'result',
+  'synoptic', 'sfc', 'plan', 'incidents', 'trend', 'state', 'replans', 'scan', 'tags', 'monitors', 'result',
   'alarms', 'history', 'recipes', 'scan-details', 'program-details', 'change-details',
   'floor', 'vehicles', 'mission', 'gantt', 'goals',
 ] as const;

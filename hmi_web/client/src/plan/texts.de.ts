@@ -35,6 +35,7 @@ export default {
   kind_leak: 'Leckage',
   kind_lost_runtime: 'Laufzeitsystem nicht erreichbar',
   kind_lost_supervisor: 'Supervisor nicht erreichbar',
+  kind_monitor: 'Überwachung verletzt',
   kind_program_fault: 'Programmfehler',
   kind_operator: 'Vom Bediener',
   decision_open: 'Entscheidung steht aus',

@@ -32,6 +32,7 @@ export default {
   kind_leak: 'Leak',
   kind_lost_runtime: 'Runtime lost',
   kind_lost_supervisor: 'Supervisor lost',
+  kind_monitor: 'Monitor failed',
   kind_program_fault: 'Program fault',
   kind_operator: 'By the operator',
   decision_open: 'being decided',

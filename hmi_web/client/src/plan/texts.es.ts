@@ -35,6 +35,7 @@ export default {
   kind_leak: 'Fuga',
   kind_lost_runtime: 'Autómata no disponible',
   kind_lost_supervisor: 'Supervisor no disponible',
+  kind_monitor: 'Supervisión incumplida',
   kind_program_fault: 'Fallo del programa',
   kind_operator: 'Por el operador',
   decision_open: 'por decidir',

@@ -35,6 +35,7 @@ export default {
   kind_leak: 'Fuite',
   kind_lost_runtime: 'Automate injoignable',
   kind_lost_supervisor: 'Superviseur injoignable',
+  kind_monitor: 'Surveillance violée',
   kind_program_fault: 'Défaut du programme',
   kind_operator: 'Par l’opérateur',
   decision_open: 'décision en cours',

@@ -13,13 +13,24 @@ export interface Part {
 
 export const ALL = 'all charts'; // a name that no chart has: it is no identifier
 const MOST_TOGETHER = 3;
+const VERDICTS = ['Undecided', 'Satisfied', 'Failed'];
 
 // All together as the first, if they are few; every program has at least one part.
 export function partsOf(program: ProgramMessage): Part[] {
   const whole = { name: ALL, firstStep: 0, steps: program.steps.length, firstTransition: 0, transitions: program.transitions.length };
-  const parts = chartRanges(program);
+  const all = chartRanges(program);
+  // Monitors have a panel of their own.
+  const parts = all.filter((part) => !isMonitor(program, part));
+  if (parts.length < all.length) return parts.length > 0 ? parts : [{ ...whole, steps: 0, transitions: 0 }];
   if (parts.length <= 1) return [whole];
   return parts.length <= MOST_TOGETHER ? [whole, ...parts] : parts;
+}
+
+// A monitor of the cell: its steps are verdicts.
+export function isMonitor(program: ProgramMessage, part: Part): boolean {
+  const steps = program.steps.slice(part.firstStep, part.firstStep + part.steps);
+  const isOne = part.name.toLowerCase().startsWith('monitor_') && steps.length === VERDICTS.length;
+  return isOne && steps.every((step, index) => step.name === VERDICTS[index]);
 }
 
 export function chartRanges(program: ProgramMessage): Part[] {

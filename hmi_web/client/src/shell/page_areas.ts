@@ -5,6 +5,7 @@ export interface Presence {
   plant: boolean; // something to draw
   plan: boolean; // a supervisor plans for the cell
   levels: boolean; // values drawn over time
+  monitors: boolean; // formulas that the scan watches
 }
 
 export interface PageAreas {
@@ -15,31 +16,34 @@ export interface PageAreas {
 
 const quoted = (rows: string[][]): string => rows.map((row) => `'${row.join(' ')}'`).join(' ');
 
-export function pageAreas({ plant, plan, levels }: Presence): PageAreas {
-  const single = ['synoptic', 'plan', 'incidents', 'sfc', 'trend', 'state', 'replans', 'scan', 'tags'].filter(
+export function pageAreas({ plant, plan, levels, monitors }: Presence): PageAreas {
+  const single = ['synoptic', 'plan', 'incidents', 'sfc', 'trend', 'state', 'replans', 'monitors', 'scan', 'tags'].filter(
     (area) =>
       (area !== 'synoptic' || plant) &&
       (!['plan', 'incidents', 'state', 'replans'].includes(area) || plan) &&
-      (area !== 'trend' || levels),
+      (area !== 'trend' || levels) &&
+      (area !== 'monitors' || monitors),
   );
   const above = plant ? [['synoptic', 'synoptic']] : [];
+  // Over all columns below the rest.
+  const below = (columns: number) => (monitors ? [Array<string>(columns).fill('monitors')] : []);
   const beside = above.map((row) => [...row, 'sfc']);
   if (plan) {
     return {
       single: quoted(single.map((area) => [area])),
       narrow: quoted([
         ...above, ['plan', 'plan'], ['incidents', 'incidents'],
-        ...(levels ? [['sfc', 'trend']] : []), ['sfc', 'state'], ['sfc', 'scan'], ['replans', 'tags'],
+        ...(levels ? [['sfc', 'trend']] : []), ['sfc', 'state'], ['sfc', 'scan'], ['replans', 'tags'], ...below(2),
       ]),
       wide: quoted([
         ...beside, ['plan', 'plan', 'sfc'], ['incidents', 'incidents', 'sfc'],
-        levels ? ['trend', 'state', 'tags'] : ['state', 'state', 'tags'], ['replans', 'scan', 'tags'],
+        levels ? ['trend', 'state', 'tags'] : ['state', 'state', 'tags'], ['replans', 'scan', 'tags'], ...below(3),
       ]),
     };
   }
   return {
     single: quoted(single.map((area) => [area])),
-    narrow: quoted([...above, ['sfc', 'scan'], ['sfc', 'tags'], ...(levels ? [['trend', 'trend']] : [])]),
-    wide: quoted([...beside, plant ? ['scan', 'scan', 'tags'] : ['sfc', 'scan', 'tags'], ...(levels ? [['trend', 'trend', 'tags']] : [])]),
+    narrow: quoted([...above, ['sfc', 'scan'], ['sfc', 'tags'], ...(levels ? [['trend', 'trend']] : []), ...below(2)]),
+    wide: quoted([...beside, plant ? ['scan', 'scan', 'tags'] : ['sfc', 'scan', 'tags'], ...(levels ? [['trend', 'trend', 'tags']] : []), ...below(3)]),
   };
 }

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <sstream>
+#include <unordered_set>
 #include <utility>
+#include <vector>
 
 namespace stepwright::ltl::internal {
 
@@ -10,12 +12,32 @@ using nlohmann::json;
 
 namespace {
 
+constexpr std::size_t kLongestName = 60;  // of a member, in a message
+
 result::Location place_of(std::string_view text, std::size_t byte, const std::string& file) {
   const std::string_view before = text.substr(0, std::min(byte > 0 ? byte - 1 : 0, text.size()));
   const auto line = static_cast<std::uint32_t>(std::ranges::count(before, '\n')) + 1;
   const std::size_t start = before.rfind('\n');
   const std::size_t column = before.size() - (start == std::string_view::npos ? 0 : start + 1);
   return {file, line, static_cast<std::uint32_t>(column) + 1};
+}
+
+// The second of two members of one name in one object: where its name begins. Requires JSON; a name with an
+// escape is another one than the same name without it.
+std::size_t repeated_member(std::string_view text) {
+  std::vector<std::unordered_set<std::string_view>> objects;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    if (text[at] == '{') objects.emplace_back();
+    if (text[at] == '}') objects.pop_back();
+    if (text[at] != '"') continue;
+    const std::size_t begin = at;
+    for (++at; text[at] != '"'; ++at)
+      if (text[at] == '\\') ++at;
+    const std::size_t behind = text.find_first_not_of(" \t\r\n", at + 1);
+    if (behind == std::string_view::npos || text[behind] != ':') continue;
+    if (!objects.back().insert(text.substr(begin, at - begin)).second) return begin;
+  }
+  return std::string_view::npos;
 }
 
 std::string range(double least, double most) {
@@ -42,7 +64,15 @@ void Complaints::take(result::Diagnostics&& more) {
 }
 
 result::Result<json> parse(std::string_view text, const std::string& file) try {
-  return json::parse(text);
+  json read = json::parse(text);
+  const std::size_t again = repeated_member(text);
+  if (again == std::string_view::npos) return read;
+  const std::size_t end = text.find('"', again + 1);
+  return result::fail("L0405", place_of(text, again + 1, file),
+                      "the member " +
+                          std::string(text.substr(again, std::min(end - again + 1, kLongestName))) +
+                          " is there twice",
+                      "leave one of them out");
 } catch (const json::parse_error& error) {
   return result::fail("L0401", place_of(text, error.byte, file), "this is no JSON",
                       "a member or a bracket is missing, or one too many");

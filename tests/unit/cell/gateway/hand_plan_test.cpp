@@ -18,7 +18,7 @@ class HandPlanTest : public testing::Test {
   std::string refused(const std::string& text) {
     const auto plan = read(text);
     if (plan) return "";
-    EXPECT_EQ(plan.error().front().code, "C0545");
+    EXPECT_EQ(plan.error().front().code, "C0566");
     EXPECT_EQ(plan.error().front().where.file, file().string());
     return plan.error().front().message;
   }

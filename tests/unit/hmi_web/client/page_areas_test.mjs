@@ -12,13 +12,14 @@ const page = await load(process.env.CLIENT, ['shell/page_areas']);
 const COLUMNS = { single: 1, narrow: 2, wide: 3 };
 
 const cells = [false, true].flatMap((plant) =>
-  [false, true].flatMap((plan) => [false, true].map((levels) => ({ plant, plan, levels }))));
+  [false, true].flatMap((plan) => [false, true].flatMap((levels) => [false, true].map((monitors) => ({ plant, plan, levels, monitors })))));
 
-const panelsOf = ({ plant, plan, levels }) =>
+const panelsOf = ({ plant, plan, levels, monitors }) =>
   [
     ...(plant ? ['synoptic'] : []),
     ...(plan ? ['plan', 'incidents', 'state', 'replans'] : []),
     ...(levels ? ['trend'] : []),
+    ...(monitors ? ['monitors'] : []),
     'sfc', 'scan', 'tags',
   ].sort();
 

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "plant_models/assemblies/tank_bench.h"
+#include "plant_models/assemblies/tugger.h"
 #include "tests/support/malloc_guard.h"
 
 namespace stepwright::bridge {
@@ -154,6 +155,29 @@ TEST_F(PlantDriverTest, WhenSeveralWiresAreWrong_ThenEachIsNamedAtItsPlace) {
   EXPECT_EQ(driver.error()[0].where.line, 4u);
   EXPECT_NE(driver.error()[0].hint.find("drive_left"), std::string::npos);
   EXPECT_EQ(driver.error()[1].where.line, 6u);
+}
+
+TEST(TuggerWires, WhenACellGivesNone_ThenEveryTerminalHasAPlaceOfItsOwn) {
+  assemblies::TuggerParameters parameters;
+  parameters.trailers = 2;
+  parameters.most_trailers = 4;
+  std::vector<std::string> names;
+  for (int k = 0; k < 10; ++k) {
+    names.push_back("p" + std::to_string(k));
+    parameters.places.push_back({names.back(), {{0, 0}, {1, 0}, {1, 1}}});
+  }
+  const auto tugger = assemblies::Tugger::create(parameters).value();
+  const auto wires = default_tugger_wires(4, names);
+  EXPECT_EQ(wires.size(), tugger->sensors().size() + tugger->actuators().size());
+  // 10 words, a byte of switches, two of places.
+  auto driver = PlantDriver::create(*tugger, wires, {.input_bytes = 23, .output_bytes = 5});
+  ASSERT_TRUE(driver) << result::to_string(driver.error());
+  std::array<std::byte, 23> inputs{};
+  driver->read_inputs(0, inputs);
+  EXPECT_EQ(word(inputs, 9), 2);            // trailers
+  EXPECT_EQ(inputs[20], std::byte{0b110});  // estop_ok and way_free
+  EXPECT_EQ(wires[5 + 4 + 1 + 3 + 9].port, "at_p9");
+  EXPECT_EQ(wires[5 + 4 + 1 + 3 + 9].address, "%IX22.1");
 }
 
 TEST_F(PlantDriverTest, WhenScanning_ThenNothingIsAllocated) {

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,10 @@ TEST_F(PlanCommand, WhenATaskIsPossible_ThenPlanJsonAndPictureAgree) {
     for (const auto& place : letter) visited.push_back(place);
   EXPECT_THAT(visited, testing::IsSupersetOf({"p1", "p4", "p6"}));
   EXPECT_LT(std::ranges::find(visited, "p1"), std::ranges::find(visited, "p4"));
+  EXPECT_THAT(output, HasSubstr("times the least that a point needs"));
+  EXPECT_GT(json["length_m"], json["bound_m"]);
+  EXPECT_NEAR(json["length_ratio"].get<double>(),
+              json["length_m"].get<double>() / json["bound_m"].get<double>(), 1e-9);
   double sum_s = 0.0;
   for (const auto& each : json["controls"]) sum_s += each["duration_s"].get<double>();
   EXPECT_NEAR(sum_s, json["duration_s"].get<double>(), 1e-6);
@@ -61,8 +66,11 @@ TEST_F(PlanCommand, WhenNoPlanCanBe_ThenTheCodeTellsWhy) {
   EXPECT_EQ(run("ltl " + problem("!p1 U p2 & !p2 U p1") + " --json " + path("plan.json")), 3);
   EXPECT_THAT(errors, HasSubstr("L0412"));
   EXPECT_EQ(nlohmann::json::parse(text("plan.json"))["solved"], false);
-  EXPECT_EQ(run("ltl " + problem("visit p1") + " --time 0"), 4);
+  write("plan.svg", "<svg>of another run</svg>");
+  EXPECT_EQ(run("ltl " + problem("visit p1") + " --time 0 --svg " + path("plan.svg")), 4);
   EXPECT_THAT(errors, HasSubstr("L0413"));
+  EXPECT_THAT(errors, HasSubstr("the picture of an earlier run was removed"));
+  EXPECT_FALSE(std::filesystem::exists(path("plan.svg")));
 }
 
 TEST_F(PlanCommand, WhenAFileIsWrong_ThenItsPlaceIsTold) {
@@ -77,6 +85,8 @@ TEST_F(PlanCommand, WhenAFileIsWrong_ThenItsPlaceIsTold) {
   EXPECT_EQ(run("ltl " + problem("visit p1") + " --time soon"), 2);
   EXPECT_EQ(run("ltl " + problem("visit p1") + " --time nan"), 2);
   EXPECT_EQ(run("ltl " + problem("visit p1") + " --seed -1"), 2);
+  EXPECT_EQ(run("ltl " + problem("visit p1") + " --json ''"), 2);
+  EXPECT_EQ(run("ltl " + problem("visit p1") + " --svg ''"), 2);
   EXPECT_EQ(run("ltl " + path(".")), 1);
   EXPECT_EQ(run("ltl " + problem("visit p1") + " --json " + path("same") + " --svg " + path("./same")), 2);
   EXPECT_THAT(errors, HasSubstr("one file for two things"));

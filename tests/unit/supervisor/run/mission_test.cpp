@@ -136,5 +136,21 @@ TEST_F(MissionTest, WhenSomebodyStopsTheRuntime_ThenTheRunEndsAndDoesNotGoOnByIt
   EXPECT_EQ(record.message, "stopped from outside: by hand");
 }
 
+TEST_F(MissionTest, WhenAWatchedTagBecomesTrue_ThenThatIsAnIncidentAndAPlanIsMadeAnew) {
+  FillingMission* running = nullptr;
+  FillingMission mission(controller_, {.cell = "bench"}, kCounts, [&](const RunRecord& record) {
+    if (record.phase == Phase::Replanning) running->request_abort();
+  });
+  running = &mission;
+  mission.watch({{"filling.Done_X", "monitor 'never_full' failed: never full"}});
+  const RunRecord record = run(mission);
+  EXPECT_EQ(record.phase, Phase::Safe);
+  ASSERT_GE(record.incidents.size(), 1u);
+  EXPECT_EQ(record.incidents[0].kind, IncidentKind::Monitor);
+  EXPECT_STREQ(to_string(record.incidents[0].kind), "monitor");
+  EXPECT_EQ(record.incidents[0].evidence.front(), "monitor 'never_full' failed: never full");
+  EXPECT_EQ(record.incidents[0].response, Response::Replan);
+}
+
 }  // namespace
 }  // namespace stepwright::run

@@ -67,6 +67,41 @@ TEST(PlanTrain, WhenPlacesHaveAnOrder_ThenTheWordHasIt) {
   EXPECT_EQ(word.back(), Label{1});
 }
 
+// A run that goes on: the rack was visited before.
+TEST(PlanTrain, WhenLettersWereReadBefore_ThenThePlanGoesOnBehindThem) {
+  Problem problem = hall(3, "visit rack then visit press");
+  const auto whole = plan_train(problem, {.most_s = kGenerous_s});
+  problem.read = {0, 2, 0};
+  const auto rest = plan_train(problem, {.most_s = kGenerous_s});
+  ASSERT_TRUE(whole && rest);
+  EXPECT_LT(rest->plan.length_m, whole->plan.length_m);
+  EXPECT_EQ(std::ranges::count(rest->judgement.word, Label{2}), 0);
+  problem.read = {0, 4};
+  problem.task = "visit press, !wash U press";
+  const auto broken = plan_train(problem);
+  ASSERT_EQ(code_of(broken), kImpossible);
+  EXPECT_EQ(broken.error()[0].message, "'!wash U press' cannot be done: it fails where the way begins");
+}
+
+TEST(PlanTrain, WhenTrailersAreBent_ThenThePlanBeginsThere) {
+  Problem problem = hall(2, "visit press");
+  problem.trailers_rad = {1.2, 0.9};
+  const auto answer = plan_train(problem, {.most_s = kGenerous_s});
+  ASSERT_TRUE(answer);
+  EXPECT_EQ(answer->plan.start[kTrainTrailer], 1.2);
+  EXPECT_EQ(answer->plan.start[kTrainTrailer + 1], 0.9);
+}
+
+TEST(PlanTrain, WhenSomethingStandsAcrossAPlace_ThenTheTrainGoesRoundIt) {
+  Problem problem = hall(2, "visit press");
+  problem.floor.blocked = {Rectangle{22, 10, 24, 14}.area("crate")};
+  const auto answer = plan_train(problem, {.most_s = kGenerous_s});
+  ASSERT_TRUE(answer) << to_string(answer.error());
+  EXPECT_EQ(answer->judgement.word.back(), Label{1});
+  problem.floor.blocked = {Rectangle{22, 12, 27, 17}.area("tarpaulin")};
+  EXPECT_FALSE(plan_train(problem, {.most_s = kGenerous_s, .most_rounds = 50}));
+}
+
 TEST(PlanTrain, WhenNoPointCanDoIt_ThenThePartAndThePlaceAreNamed) {
   const auto walled = plan_train(hall(1, "visit press, visit vault"));
   ASSERT_EQ(code_of(walled), kImpossible);
@@ -156,6 +191,35 @@ TEST(PlanTrain, WhenTheAutomatonWouldBeTooLarge_ThenItIsPlannedStepByStep) {
   problem.task = task;
   EXPECT_EQ(read_task(task, problem.places()).error()[0].code, "L0012");
   expect_solved(problem, 1);
+}
+
+TEST(PlanTrain, WhenManyPlacesAreToBeVisited_ThenThePlanVisitsThem) {
+  for (const int side : {4, 5}) {
+    Problem problem = hall(0, "");
+    problem.floor.border = Rectangle{0, 0, 6 * side + 4, 6 * side + 4}.area("border");
+    problem.floor.obstacles.clear();
+    problem.floor.propositions.clear();
+    for (int k = 0; k < side * side; ++k) {
+      const int x = 4 + 6 * (k % side), y = 4 + 6 * (k / side);
+      problem.floor.propositions.push_back(Rectangle{x, y, x + 2, y + 2}.area("p" + std::to_string(k)));
+      problem.task += (k == 0 ? "visit p" : ", visit p") + std::to_string(k);
+    }
+    problem.start = {2.5, 2.0, 0.0};
+    expect_solved(problem, 1);
+  }
+}
+
+TEST(PlanTrain, WhenTheTimeIsOverOrItIsCancelled_ThenItEndsBeforeTheFloorIsRead) {
+  EXPECT_EQ(code_of(plan_train(hall(1, "visit press"), {.most_s = 0.0})), kNoPlan);
+  const std::atomic<bool> cancel{true};
+  EXPECT_EQ(code_of(plan_train(hall(1, "visit press"), {.most_s = kGenerous_s, .cancel = &cancel})),
+            kPlanCancelled);
+}
+
+TEST(PlanTrain, WhenATaskIsPlannedByItsAutomaton_ThenTheAnswerSaysHowLargeItIs) {
+  const auto answer = plan_train(hall(0, "visit press then visit rack"), {.most_s = kGenerous_s});
+  ASSERT_TRUE(answer);
+  EXPECT_EQ(answer->states, 3u);
 }
 
 class Published : public ::testing::TestWithParam<const char*> {};

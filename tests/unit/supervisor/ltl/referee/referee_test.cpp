@@ -55,6 +55,17 @@ TEST(Referee, WhenAPlanHolds_ThenItIsAcceptedWithItsWord) {
   EXPECT_GT(judgement.looks, 500u);
 }
 
+TEST(Referee, WhenThereIsNoTime_ThenItIsRefused) {
+  const Drive drive;
+  const auto formula = parse_formula("visit press", {}, {"press", "rack"});
+  std::size_t asked = 0;
+  const RefereeOptions options{.stop = [&] { return ++asked == 3; }};
+  const PlanJudgement judgement =
+      judge_plan(drive.floor, drive.model, drive.plan.start, *formula, drive.plan, options);
+  EXPECT_EQ(judgement.reason, "there was no time to judge it");
+  EXPECT_EQ(asked, 3u);
+}
+
 TEST(Referee, WhenAPlanJumps_ThenItIsRefused) {
   Drive begins;
   begins.plan.start[kTrainX] += 0.5;

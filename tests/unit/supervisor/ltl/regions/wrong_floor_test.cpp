@@ -25,6 +25,33 @@ Floor with_obstacle(std::vector<geometry::Point> ring) {
   return floor;
 }
 
+TEST(WrongFloor, Corners_WhenThereAreTooMany_ThenTheOutlineIsNamed) {
+  std::vector<geometry::Point> round;
+  for (std::size_t k = 0; k < 2 * kMostCorners; ++k) {
+    const double angle = 6.283185307179586 * static_cast<double>(k) / (2.0 * kMostCorners);
+    round.push_back({10.0 + 5.0 * std::cos(angle), 10.0 + 5.0 * std::sin(angle)});
+  }
+  expect_refused(with_obstacle(round), "L0208", "with 'rack' the floor has more than 100000 corners");
+}
+
+TEST(WrongFloor, Time_WhenItIsOver_ThenThereAreNoRegions) {
+  // A grid of posts, each a hole: the looks at the time are between them.
+  Floor floor = Squares{}.floor();
+  for (int k = 0; k < 64; ++k)
+    floor.obstacles.push_back(
+        testing::Rectangle{1 + 2 * (k % 8), 1 + 2 * (k / 8), 2 + 2 * (k % 8), 2 + 2 * (k / 8)}.area("post"));
+  std::size_t looks = 0;
+  ASSERT_TRUE(make_regions(floor, [&] { return ++looks == 0; }));
+  EXPECT_GT(looks, 3u * 64u);
+  for (std::size_t most = 0; most < looks; most += 17) {
+    std::size_t count = 0;
+    const auto map = make_regions(floor, [&] { return count++ == most; });
+    ASSERT_FALSE(map) << most;
+    EXPECT_EQ(map.error().front().code, kStoppedRegions);
+    EXPECT_EQ(count, most + 1);
+  }
+}
+
 TEST(WrongFloor, Outline_WhenItHasTwoPoints_ThenIsRefused) {
   expect_refused(with_obstacle({{1, 1}, {2, 2}}), "L0201", "'rack'");
 }

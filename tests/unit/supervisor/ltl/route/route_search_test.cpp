@@ -218,6 +218,50 @@ TEST(RouteSearch, WhenAskedAgainOrWithABound_ThenItAnswersAllTheSame) {
   EXPECT_GT(asked, 20);
 }
 
+TEST(RouteSearch, WhenWhatIsPulledCutsTurns_ThenTheyAreWider) {
+  Floor floor;
+  floor.border = testing::Rectangle{0, 0, 40, 20}.area("border");
+  floor.obstacles = {testing::Rectangle{20, 0, 21, 10}.area("wall")};
+  floor.propositions = {testing::Rectangle{28, 1, 31, 4}.area("press")};
+  const Places places(floor.propositions);
+  const Walls walls(floor, {});
+  const RouteGraph graph(floor, places, walls, {.margin_m = 0.4, .wanted_m = 3.0, .weight = 0.0});
+  const auto task = read_task("visit press", {"press"});
+  RouteSearch search(graph, TaskStates(task->automaton));
+  const auto nearest_m = [&](double trail_m) {
+    const Route route =
+        search.route({.at = {12, 2}, .state = task->automaton.initial, .trail_m = trail_m, .half_m = 0.3});
+    EXPECT_GE(route.size(), 3u);
+    double least_m = kNever;
+    for (std::size_t k = 1; k + 1 < route.size(); ++k)
+      least_m = std::min(least_m, geometry::distance(route[k].at, {20.5, 10.0}));
+    return least_m;
+  };
+  EXPECT_LT(nearest_m(0.0), 1.5);
+  EXPECT_GT(nearest_m(3.0), 3.0);
+}
+
+TEST(RouteSearch, WhenARouteIsTightened_ThenItIsOneStillAndNoLonger) {
+  double before_m = 0.0, after_m = 0.0;
+  const auto way_m = [](const Route& route) {
+    double sum_m = 0.0;
+    for (std::size_t k = 1; k < route.size(); ++k) sum_m += geometry::distance(route[k - 1].at, route[k].at);
+    return sum_m;
+  };
+  each_question(8, [&](Setting& setting, const Task& task, Point at, std::uint32_t state) {
+    RouteSearch search(setting.graph, TaskStates(task.automaton));
+    const Route route = search.route({.at = at, .state = state});
+    if (route.size() < 2) return;
+    const Route tight = search.tightened(route, 0.2, std::chrono::steady_clock::time_point::max());
+    EXPECT_EQ(tight.front().at, at);
+    EXPECT_GE(cost_of(setting, task.automaton, tight), 0.0) << "its ways and states are real ones";
+    EXPECT_LE(way_m(tight), way_m(route) + 1e-9);
+    before_m += way_m(route);
+    after_m += way_m(tight);
+  });
+  EXPECT_LT(after_m, 0.98 * before_m);
+}
+
 TEST(RouteSearch, WhenTheTaskIsOverAlready_ThenTheRouteIsItsStart) {
   Setting setting(3);
   const auto done = read_task("true", setting.names), failed = read_task("false", setting.names);

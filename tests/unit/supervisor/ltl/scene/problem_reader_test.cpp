@@ -62,6 +62,11 @@ TEST(ProblemReader, WhenTheTrainIsWrong_ThenItsFiguresAreNamed) {
   EXPECT_EQ(errors_of(with(R"({"hitch_m": 0})")), Texts{"L0301 train: hitch_m must be greater than 0"});
 }
 
+TEST(ProblemReader, WhenAMemberIsThereTwice_ThenThatIsSaid) {
+  EXPECT_EQ(errors_of(with(R"({"trailers": 5, "trailers": 6})")),
+            std::vector<std::string>{"L0405 the member \"trailers\" is there twice"});
+}
+
 TEST(ProblemReader, WhenAFileCannotBeRead_ThenThatIsSaid) {
   for (const char* name : {"nowhere.geojson", "ltl", "", ".", "/dev/zero"}) {
     const auto errors = errors_of(R"("scene": ")" + std::string(name) + R"(", "task": "a", )" + kStart);

@@ -55,10 +55,15 @@ TEST(SceneReader, WhenItIsNoJson_ThenTheErrorHasItsLineAndColumn) {
 TEST(SceneReader, WhenMembersAreWrong_ThenAllOfThemAreToldWithTheirPlace) {
   using Texts = std::vector<std::string>;
   EXPECT_EQ(scene_errors("[]"), Texts{"L0402 features: is missing or no list"});
-  EXPECT_EQ(scene_errors(R"({"features": {}})"), Texts{"L0402 features: is missing or no list"});
+  EXPECT_EQ(scene_errors(R"({"type": "FeatureCollection", "features": {}})"),
+            Texts{"L0402 features: is missing or no list"});
+  EXPECT_EQ(scene_errors(R"({"type": "Feature", "features": []})"),
+            Texts{"L0402 type: is missing or not \"FeatureCollection\""});
+  EXPECT_EQ(scene_errors(scene(R"({"type": "feature", "properties": {"kind": "border"}})")),
+            Texts{"L0402 features[0].type: is missing or not \"Feature\""});
   EXPECT_EQ(scene_errors(scene("")), Texts{"L0402 features: there is no border"});
   EXPECT_EQ(scene_errors(scene("1," + kBorder + "," + kBorder)),
-            (Texts{"L0402 features[0].properties.kind: is missing or of the wrong kind",
+            (Texts{"L0402 features[0].type: is missing or not \"Feature\"",
                    "L0405 features[2]: is a second border"}));
   EXPECT_EQ(scene_errors(scene(feature("shelf", "", "[0,0],[1,0],[1,1],[0,0]"))),
             Texts{"L0402 features[0].properties.kind: is none of border, obstacle, proposition"});
@@ -83,13 +88,28 @@ TEST(SceneReader, WhenPolygonsAreWrong_ThenAllOfThemAreToldWithTheirPlace) {
             Texts{"L0405 features[2]: the place 'a' is there twice"});
 }
 
+TEST(SceneReader, WhenAMemberIsThereTwice_ThenTheSecondIsTold) {
+  const auto twice =
+      read_scene("{\"type\": \"FeatureCollection\",\n \"features\": [], \"features\" : []}", "x");
+  ASSERT_FALSE(twice);
+  EXPECT_EQ(twice.error()[0].where.line, 2u);
+  EXPECT_EQ(twice.error()[0].where.column, 18u);
+  EXPECT_EQ(twice.error()[0].code, "L0405");
+  EXPECT_EQ(twice.error()[0].message, "the member \"features\" is there twice");
+  EXPECT_EQ(
+      scene_errors(scene(R"({"type": "Feature", "properties": {"kind": "border", "kind": "obstacle"}})")),
+      std::vector<std::string>{"L0405 the member \"kind\" is there twice"});
+  // Names as values, in other objects and within texts are none.
+  EXPECT_TRUE(read_scene(scene(feature("border", "a\\\":{\\\"", "[0,0],[9,0],[9,9],[0,0]")), "x"));
+}
+
 TEST(SceneReader, WhenJsonIsNestedDeeply_ThenItDoesNotRecurse) {
   const std::string deep = std::string(200'000, '[') + std::string(200'000, ']');
-  EXPECT_FALSE(scene_errors(R"({"features": [{"properties": {"kind": )" + deep + "}}]}").empty());
+  EXPECT_FALSE(scene_errors(scene(R"({"type": "Feature", "properties": {"kind": )" + deep + "}}")).empty());
   EXPECT_FALSE(
-      scene_errors(R"({"features": [{"properties": {"kind": "border"}, "geometry": {"type": "Polygon", )"
-                   R"("coordinates": )" +
-                   deep + "}}]}")
+      scene_errors(scene(R"({"type": "Feature", "properties": {"kind": "border"}, "geometry": {"type": )"
+                         R"("Polygon", "coordinates": )" +
+                         deep + "}}"))
           .empty());
 }
 

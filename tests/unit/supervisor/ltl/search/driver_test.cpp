@@ -70,6 +70,7 @@ TEST(Driver, WhenARouteLeadsIntoAWall_ThenItEndsBeforeIt) {
   EXPECT_TRUE(hall.driver->valid(drive.marks.back().state));
   EXPECT_LT(drive.marks.back().state[kTrainX], 30.0);
   EXPECT_GT(drive.marks.back().state[kTrainX], 28.0);
+  EXPECT_EQ(drive.blocked_link, 0u);
 }
 
 TEST(Driver, WhenARouteBreaksTheTask_ThenItEndsBeforeThat) {
@@ -113,6 +114,7 @@ TEST(Driver, WhenAControlIsHeld_ThenItEndsInTimeOrBeforeAWall) {
   EXPECT_NEAR(drive.marks.back().state[kTrainX], 7.0, 1e-6);
   const Drive back = hall.driver->hold(hall.start, {-1.0, 0.0}, 60.0);
   EXPECT_EQ(back.end, DriveEnd::Blocked);
+  EXPECT_EQ(back.blocked_link, 2u) << "the last trailer";
   EXPECT_TRUE(hall.driver->valid(back.marks.back().state));
 }
 

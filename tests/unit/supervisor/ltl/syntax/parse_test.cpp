@@ -51,6 +51,33 @@ TEST(Parse, Formula_WhenWrittenInWords_ThenItIsTheFormulaOfThem) {
   EXPECT_EQ(read("eventually next a implies b or c"), "F X a -> b | c");
 }
 
+TEST(Parse, Deadline_WhenWritten_ThenATimerMakesAPropositionOfIt) {
+  EXPECT_EQ(read("s responds to p within T#5s"), "G !\"p since T#5s without s\"");
+  EXPECT_EQ(read("visit p within T#1m30s"), "!\"T#1m30s over\" U p");
+  EXPECT_EQ(read("never p for T#250ms"), "G !\"p for T#250ms\"");
+  EXPECT_EQ(read("(a & !b) for T#2s before c"), "!c U \"a & !b for T#2s\"");
+  EXPECT_EQ(read("a & b # T#5s is a comment here\n| c"), "a & b | c");
+  EXPECT_EQ(read("T & within & for"), "T & within & for") << "names as before";
+  const auto formula = parse_formula("never (p for T#1s) for T#1.5s, p for T#1s precedes q");
+  ASSERT_TRUE(formula) << result::to_string(formula.error());
+  ASSERT_EQ(formula->tree.timed.size(), 2u) << "equal timers are one";
+  EXPECT_EQ(formula->tree.timed[0].duration_ns, 1'000'000'000);
+  EXPECT_EQ(formula->tree.timed[1].duration_ns, 1'500'000'000);
+  EXPECT_EQ(formula->tree.propositions[formula->tree.timed[0].proposition], "p for T#1s");
+}
+
+TEST(Parse, Deadline_WhenItCannotBeMeant_ThenRefusedAtItsPlace) {
+  EXPECT_EQ(refusal("never p for T#0s"), "1:13 L0008");
+  EXPECT_EQ(refusal("never p for T#1s1m"), "1:13 L0008");
+  EXPECT_EQ(refusal("never p for T#2000h"), "1:13 L0008");
+  EXPECT_EQ(refusal("never p for T#5x"), "1:13 L0008");
+  EXPECT_EQ(refusal("never (F p) for T#5s"), "1:7 L0008");
+  EXPECT_EQ(refusal("(F s) responds to p within T#5s"), "1:1 L0008");
+  EXPECT_EQ(refusal("after q: s responds to p within T#5s"), "1:26 L0008");
+  EXPECT_EQ(refusal("\"p for T#5s\" & p for T#5s"), "1:16 L0008");
+  EXPECT_EQ(refusal("p T#5s"), "1:3 L0002");
+}
+
 TEST(Parse, Refusal_WhenTheTextIsWrong_ThenTheFirstPlaceIsNamed) {
   EXPECT_EQ(refusal("a &\n  & b"), "2:3 L0002");
   EXPECT_EQ(refusal(""), "1:1 L0002");

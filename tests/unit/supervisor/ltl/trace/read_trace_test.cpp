@@ -5,6 +5,8 @@
 #include <random>
 #include <string>
 
+#include "supervisor/ltl/syntax/formula.h"
+
 namespace stepwright::ltl {
 namespace {
 
@@ -51,6 +53,38 @@ TEST(ReadTrace, Refusal_WhenATableOrAColumnIsWrong_ThenThePlaceIsNamed) {
   EXPECT_EQ(refusal(kTable, {"x"}, {*read_binding("y=MAIN.run")}), "0:0 L0045");
   const auto misspelt = read_trace(kTable, "run.csv", {"MAIN.runs"}, {});
   EXPECT_NE(misspelt.error().front().hint.find("did you mean 'MAIN.run'"), std::string::npos);
+}
+
+// Letters of a, in hundredths of a second from 0 on, as those of the timer's proposition.
+std::string timed(const std::string& formula, const std::string& a, const std::string& b = {}) {
+  std::string text = "time_s,a,b\n";
+  for (std::size_t k = 0; k < a.size(); ++k)
+    text +=
+        std::to_string(0.01 * static_cast<double>(k)) + "," + a[k] + "," + (b.empty() ? '0' : b[k]) + "\n";
+  const auto parsed = parse_formula(formula, {}, {"a", "b"});
+  const auto trace = read_trace(text, "run.csv", parsed->tree, {});
+  if (!trace) return result::to_string(trace.error());
+  std::string bits(a.size(), '?');
+  std::size_t change = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    if (change + 1 < trace->changes.size() && trace->changes[change + 1].row == k + 1) ++change;
+    bits[k] = (trace->changes[change].letter >> 2 & 1) != 0 ? '1' : '0';
+  }
+  return bits;
+}
+
+TEST(ReadTrace, Timer_WhenRowsHaveTimes_ThenItsPropositionIsThatOfATimerLookedAtOnceARow) {
+  EXPECT_EQ(timed("never a for T#20ms", "01110111110"), "00010001110");
+  EXPECT_EQ(timed("b responds to a within T#20ms", "0100000100", "0000010000"), "0001100001");
+  EXPECT_EQ(timed("b responds to a within T#20ms", "1010100000", "0010000000"), "0000001111")
+      << "an answer may come with what it answers";
+  EXPECT_EQ(timed("a within T#30ms", "000000"), "000111");
+}
+
+TEST(ReadTrace, Timer_WhenThereAreNoTimes_ThenRefused) {
+  const auto formula = parse_formula("never a for T#20ms");
+  EXPECT_EQ(read_trace("a\n1\n", "run.csv", formula->tree, {}).error().front().code, "L0042");
+  EXPECT_EQ(read_trace("time_s,a\nx,1\n", "run.csv", formula->tree, {}).error().front().code, "L0044");
 }
 
 TEST(ReadTrace, Text_WhenBytesAreChanged_ThenReadOrRefused) {

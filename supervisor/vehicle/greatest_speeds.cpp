@@ -1,15 +1,15 @@
-#include "supervisor/fleet/control/greatest_speeds.h"
+#include "supervisor/vehicle/greatest_speeds.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 
-namespace stepwright::fleet {
+namespace stepwright::vehicle {
 namespace {
 
 constexpr double kSteeringShare = 0.8;  // of the rate, which leaves the controller some
 
-double alone(const SpeedStation& at, const DriveLimits& limits) {
+double alone(const SpeedStation& at, const SpeedLimits& limits) {
   double speed = limits.top_speed_m_s;
   if (at.sharpest_1_m > 0.0) speed = std::min(speed, std::sqrt(limits.lateral_m_s2 / at.sharpest_1_m));
   const double turn = std::abs(at.turn_rad);
@@ -19,7 +19,7 @@ double alone(const SpeedStation& at, const DriveLimits& limits) {
 
 }  // namespace
 
-std::vector<double> greatest_speeds(std::span<const SpeedStation> stations, const DriveLimits& limits) {
+std::vector<double> greatest_speeds(std::span<const SpeedStation> stations, const SpeedLimits& limits) {
   assert(!stations.empty());
   std::vector<double> speeds;
   for (const SpeedStation& at : stations) speeds.push_back(alone(at, limits));
@@ -31,4 +31,4 @@ std::vector<double> greatest_speeds(std::span<const SpeedStation> stations, cons
   return speeds;
 }
 
-}  // namespace stepwright::fleet
+}  // namespace stepwright::vehicle

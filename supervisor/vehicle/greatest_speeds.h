@@ -9,12 +9,17 @@
 #include <span>
 #include <vector>
 
-#include "supervisor/fleet/control/drive_limits.h"
-
-namespace stepwright::fleet {
+namespace stepwright::vehicle {
 
 // Paths of arcs ask the steering to turn at once: it has this way for it, half before and half behind.
 inline constexpr double kSteeringWindow_m = 1.0;
+
+struct SpeedLimits {
+  double top_speed_m_s = 1.5;
+  double brake_m_s2 = 0.6;
+  double lateral_m_s2 = 0.8;  // of a curve, at most
+  double lock_rate_rad_s = 0.5;
+};
 
 struct SpeedStation {
   double sharpest_1_m = 0.0;  // curvature around it, not negative
@@ -23,6 +28,6 @@ struct SpeedStation {
 };
 
 // One for each station, of which there is at least one.
-std::vector<double> greatest_speeds(std::span<const SpeedStation> stations, const DriveLimits& limits);
+std::vector<double> greatest_speeds(std::span<const SpeedStation> stations, const SpeedLimits& limits);
 
-}  // namespace stepwright::fleet
+}  // namespace stepwright::vehicle

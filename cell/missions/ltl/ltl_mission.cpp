@@ -1,0 +1,170 @@
+// The cell of a tugger train ([ltl]).
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cell/config/port_reader.h"
+#include "cell/missions/ltl/table/ltl_table.h"
+#include "cell/missions/mission_kinds.h"
+#include "cell/monitors/cell_monitors.h"
+#include "supervisor/ltl/mission/train_mission.h"
+#include "supervisor/ltl/scene/problem_reader.h"
+
+namespace stepwright::missions {
+namespace {
+
+const LtlTable& ltl_table(const config::CellConfig& config) {
+  return *table_as<LtlTable>(config.mission.table);
+}
+
+result::Result<ltl::Problem> read_problem(const LtlTable& table) {
+  std::stringstream text;
+  text << std::ifstream(table.problem).rdbuf();
+  auto problem = ltl::read_planning_problem(text.str(), table.problem);
+  if (problem && !table.task.empty()) problem->task = table.task;
+  return problem;
+}
+
+// As [plant.ports] says, without it in a row.
+result::Result<ltl::TrainTerminals> terminals_of(const config::CellConfig& config,
+                                                 const ltl::Problem& problem) {
+  const std::size_t trailers = problem.train.trailers;
+  const std::vector<std::string> places = problem.places();
+  if (config.plant.ports.empty()) return ltl::train_terminals_in_a_row(trailers, places.size());
+  config::PortReader ports(config);
+  ltl::TrainTerminals all;
+  const std::pair<const char*, std::string*> named[] = {{"x", &all.x},
+                                                        {"y", &all.y},
+                                                        {"heading", &all.heading},
+                                                        {"speed", &all.speed},
+                                                        {"lock", &all.lock},
+                                                        {"trailers", &all.trailers},
+                                                        {"bumper", &all.bumper},
+                                                        {"estop_ok", &all.estop_ok},
+                                                        {"way_free", &all.way_free},
+                                                        {"set_speed", &all.set_speed},
+                                                        {"set_lock", &all.set_lock},
+                                                        {"enable", &all.enable}};
+  for (const auto& [name, address] : named) *address = ports.address(name);
+  for (std::size_t k = 1; k <= trailers; ++k)
+    all.hitches.push_back(ports.address("hitch_" + std::to_string(k)));
+  for (const std::string& place : places) all.at.push_back(ports.address("at_" + place));
+  if (auto wrong = ports.take(); !wrong.empty()) return tl::unexpected(std::move(wrong));
+  return all;
+}
+
+// What is asked for at given times; a name that means nothing is X0003, a wrong task at its own code.
+result::Result<std::vector<ltl::TimedTrainRequest>> requests_of(const LtlTable& table,
+                                                                const ltl::TrainPlanning& planning) {
+  std::vector<ltl::TimedTrainRequest> requests;
+  result::Diagnostics wrong;
+  const auto& places = planning.options().problem.floor.propositions;
+  for (const LtlAsked& asked : table.requests) {
+    const auto place = std::ranges::find(places, asked.name, &ltl::Area::name);
+    if (!asked.name.empty() && place == places.end()) {
+      wrong.push_back({"X0003", result::Severity::Error, asked.where,
+                       "the floor has no place '" + asked.name + "'", "places are those of the scene"});
+      continue;
+    }
+    if (asked.request == "goal") {
+      if (auto good = planning.task(asked.goal); !good) {
+        for (result::Diagnostic each : good.error()) {
+          each.where = asked.where;
+          wrong.push_back(std::move(each));
+        }
+      }
+      requests.push_back({asked.at_s, ltl::GoalChange{asked.goal}});
+    }
+    if (asked.request == "block") requests.push_back({asked.at_s, ltl::BlockChange{*place}});
+    if (asked.request == "unblock") requests.push_back({asked.at_s, ltl::UnblockChange{asked.name}});
+    if (asked.request == "hold") requests.push_back({asked.at_s, ltl::HoldChange{}});
+    if (asked.request == "resume") requests.push_back({asked.at_s, ltl::ResumeChange{}});
+  }
+  if (!wrong.empty()) return tl::unexpected(std::move(wrong));
+  std::ranges::stable_sort(requests, {}, &ltl::TimedTrainRequest::at_s);
+  return requests;
+}
+
+class LtlPlanner final : public CellPlanner {
+ public:
+  LtlPlanner(config::CellConfig config, ltl::TrainPlanning planning,
+             std::vector<ltl::TimedTrainRequest> requests)
+      : config_(std::move(config)), planning_(std::move(planning)), requests_(std::move(requests)) {}
+
+  std::unique_ptr<run::Mission> mission(run::Controller& controller,
+                                        run::Mission::Observer observer) override {
+    const run::MissionOptions options = mission_options(config_);
+    return std::make_unique<ltl::TrainMission>(
+        planning_, controller,
+        ltl::TrainMissionOptions{.cell = options.cell,
+                                 .max_replans = config_.executive.max_replans,
+                                 .operator_starts = options.operator_starts,
+                                 .barrier = options.barrier,
+                                 .attended = ltl_table(config_).attended,
+                                 .hold = ltl_table(config_).hold,
+                                 .journal = config_.journal_path(),
+                                 .requests = requests_},
+        std::move(observer));
+  }
+
+  result::Result<FirstPlan> first_plan() override {
+    const ltl::Problem& problem = planning_.options().problem;
+    const ltl::TrainTask& task = planning_.first_task();
+    auto prepared = planning_.plan({.task = &task,
+                                    .state = task.begins(),
+                                    .standing = problem.standing(),
+                                    .trailers = problem.train.trailers});
+    if (!prepared) {
+      const std::string& code = prepared.error().front().code;
+      if (code != ltl::kImpossible && code != ltl::kNoPlan) return result::forward(prepared);
+      return FirstPlan{
+          .no_plan = result::to_string(prepared.error()),
+          .exit = code == ltl::kImpossible ? result::ExitCode::NoPlan : result::ExitCode::BudgetExhausted};
+    }
+    FirstPlan first;
+    first.cost = prepared->way.end_m;
+    first.actions = static_cast<std::size_t>(
+        std::ranges::count(prepared->program.steps, ltl::TrainStepKind::Drive, &ltl::TrainStep::kind));
+    first.program = std::move(prepared->container);
+    return first;
+  }
+
+ private:
+  const config::CellConfig config_;
+  const ltl::TrainPlanning planning_;
+  const std::vector<ltl::TimedTrainRequest> requests_;
+};
+
+}  // namespace
+
+result::Result<std::unique_ptr<CellPlanner>> open_ltl(const config::CellConfig& config) {
+  const LtlTable& table = ltl_table(config);
+  auto problem = read_problem(table);
+  if (!problem) return result::forward(problem);
+  auto terminals = terminals_of(config, *problem);
+  if (!terminals) return result::forward(terminals);
+  ltl::TrainPlanningOptions options{.problem = *std::move(problem),
+                                    .margin_m = table.margin_m,
+                                    .terminals = *std::move(terminals),
+                                    .program = {},
+                                    .seed = table.seed,
+                                    .most_s = table.time_s};
+  options.program.interval_us = config.clock.interval_us;
+  options.program.drive.top_speed_m_s = table.top_speed_m_s;
+  auto monitors = cell_monitors::cell_monitors(config);
+  if (!monitors) return result::forward(monitors);
+  options.watchers = cell_monitors::watchers_of(*monitors);
+  auto planning = ltl::TrainPlanning::open(std::move(options));
+  if (!planning) return result::forward(planning);
+  auto requests = requests_of(table, *planning);
+  if (!requests) return result::forward(requests);
+  return std::make_unique<LtlPlanner>(config, *std::move(planning), *std::move(requests));
+}
+
+}  // namespace stepwright::missions

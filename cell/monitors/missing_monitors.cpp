@@ -1,0 +1,18 @@
+#include "cell/monitors/missing_monitors.h"
+
+#include "cell/monitors/cell_monitors.h"
+
+namespace stepwright::cell_monitors {
+
+result::Diagnostics missing_monitors(const config::CellConfig& config, const reader::ProgramInfo& program) {
+  result::Diagnostics problems;
+  for (const config::MonitorConfig& each : config.monitors) {
+    if (program.find(failed_tag(each.name))) continue;
+    problems.push_back({"C0558", result::Severity::Error, each.where,
+                        "the program does not have the monitor '" + each.name + "'",
+                        "compile it for this cell: stepwright compile ... --config CELL.toml"});
+  }
+  return problems;
+}
+
+}  // namespace stepwright::cell_monitors

@@ -1,0 +1,135 @@
+// What people ask for, and what becomes of it.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "runtime/service/answer_codes.h"
+#include "supervisor/ltl/mission/train_mission.h"
+
+namespace stepwright::ltl {
+
+using run::IncidentKind;
+
+namespace {
+
+constexpr const char* kExample = R"_(for example {"request": "goal", "goal": "visit press then rack"})_";
+constexpr std::size_t kMostCorners = 64;
+
+std::optional<TrainChange> block_of(const run::Request& request, const Floor& floor) {
+  const auto name = request.text("name");
+  if (!name) return std::nullopt;
+  // A place by its name is out of service.
+  const auto place = std::ranges::find(floor.propositions, *name, &Area::name);
+  if (place != floor.propositions.end()) return BlockChange{*place};
+  const auto corners = request.rows("corners_m", 2, kMostCorners);
+  if (!corners || corners->size() < 3) return std::nullopt;
+  Area area{.name = *name, .ring = {}, .where = {}};
+  for (const std::vector<double>& corner : *corners) area.ring.push_back({corner[0], corner[1]});
+  return BlockChange{std::move(area)};
+}
+
+std::optional<TrainChange> change_of(const run::Request& request, const Floor& floor) {
+  const std::string& word = request.word();
+  if (word == "hold") return HoldChange{};
+  if (word == "resume") return ResumeChange{};
+  if (word == "block") return block_of(request, floor);
+  const auto text = request.text(word == "goal" ? "goal" : "name");
+  if (!text) return std::nullopt;
+  if (word == "goal") return GoalChange{*text};
+  return UnblockChange{*text};
+}
+
+}  // namespace
+
+result::Result<void> TrainMission::take(const run::Request& request) {
+  const std::string& word = request.word();
+  if (word == "start") return accept_start();
+  if (word != "hold" && word != "resume" && word != "block" && word != "unblock" && word != "goal")
+    return run::not_of_this_mission("start, goal, block, unblock, hold, resume, abort");
+  const auto change = change_of(request, planning_.options().problem.floor);
+  if (!change) return run::no_request(kExample);
+  return over() ? run_is_over() : this->request(*change);
+}
+
+result::Result<void> TrainMission::request(const TrainChange& change) {
+  if (const auto* goal = std::get_if<GoalChange>(&change))
+    if (auto good = planning_.task(goal->task); !good) return result::forward(good);
+  const std::lock_guard lock(requests_mutex_);
+  if (stage_ != Stage::Running &&
+      (std::holds_alternative<HoldChange>(change) || std::holds_alternative<ResumeChange>(change)))
+    return result::fail(service::kNotNow, {}, "nothing moves yet", "the run waits for its start");
+  requests_.add({0.0, change});
+  return {};
+}
+
+std::optional<run::Cause> TrainMission::due(double time_s) {
+  run::Cause cause{IncidentKind::NewGoal, {}};
+  bool replans = false;
+  for (const TimedTrainRequest& each : requests_.take(time_s))
+    replans |= std::visit([&](const auto& change) { return apply(change, cause); }, each.change);
+  if (cause.evidence.empty()) return std::nullopt;
+  if (replans && !held_) return cause;
+  open_incident(cause);
+  decide(run::Response::GoOn);
+  return std::nullopt;
+}
+
+bool TrainMission::apply(const GoalChange& goal, run::Cause& cause) {
+  auto task = planning_.task(goal.task);
+  if (!task) {
+    cause.evidence.push_back("refused: " + result::to_string(task.error()));
+    return false;
+  }
+  take_task(*std::move(task));
+  cause.evidence.push_back("another task: " + task_.text);
+  return true;
+}
+
+bool TrainMission::apply(const BlockChange& block, run::Cause& cause) {
+  std::erase_if(blocked_, [&](const Area& area) { return area.name == block.area.name; });
+  blocked_.push_back(block.area);
+  cause.evidence.push_back(fmt::format("'{}' is blocked", block.area.name));
+  return true;
+}
+
+bool TrainMission::apply(const UnblockChange& unblock, run::Cause& cause) {
+  const std::size_t freed =
+      std::erase_if(blocked_, [&](const Area& area) { return area.name == unblock.name; });
+  cause.evidence.push_back(freed > 0 ? fmt::format("'{}' is free again", unblock.name)
+                                     : fmt::format("'{}' was not blocked", unblock.name));
+  return false;  // the plan that is driven is as good as before
+}
+
+bool TrainMission::apply(const HoldChange&, run::Cause& cause) {
+  cause.kind = IncidentKind::Operator;
+  if (held_ || to_hold_) {
+    cause.evidence.emplace_back("the train is held already");
+    return false;
+  }
+  to_hold_ = true;
+  cause.evidence.emplace_back("held by the operator");
+  return true;
+}
+
+bool TrainMission::apply(const ResumeChange&, run::Cause& cause) {
+  cause.kind = IncidentKind::Operator;
+  if (std::exchange(to_hold_, false)) {
+    cause.evidence.emplace_back("the train may go on");
+    return false;
+  }
+  if (!held_) {
+    cause.evidence.emplace_back("nothing holds the train that could be resumed");
+    return false;
+  }
+  if (!reading_.estop_ok) {
+    cause.evidence.emplace_back("the train cannot go on: the emergency stop is still pressed");
+    return false;
+  }
+  held_ = false;
+  cause.evidence.emplace_back("the train may go on");
+  return true;
+}
+
+}  // namespace stepwright::ltl

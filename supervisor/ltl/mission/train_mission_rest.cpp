@@ -1,0 +1,160 @@
+// To rest, between two plans and while something holds the train.
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "supervisor/ltl/mission/train_mission.h"
+
+namespace stepwright::ltl {
+
+using run::IncidentKind;
+using run::Phase;
+using run::Response;
+using std::chrono::milliseconds;
+
+namespace {
+
+constexpr double kRestWithin_s = 60.0;  // of the scan clock
+
+}  // namespace
+
+std::optional<run::Cause> TrainMission::hold_stopped() {
+  const run::Cause cause = stopped_by_itself();
+  return hold(cause, Phase::Waiting, cause.evidence.front() + ": see to it, then let the train go on");
+}
+
+// The train stands, and the program goes on scanning. Why the next plan is made; nothing if the run has
+// ended.
+std::optional<run::Cause> TrainMission::hold(const run::Cause& cause, Phase phase,
+                                             const std::string& message) {
+  open_incident(cause);
+  const std::size_t incident = record_.incidents.size() - 1;
+  held_ = true;
+  to_hold_ = false;
+  set_phase(phase, message);
+  const double until_s = clock_.now_s() + static_cast<double>(options_.hold.count());
+  double now_s = clock_.now_s();
+  while (true) {
+    if (abort_) {
+      give_up_aborted();
+      return std::nullopt;
+    }
+    const auto event = controller_.wait_event(milliseconds(200));
+    if (event ? !take_held(*event) : runtime_lost() && !has_gone_on()) {
+      if (record_.phase != Phase::Safe)
+        give_up("the program was stopped while the train was held", IncidentKind::LostRuntime);
+      return std::nullopt;
+    }
+    const auto snapshot = controller_.snapshot();
+    if (!event && snapshot && snapshot->program_digest == digest_) reading_ = reader_->read(snapshot->image);
+    if (!event) now_s = shown_time(snapshot, now_s);
+    now_s = std::max(now_s, clock_.now_s());
+    (void)due(now_s);  // what they ask for is in the next plan
+    publish(false);
+    if (!held_) {
+      record_.incidents[incident].response = Response::Replan;
+      return run::Cause{IncidentKind::Operator, {"the train goes on"}};
+    }
+    if (now_s > until_s) {
+      give_up(cause.evidence.front() + "; nobody has let the train go on", cause.kind);
+      return std::nullopt;
+    }
+    if (event) (void)controller_.acknowledge(event->sequence);
+  }
+}
+
+// False if the program does not run any more.
+bool TrainMission::take_held(const host::StepEvent& event) {
+  if (event.kind == host::EventKind::RolledBack) return false;
+  if (event.program_digest != digest_) return true;
+  if (run::ends_program(event.kind)) return false;
+  clock_.see(event.incarnation, event.time_ns);
+  if (event.kind == host::EventKind::StepChange) {
+    reading_ = reader_->read(event.image);
+    state_ = reading_.state;
+  }
+  publish(false);
+  return true;
+}
+
+// Along its way where it drives on one; with brakes on where it stands, or nobody knows.
+bool TrainMission::bring_to_rest() {
+  while (true) {
+    const bool drives = reader_ && runs() && driven_ && reading_.error == 0 && !driven_->way.samples.empty();
+    const std::uint32_t reset = reading_.error != 0 ? ++resets_ : 0;
+    const auto prepared = drives ? planning_.halt(*driven_, state_) : planning_.observe(task_, state_, reset);
+    if (!prepared) return give_up("the train cannot be brought to rest", prepared.error());
+    if (!bring_to_run([&] { return install(*prepared); })) return false;
+    switch (await_rest()) {
+      case Rest::Reached:
+        break;
+      case Rest::Lost:
+        driven_.reset();
+        continue;
+      case Rest::Error: {
+        if (!options_.attended) return give_up(stopped_by_itself());
+        decide(Response::Replan);
+        const auto cause = hold_stopped();
+        if (!cause) return false;
+        open_incident(*cause);
+        set_phase(Phase::Replanning, cause->evidence.front());
+        continue;
+      }
+      case Rest::Ended:
+        return false;
+    }
+    if (!to_hold_) return true;
+    decide(Response::Replan);
+    (void)controller_.acknowledge(rested_at_);  // the clock goes on while the train is held
+    const auto cause = hold({IncidentKind::Operator, {"held by the operator: the train rests"}}, Phase::Held,
+                            "held by the operator: the train rests until it is resumed or aborted");
+    if (!cause) return false;
+    open_incident(*cause);
+    set_phase(Phase::Replanning, cause->evidence.front());
+  }
+}
+
+// The clock stands still at the event with which the train rests.
+TrainMission::Rest TrainMission::await_rest() {
+  const double until_s = clock_.now_s() + kRestWithin_s;
+  bool reset_seen = reading_.error == 0;
+  while (true) {
+    if (abort_) {
+      give_up_aborted();
+      return Rest::Ended;
+    }
+    const auto event = controller_.wait_event(milliseconds(200));
+    if (!event) {
+      if (!runtime_lost() || has_gone_on()) continue;
+      return record_.phase == Phase::Safe ? Rest::Ended : Rest::Lost;
+    }
+    if (run::ends_program(event->kind) && event->program_digest == digest_) {
+      give_up("the program was stopped while the train was brought to rest: " + event->detail,
+              IncidentKind::ProgramFault);
+      return Rest::Ended;
+    }
+    if (event->program_digest == digest_ && event->kind == host::EventKind::StepChange) {
+      clock_.see(event->incarnation, event->time_ns);
+      reading_ = reader_->read(event->image);
+      state_ = reading_.state;
+      reset_seen = reset_seen || reading_.error == 0;
+      if (steps_[reading_.step].kind == TrainStepKind::Done && reading_.standing) {
+        rested_at_ = event->sequence;
+        if (reading_.error == 0 && reading_.estop_ok) return Rest::Reached;
+      }
+      const bool stopped = reading_.error != 0 || !reading_.estop_ok;
+      if (stopped && (reset_seen || steps_[reading_.step].kind == TrainStepKind::Done)) {
+        (void)controller_.acknowledge(event->sequence);  // the clock goes on while the train is held
+        return Rest::Error;
+      }
+      if (clock_.now_s() > until_s) {
+        give_up("the train does not come to rest", IncidentKind::Timeout);
+        return Rest::Ended;
+      }
+    }
+    (void)controller_.acknowledge(event->sequence);
+  }
+}
+
+}  // namespace stepwright::ltl
