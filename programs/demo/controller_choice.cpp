@@ -36,9 +36,10 @@ result::Result<ControllerChoice> emulated(const std::filesystem::path& programs)
   }
   ControllerChoice choice;
   choice.overrides = {"controller.kind=modbus-rtu"};  // the device is known when the emulator runs
-  choice.emulator = EmulatedController{"qemu",
-                                       {emulator, "-M", kBoard, "-display", "none", "-monitor", "none",
-                                        "-serial", "pty", "-kernel", firmware.string()}};
+  choice.emulator =
+      EmulatedController{"qemu",
+                         {emulator, "-M", kBoard, "-display", "none", "-monitor", "none", "-serial", "pty",
+                          "-action", "watchdog=none", "-kernel", firmware.string()}};
   return choice;
 }
 

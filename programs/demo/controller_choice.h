@@ -17,14 +17,15 @@
 
 namespace stepwright::demo {
 
-// A controller in an emulator, which prints where its line is: the first /dev/pts/N of its output.
+// A controller in an emulator, which prints where its line is: the first /dev/pts/N of its output. Its
+// watchdog does nothing: a board that this machine holds up for seconds is no program that hangs.
 struct EmulatedController {
   std::string name;                    // of the process, its log and the link to its line
   std::vector<std::string> arguments;  // the first one is the program
 };
 
-// Its clock follows its instructions: a board that the machine holds up for seconds loses no time, and its
-// watchdog does not bite. For simulated time, in which nobody compares that clock with the wall's.
+// Its clock follows its instructions: a scan that this machine holds up for seconds takes no longer. For
+// simulated time, in which nobody compares that clock with the wall's.
 void count_instructions(EmulatedController& board);
 
 struct ControllerChoice {

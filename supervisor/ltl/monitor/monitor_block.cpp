@@ -84,7 +84,6 @@ class Block {
     add("(* " + in_comment(options_.about) + " *)\n");
     if (options_.on_changes) add("(* X counts letters: a letter is read when the inputs change. *)\n");
     add((is_program() ? "PROGRAM " : "FUNCTION_BLOCK ") + options_.name + "\n");
-    if (is_program()) flag_declarations();
     add(is_program() ? "VAR\n" : "VAR_INPUT\n");
     for (std::size_t k = 0; k < propositions_; ++k)
       if (timer_of(k) == nullptr) add(declaration(k));
@@ -107,6 +106,7 @@ class Block {
       if (propositions_ > 0) add("  Last : ARRAY[0.." + std::to_string(propositions_ - 1) + "] OF BOOL;\n");
     }
     add("END_VAR\n");
+    if (is_program()) flag_declarations();
     if (table_) add(table_text());
     if (has_way()) add("VAR CONSTANT\n" + array_text("Far", far()) + "END_VAR\n");
   }
@@ -136,7 +136,8 @@ class Block {
     return numbers;
   }
 
-  // The steps of the chart that viewers see come first: what begins charts anew resets all behind them.
+  // The steps of the chart that viewers see come last: what begins charts anew resets all behind the first one,
+  // and what the monitor knows is to outlast it.
   void flag_declarations() {
     add("VAR_OUTPUT\n");
     const Verdict first = automaton_.verdicts[automaton_.initial];
@@ -200,7 +201,8 @@ class Block {
 
   void reset() {
     const std::string made = std::to_string(made_);
-    add(is_program() ? "IF Reset OR Made <> " + made + " THEN\n  Reset := FALSE;\n  Made := " + made + ";\n"
+    // A verdict of FALSE whose step is off: charts have begun anew, and so does a monitor that had failed.
+    add(is_program() ? "IF Reset OR Made <> " + made + " OR (Verdict = 2 AND NOT Failed) THEN\n  Reset := FALSE;\n  Made := " + made + ";\n"
                      : std::string("IF Reset THEN\n"));
     add("  State := " + std::to_string(automaton_.initial) +
         ";\n  Verdict := " + verdict_text(automaton_.initial) + ";\n  Since := 0;\n");

@@ -19,7 +19,7 @@ class Emulator(unittest.TestCase):
               f"{report['realtime_factor']:.1f} x real time")
 
     def test_an_emulator_that_its_machine_holds_up_goes_on(self):
-        """Longer than the board's watchdog waits: its clock stands still meanwhile."""
+        """Longer than the board's watchdog waits."""
         with Demo("--no-compare", "--set", "clock.speed=10", "--set", "controller.lost_after_ms=60000",
                   "--controller", "qemu") as demo:
             demo.wait_for_line("gateway", "program .* started")

@@ -1,5 +1,6 @@
 """A cell whose runtime is served over Modbus by the real processes, with the inputs that all slaves of these tests have."""
 
+import os
 import pathlib
 import shutil
 import subprocess
@@ -10,7 +11,7 @@ from processes import PATIENCE_S, TESTS, Cell, Process, eventually, stepwright
 HERE = pathlib.Path(__file__).parent
 PORT = 1502
 BYTES = 256
-AREA = "modbus-interop"
+AREA = f"modbus-interop-{os.getpid()}"  # /dev/shm is one for all tests that run at a time
 CELL = f"""
 [clock]
 mode = "real"

@@ -52,7 +52,7 @@ output_bytes = 8
 [io]
 kind = "modbus"
 [guard]
-timeout_ms = 200
+timeout_ms = 5_000
 [safe_state.lost_io]
 "%QW0" = { value = 7 }
 [safe_state.killed]

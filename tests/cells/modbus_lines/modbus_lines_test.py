@@ -31,7 +31,7 @@ output_bytes = 32
 [io]
 kind = "modbus"
 [guard]
-timeout_ms = 500
+timeout_ms = 60_000
 [modbus.lines."LINE"]
 baud = 19_200
 parity = "none"
@@ -177,17 +177,22 @@ def units_of(*units):
 
 class Units(OnALine):
     def watch(self, names, seconds=SETTLED_S):
-        """The oldest that each device's value was while it was looked at, in ms; -1 where it was not good although the
-        device itself had always answered in time."""
+        """The oldest that each device's value was while it was looked at, in ms; -1 where it was good and then was not
+        although the device itself had always answered in time."""
         oldest = dict.fromkeys(names, 0)
         before = self.devices()
+        seen_good = set()  # not before its first answer, if it had missed one just before the look began
         end = time.monotonic() + seconds
         while time.monotonic() < end:
             for name, device in self.devices().items():
                 if name not in oldest or oldest[name] < 0 or failed_of(device) != failed_of(before[name]):
                     continue
                 tag = device["tags"][0]
-                oldest[name] = -1 if tag["quality"] != GOOD else max(oldest[name], tag["age_ms"])
+                if tag["quality"] == GOOD:
+                    seen_good.add(name)
+                    oldest[name] = max(oldest[name], tag["age_ms"])
+                elif name in seen_good:
+                    oldest[name] = -1
             time.sleep(0.005)
         return oldest
 

@@ -4,8 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <optional>
+#include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -14,6 +17,7 @@
 #include "runtime/remote/remote_program.h"
 #include "supervisor/ltl/trace/judge.h"
 #include "tests/st/machine.h"
+#include "tests/support/controller/simulated_controller.h"
 #include "tests/unit/cell/monitors/monitored.h"
 #include "tests/unit/supervisor/ltl/paper_formulas.h"
 
@@ -170,6 +174,48 @@ TEST(CellMonitors, Scan_WhenTheFormulaFailsAndSafeStateIsAsked_ThenItEndsThereAn
     EXPECT_EQ(machine.scan().state, scan::ScanState::Running);
     EXPECT_TRUE(machine.equals("monitor_stop.Failed", "FALSE"));
   }
+}
+
+// A program in which the washing and the pressing come in these scans; 0: never.
+std::vector<std::byte> plan(int press, int wash, const std::string& name) {
+  const auto cell = test::cell_of(
+      "[[monitors]]\nname = \"dry\"\nformula = \"after press: absent wash\"\n"
+      "let = { wash = \"at_wash\", press = \"at_press\" }\n");
+  const auto container = test::compiled_with(
+      cell, "VAR_GLOBAL at_wash, at_press : BOOL; END_VAR\nPROGRAM main VAR " + name +
+                " : INT; END_VAR\n" + name + " := " + name + " + 1;\nat_press := " + name + " = " +
+                std::to_string(press) + ";\nat_wash := " + name + " = " + std::to_string(wash) +
+                ";\nEND_PROGRAM\n");
+  EXPECT_TRUE(container) << result::to_string(container.error());
+  return container ? *container : std::vector<std::byte>();
+}
+
+// What was before the change counts, except for one that has failed.
+TEST(CellMonitors, State_WhenOnePlanRelievesAnother_ThenItGoesOnUnlessItHadFailed) {
+  support::SimulatedController controller{assemblies::BenchParameters{}};
+  int scans = 0;
+  controller.on_scan = [&](std::span<const std::byte>) {
+    if (++scans % 10 == 0) controller.interrupt();
+  };
+  std::vector<std::byte> running = plan(3, 0, "first");
+  const auto verdict_behind = [&](int until) {
+    for (scans = 0; scans < until;) {
+      if (const auto event = controller.wait_event(std::chrono::milliseconds(1)))
+        (void)controller.acknowledge(event->sequence);
+    }
+    const auto info = reader::ProgramInfo::read(running).value();
+    return reader::read_number(*info.find("monitor_dry.Verdict"), controller.snapshot()->image);
+  };
+  const auto change = [&](std::vector<std::byte> next) {
+    running = std::move(next);
+    return controller.change(running).has_value();
+  };
+  ASSERT_TRUE(controller.download(running) && controller.start(false));
+  EXPECT_EQ(verdict_behind(10), 0.0);
+  ASSERT_TRUE(change(plan(0, 5, "second")));
+  EXPECT_EQ(verdict_behind(10), 2.0) << "it was pressed by the plan before";
+  ASSERT_TRUE(change(plan(0, 5, "third")));
+  EXPECT_EQ(verdict_behind(10), 0.0) << "the next plan is judged by itself";
 }
 
 TEST(CellMonitors, Chart_WhenAViewerLooks_ThenVerdictsAreStepsAndTheFirstSaysTheFormula) {
