@@ -136,8 +136,8 @@ class Block {
     return numbers;
   }
 
-  // The steps of the chart that viewers see come last: what begins charts anew resets all behind the first one,
-  // and what the monitor knows is to outlast it.
+  // The steps of the chart that viewers see come last: what begins charts anew resets all behind the first
+  // one, and what the monitor knows is to outlast it.
   void flag_declarations() {
     add("VAR_OUTPUT\n");
     const Verdict first = automaton_.verdicts[automaton_.initial];
@@ -202,8 +202,10 @@ class Block {
   void reset() {
     const std::string made = std::to_string(made_);
     // A verdict of FALSE whose step is off: charts have begun anew, and so does a monitor that had failed.
-    add(is_program() ? "IF Reset OR Made <> " + made + " OR (Verdict = 2 AND NOT Failed) THEN\n  Reset := FALSE;\n  Made := " + made + ";\n"
-                     : std::string("IF Reset THEN\n"));
+    add(is_program()
+            ? "IF Reset OR Made <> " + made +
+                  " OR (Verdict = 2 AND NOT Failed) THEN\n  Reset := FALSE;\n  Made := " + made + ";\n"
+            : std::string("IF Reset THEN\n"));
     add("  State := " + std::to_string(automaton_.initial) +
         ";\n  Verdict := " + verdict_text(automaton_.initial) + ";\n  Since := 0;\n");
     if (options_.on_changes) add("  Begun := FALSE;\n");

@@ -13,8 +13,8 @@
 // As a PROGRAM it takes what its propositions mean from expressions, says besides
 //   Undecided, Satisfied, Failed : BOOL   one of them holds
 //   Left : UINT                           transitions to TRUE, at least; 65535: none leads there
-// and begins anew when somebody sets Reset, when it takes over from a program with another automaton, or, once
-// it has failed, when charts begin anew.
+// and begins anew when somebody sets Reset, when it takes over from a program with another automaton, or,
+// once it has failed, when charts begin anew.
 //
 // Thread rule: pure functions. Example:
 //   auto text = monitor_block(monitor->automaton, {.name = "NO_WASH", .inputs = {"wash"}});

@@ -182,10 +182,9 @@ std::vector<std::byte> plan(int press, int wash, const std::string& name) {
       "[[monitors]]\nname = \"dry\"\nformula = \"after press: absent wash\"\n"
       "let = { wash = \"at_wash\", press = \"at_press\" }\n");
   const auto container = test::compiled_with(
-      cell, "VAR_GLOBAL at_wash, at_press : BOOL; END_VAR\nPROGRAM main VAR " + name +
-                " : INT; END_VAR\n" + name + " := " + name + " + 1;\nat_press := " + name + " = " +
-                std::to_string(press) + ";\nat_wash := " + name + " = " + std::to_string(wash) +
-                ";\nEND_PROGRAM\n");
+      cell, "VAR_GLOBAL at_wash, at_press : BOOL; END_VAR\nPROGRAM main VAR " + name + " : INT; END_VAR\n" +
+                name + " := " + name + " + 1;\nat_press := " + name + " = " + std::to_string(press) +
+                ";\nat_wash := " + name + " = " + std::to_string(wash) + ";\nEND_PROGRAM\n");
   EXPECT_TRUE(container) << result::to_string(container.error());
   return container ? *container : std::vector<std::byte>();
 }
