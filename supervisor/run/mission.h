@@ -151,8 +151,24 @@ class Mission {
   bool bring_to_run(const std::function<bool()>& install);
   // Waits for a runtime that is not heard of; the phase is Waiting then. False: aborted.
   bool await_answer();
+  // The same, as on a machine with much else to do: whether it has gone on with its program meanwhile, which
+  // is an incident; the phase is the one of before then. False with the phase Safe: aborted.
+  bool has_gone_on();
   // The runtime runs exactly this container.
   bool runs_program(std::span<const std::byte> container);
+  // A plant at rest, while its program goes on scanning, and people see to something.
+  struct Hold {
+    Cause cause;
+    Phase phase = Phase::Held;
+    std::string message;
+    std::chrono::seconds most;  // of the scan clock
+    std::string stopped;        // why the run ends if the program is stopped meanwhile,
+    std::string left;           // and if nobody comes
+    std::function<bool()> holds;
+    std::function<void(std::span<const std::byte> image)> see;
+  };
+  // Until it no longer holds; what people ask for meanwhile is taken (due). False: the run is over.
+  bool hold_at_rest(const Hold& hold);
   // The newest time that the runtime's picture of that program shows; at least `now_s`. A plant at rest
   // causes no events that would tell it.
   double shown_time(const std::optional<host::Snapshot>& snapshot, double now_s) const;
@@ -196,6 +212,7 @@ class Mission {
   Decision judge(const host::StepEvent& event);
   Decision trapped(const host::StepEvent& event);
   bool act_on(const Decision& decision);
+  bool see_held(const host::StepEvent& event, const Hold& hold);
   void brought(std::string digest);
 
   const MissionOptions options_;

@@ -30,6 +30,16 @@ bool Mission::await_answer() {
   return await_runtime();
 }
 
+bool Mission::has_gone_on() {
+  const Phase phase = record_.phase;
+  const std::string message = record_.message;
+  if (!await_answer() || !runs()) return false;
+  open_incident({IncidentKind::LostRuntime, {"the runtime was not seen for a while; it has gone on"}});
+  decide(Response::GoOn);
+  set_phase(phase, message);
+  return true;
+}
+
 bool Mission::bring_to_run(const std::function<bool()>& install) {
   while (!install()) {
     if (record_.phase == Phase::Safe || !await_runtime()) return false;

@@ -3,20 +3,12 @@
 #include <fmt/format.h>
 
 #include <cstdint>
-#include <string_view>
 #include <utility>
 
 #include "supervisor/vehicle/literals.h"
 
 namespace stepwright::vehicle {
 namespace {
-
-// FNV-1a, 32 bits.
-std::string digest(std::string_view text) {
-  std::uint32_t hash = 2166136261U;
-  for (const char c : text) hash = (hash ^ static_cast<std::uint8_t>(c)) * 16777619U;
-  return fmt::format("{:08x}", hash);
-}
 
 std::string row(const PathSample& s) {
   return fmt::format("({}, {}, {}, {}, {}, {}, {}, {}, {}, {})", member("X", s.pose.x_m),
@@ -27,6 +19,13 @@ std::string row(const PathSample& s) {
 }
 
 }  // namespace
+
+// FNV-1a, 32 bits.
+std::string digest(std::string_view text) {
+  std::uint32_t hash = 2166136261U;
+  for (const char c : text) hash = (hash ^ static_cast<std::uint8_t>(c)) * 16777619U;
+  return fmt::format("{:08x}", hash);
+}
 
 graphic::Variable data_table(const std::string& what, const std::string& name, const char* type,
                              std::size_t count, const std::string& rows, std::string comment) {

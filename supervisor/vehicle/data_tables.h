@@ -8,12 +8,16 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ladder/graphic/project.h"
 #include "supervisor/vehicle/path_samples.h"
 
 namespace stepwright::vehicle {
+
+// Of a text, in names: eight hexadecimal digits.
+std::string digest(std::string_view text);
 
 // A global ARRAY[0..count-1] OF `type`, WHAT_NAME_DIGEST; `rows` are its values, with commas between them.
 graphic::Variable data_table(const std::string& what, const std::string& name, const char* type,

@@ -13,16 +13,17 @@ class Sampler {
 
   void add(const PathLeg& leg) {
     const std::size_t first = samples_.size();
-    double heading = first == 0 ? leg.poses.front().pose.heading_rad : samples_.back().pose.heading_rad;
-    for (const LegPose& at : leg.poses) {
+    const double way = leg.back().travel == geometry::Travel::Reverse ? -1.0 : 1.0;
+    double heading = first == 0 ? leg.front().pose.heading_rad : samples_.back().pose.heading_rad;
+    for (const geometry::PathPose& at : leg) {
       heading += std::remainder(at.pose.heading_rad - heading, 2.0 * std::numbers::pi);
       PathSample sample{.pose = {at.pose.x_m, at.pose.y_m, heading},
                         .arc_m = at.arc_m,
-                        .rest_m = leg.poses.back().arc_m,
-                        .way = leg.way};
+                        .rest_m = leg.back().arc_m,
+                        .way = way};
       if (samples_.size() > first) {
         PathSample& before = samples_.back();
-        before.curvature_1_m = leg.way * (heading - before.pose.heading_rad) / (sample.arc_m - before.arc_m);
+        before.curvature_1_m = way * (heading - before.pose.heading_rad) / (sample.arc_m - before.arc_m);
         sample.curvature_1_m = before.curvature_1_m;
       }
       samples_.push_back(sample);

@@ -3,12 +3,12 @@
 // A path as the samples that MC_MovePath takes (ladder/driver/library/vehicle_path.st): places of rest twice,
 // speeds that curves, the steering and braking allow. Pure functions; any thread.
 //
-//   std::vector<PathLeg> legs = {{.poses = {{{0, 0, 0}, 0.0}, {{1, 0, 0}, 1.0}}}};
+//   std::vector<PathLeg> legs = {{{{0, 0, 0}, 0.0}, {{1, 0, 0}, 1.0}}};
 //   std::vector<PathSample> samples = path_samples(legs, {.wheelbase_m = 1.0});
 
 #include <vector>
 
-#include "supervisor/geometry/point.h"
+#include "supervisor/geometry/path.h"
 #include "supervisor/vehicle/greatest_speeds.h"
 
 namespace stepwright::vehicle {
@@ -24,15 +24,9 @@ struct PathSample {
   double way = 1.0;  // -1 in reverse
 };
 
-struct LegPose {
-  geometry::Pose pose;
-  double arc_m = 0.0;  // of the whole path
-};
-// From one place of rest to the next.
-struct PathLeg {
-  std::vector<LegPose> poses;  // at least two, of growing arcs
-  double way = 1.0;            // -1 in reverse
-};
+// From one place of rest to the next: at least two poses of growing arcs, which count along the whole path.
+// The last one tells the direction of all.
+using PathLeg = std::vector<geometry::PathPose>;
 
 struct SampleLimits {
   double wheelbase_m = 1.0;

@@ -116,18 +116,6 @@ bool FleetExecutive::recover_runtime() {
       {IncidentKind::LostRuntime, {"the runtime was restarted or stopped while nobody watched it"}, {}});
 }
 
-// A runtime that is not heard of, as on a machine with much else to do, is waited for. Whether it has gone on
-// with its program meanwhile; the phase is the one of before then. False with the phase Safe: aborted.
-bool FleetExecutive::has_gone_on() {
-  const Phase phase = record_.phase;
-  const std::string message = record_.message;
-  if (!await_answer() || !runs()) return false;
-  open_incident({IncidentKind::LostRuntime, {"the runtime was not seen for a while; it has gone on"}, {}});
-  decide(Response::GoOn);
-  set_phase(phase, message);
-  return true;
-}
-
 // What of the loads is not where it was to be, as sentences.
 std::vector<std::string> FleetExecutive::missed() const {
   std::vector<std::string> sentences;

@@ -90,7 +90,6 @@ class FleetExecutive final : public run::Mission {
   void write_journal();
   std::optional<std::string> carrier() const;
   bool recover_runtime() override;
-  bool has_gone_on();
   bool shut_in(std::uint32_t vehicle) const;
   bool has_more_room() const;
   bool finish() override;
@@ -126,7 +125,6 @@ class FleetExecutive final : public run::Mission {
   bool stay(const std::string& reason, run::IncidentKind kind);
   bool nobody_comes() const;
   std::optional<run::Cause> hold_asked();
-  bool take_held(const host::StepEvent& event);
   run::Cause resumed();
   bool bring_to_rest();
   Rest await_rest(const PreparedFleet& halt, const std::vector<double>& begun_m);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -48,52 +49,18 @@ std::optional<run::Cause> FleetExecutive::hold_asked() {
 // ended.
 std::optional<run::Cause> FleetExecutive::hold(const run::Cause& cause, Phase phase,
                                                const std::string& message) {
-  open_incident(cause);
-  const std::size_t incident = record_.incidents.size() - 1;
   held_ = true;
   to_hold_ = false;  // whoever resumes the fleet means both
-  set_phase(phase, message);
-  const double until_s = clock_.now_s() + static_cast<double>(options_.hold.count());
-  double now_s = clock_.now_s();
-  while (true) {
-    if (abort_) {
-      give_up_aborted();
-      return std::nullopt;
-    }
-    const auto event = controller_.wait_event(milliseconds(200));
-    if (event ? !take_held(*event) : runtime_lost() && !has_gone_on()) {
-      if (record_.phase == Phase::Safe) return std::nullopt;
-      give_up("the fleet was stopped while it was held", IncidentKind::LostRuntime);
-      return std::nullopt;
-    }
-    // Who rests causes no event that would tell what there is, and the time.
-    const auto snapshot = controller_.snapshot();
-    if (!event && snapshot && snapshot->program_digest == digest_) reading_ = reader_->read(snapshot->image);
-    if (!event) now_s = shown_time(snapshot, now_s);
-    now_s = std::max(now_s, clock_.now_s());
-    (void)due(now_s);  // what they ask for is in the next plan
-    publish(false);    // nobody who stands causes news
-    if (!held_) {
-      record_.incidents[incident].response = Response::Replan;
-      return resumed();
-    }
-    if (now_s > until_s) {
-      give_up(nobody_came(cause.kind, cause.evidence.front(), phase), cause.kind);
-      return std::nullopt;
-    }
-    if (event) (void)controller_.acknowledge(event->sequence);
-  }
-}
-
-// False if the program does not run any more.
-bool FleetExecutive::take_held(const host::StepEvent& event) {
-  if (event.kind == host::EventKind::RolledBack) return false;
-  if (event.program_digest != digest_) return true;
-  if (run::ends_program(event.kind)) return false;
-  clock_.see(event.incarnation, event.time_ns);
-  if (event.kind == host::EventKind::StepChange) reading_ = reader_->read(event.image);
-  publish(false);
-  return true;
+  const bool goes_on =
+      hold_at_rest({.cause = cause,
+                    .phase = phase,
+                    .message = message,
+                    .most = options_.hold,
+                    .stopped = "the fleet was stopped while it was held",
+                    .left = nobody_came(cause.kind, cause.evidence.front(), phase),
+                    .holds = [this] { return held_; },
+                    .see = [this](std::span<const std::byte> image) { reading_ = reader_->read(image); }});
+  return goes_on ? std::optional(resumed()) : std::nullopt;
 }
 
 // Whoever stands for the emergency stop alone goes on; another cause is one that nobody has seen to.

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <utility>
 
-#include "ladder/graphic/externals.h"
 #include "ladder/graphic/identifier.h"
 #include "supervisor/fleet/program/interlocks.h"
 #include "supervisor/fleet/program/mission_chart.h"
 #include "supervisor/fleet/program/program_texts.h"
 #include "supervisor/fleet/program/tables.h"
 #include "supervisor/vehicle/news_chart.h"
+#include "supervisor/vehicle/project_parts.h"
 
 namespace stepwright::fleet {
 namespace {
@@ -43,15 +43,15 @@ class ProjectWriter {
       vehicles.push_back(add_tables(v, std::move(*tables)));
     }
     for (Variable& each : time_globals(plan_, interlocks->times)) project.globals.push_back(std::move(each));
-    add_text("sensing", sensing_text(plan_, vehicles, interlocks->times, options_.revision),
-             sensing_blocks(vehicles, interlocks->times, options_.revision));
+    // Charts see the places of their own scan, drives what charts permit.
+    vehicle::add_text(project, kTask, "sensing",
+                      sensing_text(plan_, vehicles, interlocks->times, options_.revision),
+                      sensing_blocks(vehicles, interlocks->times, options_.revision));
     for (std::uint32_t v = 0; v < plan_.missions.size(); ++v) add_chart(v, *interlocks);
-    add_text("driving", driving_text(vehicles, options_), driving_blocks(vehicles, options_));
+    vehicle::add_text(project, kTask, "driving", driving_text(vehicles, options_),
+                      driving_blocks(vehicles, options_));
     if (options_.news_every.count() > 0) {
-      graphic::Pou pou;
-      pou.name = kNewsProgram;
-      pou.body = vehicle::news_chart(options_.news_every);
-      add_program(std::move(pou));
+      vehicle::add_chart(project, kTask, kNewsProgram, vehicle::news_chart(options_.news_every));
     }
     project.tasks = {{kTask, options_.interval_us, 0}};
     for (const TimeLimit& limit : interlocks->times.limits) {
@@ -78,31 +78,12 @@ class ProjectWriter {
     return names;
   }
 
-  void add_text(const std::string& name, const std::string& text, std::vector<Variable> blocks) {
-    graphic::Pou pou;
-    pou.name = name;
-    pou.variables = graphic::externals(made_.project.globals, text);
-    for (Variable& block : blocks) pou.variables.push_back(std::move(block));
-    pou.body = graphic::StBody{text};
-    add_program(std::move(pou));
-  }
-
   void add_chart(std::uint32_t v, const Interlocks& interlocks) {
     MissionChart chart = mission_chart(plan_, names_, interlocks, v, options_);
-    graphic::Pou pou;
-    pou.name = "mission_" + names_[v];
-    pou.variables = graphic::externals(made_.project.globals, graphic::text_of(chart.chart));
-    pou.body = std::move(chart.chart);
     for (const auto& waits : interlocks.before[v]) made_.figures.interlocks += waits.size();
-    made_.missions.push_back({plan_.missions[v].vehicle, names_[v], pou.name, std::move(chart.steps)});
-    add_program(std::move(pou));
-  }
-
-  // Instances of one task run in this order: charts see the places of their own scan, drives what charts
-  // permit.
-  void add_program(graphic::Pou pou) {
-    made_.project.instances.push_back({pou.name, pou.name, kTask});
-    made_.project.pous.push_back(std::move(pou));
+    made_.missions.push_back(
+        {plan_.missions[v].vehicle, names_[v], "mission_" + names_[v], std::move(chart.steps)});
+    vehicle::add_chart(made_.project, kTask, made_.missions.back().program, std::move(chart.chart));
   }
 
   void add_warnings(const std::vector<std::uint32_t>& open) {

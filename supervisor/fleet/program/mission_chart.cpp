@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "supervisor/vehicle/chart_builder.h"
 #include "supervisor/vehicle/literals.h"
 
 namespace stepwright::fleet {
@@ -57,7 +58,7 @@ class Writer {
 
   MissionChart build() {
     const StepId start = step({"START", MissionStepKind::Start}, "the way begins");
-    action(
+    chart_.action(
         "BEGIN",
         fmt::format("vehicle_{0}.Arc := 0.0;\nvehicle_{0}.Point := 0;\nvehicle_{0}.Area := 0;\n"
                     "vehicle_{0}.Areas := 0;\npermitted_{0} := 0.0;\nlate_{0} := FALSE;\nlate_for_{0} := 0;\n"
@@ -72,7 +73,8 @@ class Writer {
     if (!conditions.empty()) conditions.push_back(compare("START.T", CompareOp::GreaterEqual, "T#1ms"));
     StepId at = polygon_step();
     happened(EventKind::Begun, 0);
-    transition({start}, at, conditions.empty() ? graphic::always() : all(std::move(conditions)), comment);
+    chart_.transition(start, at, conditions.empty() ? graphic::always() : all(std::move(conditions)),
+                      comment);
     while (true) {
       const double stop_m = stop_ < mission_.stops.size() ? mission_.stops[stop_].arc_m : kNever;
       if (stop_m < next_halt_m()) {
@@ -84,7 +86,7 @@ class Writer {
       }
     }
     finish(at);
-    return std::move(made_);
+    return {chart_.take(), std::move(steps_)};
   }
 
  private:
@@ -95,34 +97,9 @@ class Writer {
   }
 
   StepId step(MissionStep info, std::string comment) {
-    graphic::Step step;
-    step.name = info.name;
-    step.initial = made_.chart.steps.empty();
-    step.comment = std::move(comment);
-    made_.chart.steps.push_back(std::move(step));
-    made_.steps.push_back(std::move(info));
-    return StepId(static_cast<std::uint32_t>(made_.chart.steps.size() - 1));
-  }
-  // Of the step that was written last.
-  void action(const std::string& name, std::string body, Qualifier qualifier = Qualifier::N) {
-    made_.chart.actions.push_back({.name = name, .st_body = std::move(body)});
-    block(name, qualifier);
-  }
-  void block(const std::string& target, Qualifier qualifier = Qualifier::N) {
-    graphic::ActionBlock block;
-    block.qualifier = qualifier;
-    block.target = target;
-    made_.chart.steps.back().actions.push_back(std::move(block));
-  }
-  void transition(std::vector<StepId> from, StepId to, Condition condition, std::string comment) {
-    graphic::Transition made;
-    made.name = fmt::format("T{:03}", made_.chart.transitions.size());
-    made.sources = std::move(from);
-    made.targets = {to};
-    made.condition = std::move(condition);
-    made.comment = std::move(comment);
-    made.priority = static_cast<int>(made_.chart.transitions.size()) + 1;
-    made_.chart.transitions.push_back(std::move(made));
+    const StepId made = chart_.step(info.name, std::move(comment));
+    steps_.push_back(std::move(info));
+    return made;
   }
 
   Condition beyond(double arc_m) const {
@@ -137,7 +114,7 @@ class Writer {
     if (part_ > 1) name += fmt::format("_{}", part_);
     const StepId made = step({name, MissionStepKind::Polygon, polygon_, 0, permitted},
                              fmt::format("may be in polygon {}, up to {:.2f} m", polygon_, permitted));
-    action(name + "_GO", fmt::format("permitted_{} := {};\n", name_, real_literal(permitted)));
+    chart_.action(name + "_GO", fmt::format("permitted_{} := {};\n", name_, real_literal(permitted)));
     return made;
   }
 
@@ -154,7 +131,7 @@ class Writer {
     }
     add_times(ChartPlace::Polygon, polygon_, conditions, comment);
     const StepId to = polygon_step();
-    transition({from}, to, all(std::move(conditions)), comment);
+    chart_.transition(from, to, all(std::move(conditions)), comment);
     return to;
   }
 
@@ -182,7 +159,7 @@ class Writer {
     const auto& events = interlocks_.times.events;
     for (std::uint32_t k = 0; k < events.size(); ++k) {
       if (events[k] != MissionEvent{kind, vehicle_, static_cast<std::uint32_t>(index)}) continue;
-      action(made_.chart.steps.back().name + "_EVENT", event_name(k) + " := TRUE;\n", Qualifier::P1);
+      chart_.action(steps_.back().name + "_EVENT", event_name(k) + " := TRUE;\n", Qualifier::P1);
     }
   }
 
@@ -202,13 +179,13 @@ class Writer {
                            fmt::format("{} at {}", stop.goal.empty() ? "stop" : stop.goal, stop.location));
     const bool forks = moves_load(stop.kind);
     if (forks) {
-      block("move_forks_" + name_);
-      block("raise_" + name_, stop.kind == StopKind::PickUp ? Qualifier::S : Qualifier::R);
+      chart_.drives("move_forks_" + name_);
+      chart_.drives("raise_" + name_, stop.kind == StopKind::PickUp ? Qualifier::S : Qualifier::R);
     }
     std::vector<Condition> begin = {beyond(stop.arc_m - kArrived_m), contact("standing_" + name_)};
     std::string begin_comment;
     add_times(ChartPlace::StopBegin, stop_, begin, begin_comment);
-    transition({from}, at, all(std::move(begin)), begin_comment);
+    chart_.transition(from, at, all(std::move(begin)), begin_comment);
     std::vector<Condition> conditions = {
         compare(name + ".T", CompareOp::GreaterEqual, time_literal(stop.service))};
     std::string comment;
@@ -220,7 +197,7 @@ class Writer {
     ++part_;
     const StepId next = polygon_step();
     happened(EventKind::StopDone, stop_index);
-    transition({at}, next, all(std::move(conditions)), comment);
+    chart_.transition(at, next, all(std::move(conditions)), comment);
     if (checks) add_failure(at, name, stop, stop_index);
     return next;
   }
@@ -228,20 +205,21 @@ class Writer {
   void add_failure(StepId at, const std::string& name, const Stop& stop, std::size_t stop_index) {
     const StepId failed = step({"FAILED_" + name, MissionStepKind::Failed, polygon_, stop_index, stop.arc_m},
                                "no load on the forks");
-    block("no_load_" + name_);
-    transition({at}, failed,
-               all({contact("forks_done_" + name_), contact("loaded_" + name_, true),
-                    compare(name + ".T", CompareOp::GreaterEqual, time_literal(stop.service + kNoLoad))}),
-               "no load on the forks");
+    chart_.drives("no_load_" + name_);
+    chart_.transition(
+        at, failed,
+        all({contact("forks_done_" + name_), contact("loaded_" + name_, true),
+             compare(name + ".T", CompareOp::GreaterEqual, time_literal(stop.service + kNoLoad))}),
+        "no load on the forks");
   }
 
   void finish(StepId from) {
     const StepId done = step({"DONE", MissionStepKind::Done, polygon_, 0, end_m()}, "the way ends");
-    block("done_" + name_);
+    chart_.drives("done_" + name_);
     std::vector<Condition> conditions = {beyond(end_m() - kArrived_m), contact("standing_" + name_)};
     std::string comment;
     add_times(ChartPlace::End, 0, conditions, comment);
-    transition({from}, done, all(std::move(conditions)), comment);
+    chart_.transition(from, done, all(std::move(conditions)), comment);
   }
 
   const FleetPlan& plan_;
@@ -255,7 +233,8 @@ class Writer {
   std::size_t polygon_ = 0;
   std::size_t stop_ = 0;
   int part_ = 1;  // of the polygon, between its stops
-  MissionChart made_;
+  vehicle::ChartBuilder chart_;
+  std::vector<MissionStep> steps_;
 };
 
 }  // namespace

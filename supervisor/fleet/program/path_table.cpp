@@ -9,21 +9,18 @@ namespace {
 
 using geometry::PathPose;
 using geometry::Point;
-using geometry::Travel;
+using vehicle::PathLeg;
 
 constexpr double kSame_m = 1e-6;
-
-// The poses that become samples, from one place of rest to the next.
-using Leg = std::vector<PathPose>;
 
 bool is_stop(const VehicleMission& mission, const PathPose& pose) {
   return std::ranges::any_of(mission.stops,
                              [&](const Stop& stop) { return std::abs(stop.arc_m - pose.arc_m) < kSame_m; });
 }
 
-std::vector<Leg> legs_of(const VehicleMission& mission) {
-  std::vector<Leg> legs;
-  Leg leg;
+std::vector<PathLeg> legs_of(const VehicleMission& mission) {
+  std::vector<PathLeg> legs;
+  PathLeg leg;
   for (const PathPose& pose : mission.path) {
     if (!leg.empty() && pose.arc_m <= leg.back().arc_m + kSame_m) continue;
     const bool turns = leg.size() >= 2 && pose.travel != leg.back().travel;
@@ -39,8 +36,8 @@ std::vector<Leg> legs_of(const VehicleMission& mission) {
   return legs;
 }
 
-vehicle::PathLeg sampled(const Leg& leg, double sample_m) {
-  Leg kept = {leg.front()};
+PathLeg sampled(const PathLeg& leg, double sample_m) {
+  PathLeg kept = {leg.front()};
   for (std::size_t k = 1; k + 1 < leg.size(); ++k) {
     if (leg[k + 1].arc_m - kept.back().arc_m > sample_m + kSame_m) kept.push_back(leg[k]);
   }
@@ -48,9 +45,7 @@ vehicle::PathLeg sampled(const Leg& leg, double sample_m) {
   const bool short_end = leg.back().arc_m - kept.back().arc_m < 0.25 * sample_m;
   if (short_end && kept.size() > 1) kept.pop_back();
   kept.push_back(leg.back());
-  vehicle::PathLeg made{.poses = {}, .way = leg.back().travel == Travel::Reverse ? -1.0 : 1.0};
-  for (const PathPose& at : kept) made.poses.push_back({at.pose, at.arc_m});
-  return made;
+  return kept;
 }
 
 // How far the outline may shift along `aside` within the polygon.
@@ -95,8 +90,8 @@ class Rooms {
 }  // namespace
 
 std::vector<PathSample> path_table(const VehicleMission& mission, const ProgramOptions& options) {
-  std::vector<vehicle::PathLeg> legs;
-  for (const Leg& leg : legs_of(mission)) legs.push_back(sampled(leg, options.sample_m));
+  std::vector<PathLeg> legs;
+  for (const PathLeg& leg : legs_of(mission)) legs.push_back(sampled(leg, options.sample_m));
   std::vector<PathSample> samples =
       vehicle::path_samples(legs, {.wheelbase_m = mission.model.wheelbase_m,
                                    .speed = {.top_speed_m_s = mission.speed.max_mps,

@@ -9,33 +9,16 @@
 #include "supervisor/fleet/program/mission_chart.h"
 #include "supervisor/vehicle/data_tables.h"
 #include "supervisor/vehicle/literals.h"
+#include "supervisor/vehicle/project_parts.h"
 
 namespace stepwright::fleet {
 namespace {
 
 using graphic::Variable;
-using graphic::VariableSection;
+using vehicle::global_variable;
+using vehicle::instance;
 using vehicle::real_literal;
 using vehicle::time_literal;
-
-Variable global(std::string name, std::string type, std::string comment, std::string address = {},
-                std::string initial = {}) {
-  Variable made;
-  made.name = std::move(name);
-  made.type = std::move(type);
-  made.section = VariableSection::Global;
-  made.address = std::move(address);
-  made.initial = std::move(initial);
-  made.comment = std::move(comment);
-  return made;
-}
-
-Variable block(std::string name, std::string type) {
-  Variable made;
-  made.name = std::move(name);
-  made.type = std::move(type);
-  return made;
-}
 
 bool is_word(const std::string& terminal) {
   constexpr std::array<std::string_view, 7> kWords = {"x",    "y",         "heading", "speed",
@@ -192,11 +175,12 @@ std::vector<std::pair<std::string, std::string>> named_terminals(const VehicleTe
 }
 
 std::vector<Variable> shared_globals(const FleetTerminals& terminals) {
-  return {global("estop_ok", "BOOL", "off while the emergency stop is pressed", terminals.estop_ok),
-          global("fleet_reset", "BOOL", "a rising edge lets vehicles go on that have stopped by themselves"),
-          global("fleet_clock", "TIME", "since the program began"),
-          global("fleet_epoch", "TIME", "of that clock: when the missions began"),
-          global("fleet_time", "TIME", "since the missions began: the schedule's clock")};
+  return {global_variable("estop_ok", "BOOL", "off while the emergency stop is pressed", terminals.estop_ok),
+          global_variable("fleet_reset", "BOOL",
+                          "a rising edge lets vehicles go on that have stopped by themselves"),
+          global_variable("fleet_clock", "TIME", "since the program began"),
+          global_variable("fleet_epoch", "TIME", "of that clock: when the missions began"),
+          global_variable("fleet_time", "TIME", "since the missions began: the schedule's clock")};
 }
 
 std::vector<Variable> time_globals(const FleetPlan& plan, const TimeRules& rules) {
@@ -204,13 +188,14 @@ std::vector<Variable> time_globals(const FleetPlan& plan, const TimeRules& rules
   for (std::size_t k = 0; k < rules.events.size(); ++k) {
     const MissionEvent& event = rules.events[k];
     globals.push_back(
-        global(event_name(k), "BOOL", plan.missions[event.vehicle].vehicle + " " + words(event)));
+        global_variable(event_name(k), "BOOL", plan.missions[event.vehicle].vehicle + " " + words(event)));
   }
   for (std::size_t k = 0; k < rules.waits.size(); ++k) {
     const TimeWait& wait = rules.waits[k];
     if (!needs_timer(wait)) continue;
-    globals.push_back(global(waited_name(k), "BOOL",
-                             fmt::format("{} since {}", time_literal(wait.delay), event_name(*wait.event))));
+    globals.push_back(
+        global_variable(waited_name(k), "BOOL",
+                        fmt::format("{} since {}", time_literal(wait.delay), event_name(*wait.event))));
   }
   return globals;
 }
@@ -220,20 +205,20 @@ std::vector<Variable> vehicle_globals(const VehicleMission& mission, const Vehic
   const std::string& v = names.name;
   std::vector<Variable> globals;
   for (const auto& [name, address] : named_terminals(terminals)) {
-    globals.push_back(
-        global(name + "_" + v, is_word(name) ? "INT" : "BOOL", "terminal of " + mission.vehicle, address));
+    globals.push_back(global_variable(name + "_" + v, is_word(name) ? "INT" : "BOOL",
+                                      "terminal of " + mission.vehicle, address));
   }
   // Vehicles take turns, so that not all of them compute in the same scan.
-  globals.push_back(global("vehicle_" + v, "VEHICLE_REF", mission.vehicle, {},
-                           initial_of(mission, options, static_cast<double>(names.turn % 4) / 4.0)));
-  globals.push_back(global("slack_" + v, "REAL",
-                           "by which the outline may be measured outside of its polygons", {},
-                           real_literal(options.margins.outside_m)));
-  globals.push_back(global("permitted_" + v, "REAL", "up to where it may drive along its path, m"));
-  globals.push_back(global("arc_" + v, "REAL", "how far it has come along its path, m"));
-  globals.push_back(global("areas_" + v, "INT", "how many of its polygons it has left"));
-  globals.push_back(
-      global("late_for_" + v, "INT", "number of the first temporal constraint that it has missed, from 1"));
+  globals.push_back(global_variable("vehicle_" + v, "VEHICLE_REF", mission.vehicle, {},
+                                    initial_of(mission, options, static_cast<double>(names.turn % 4) / 4.0)));
+  globals.push_back(global_variable("slack_" + v, "REAL",
+                                    "by which the outline may be measured outside of its polygons", {},
+                                    real_literal(options.margins.outside_m)));
+  globals.push_back(global_variable("permitted_" + v, "REAL", "up to where it may drive along its path, m"));
+  globals.push_back(global_variable("arc_" + v, "REAL", "how far it has come along its path, m"));
+  globals.push_back(global_variable("areas_" + v, "INT", "how many of its polygons it has left"));
+  globals.push_back(global_variable("late_for_" + v, "INT",
+                                    "number of the first temporal constraint that it has missed, from 1"));
   for (const auto& [name, comment] : {std::pair("standing", "it stands"),
                                       {"late", "its mission is late"},
                                       {"move_forks", "forks are to move"},
@@ -241,7 +226,7 @@ std::vector<Variable> vehicle_globals(const VehicleMission& mission, const Vehic
                                       {"forks_done", "and have"},
                                       {"no_load", "it has lifted nothing"},
                                       {"done", "it has arrived for good"}}) {
-    globals.push_back(global(std::string(name) + "_" + v, "BOOL", comment));
+    globals.push_back(global_variable(std::string(name) + "_" + v, "BOOL", comment));
   }
   return globals;
 }
@@ -268,16 +253,16 @@ std::string sensing_text(const FleetPlan& plan, const std::vector<VehicleNames>&
 
 std::vector<Variable> sensing_blocks(const std::vector<VehicleNames>& vehicles, const TimeRules& rules,
                                      std::uint32_t revision) {
-  std::vector<Variable> blocks = {block(fmt::format("clock_{}", revision), "TON")};
+  std::vector<Variable> blocks = {instance(fmt::format("clock_{}", revision), "TON")};
   for (const VehicleNames& names : vehicles) {
-    blocks.push_back(block("read_" + names.name, "MC_ReadVehicle"));
-    blocks.push_back(block("watch_" + names.name, "MC_WatchArea"));
+    blocks.push_back(instance("read_" + names.name, "MC_ReadVehicle"));
+    blocks.push_back(instance("watch_" + names.name, "MC_WatchArea"));
   }
   for (std::size_t k = 0; k < rules.waits.size(); ++k) {
-    if (needs_timer(rules.waits[k])) blocks.push_back(block(fmt::format("wait_{}", k + 1), "TON"));
+    if (needs_timer(rules.waits[k])) blocks.push_back(instance(fmt::format("wait_{}", k + 1), "TON"));
   }
   for (std::size_t k = 0; k < rules.limits.size(); ++k) {
-    if (rules.limits[k].since) blocks.push_back(block(fmt::format("limit_{}", k + 1), "TON"));
+    if (rules.limits[k].since) blocks.push_back(instance(fmt::format("limit_{}", k + 1), "TON"));
   }
   return blocks;
 }
@@ -298,16 +283,16 @@ std::string driving_text(const std::vector<VehicleNames>& vehicles, const Progra
 
 std::vector<Variable> driving_blocks(const std::vector<VehicleNames>& vehicles,
                                      const ProgramOptions& options) {
-  std::vector<Variable> blocks = {block("failed", "BOOL")};
+  std::vector<Variable> blocks = {instance("failed", "BOOL")};
   for (std::size_t v = 0; v < vehicles.size(); ++v) {
     const VehicleNames& names = vehicles[v];
-    if (resets(options, v)) blocks.push_back(block(reset_block(names, options), "MC_GroupReset"));
-    blocks.push_back(block("reset_" + names.name, "MC_GroupReset"));
-    blocks.push_back(block("power_" + names.name, "MC_GroupPower"));
-    blocks.push_back(names.path.empty() ? block("stop_" + names.name, "MC_GroupStop")
-                                        : block("move_" + names.name, "MC_MovePath"));
-    blocks.push_back(block("forks_" + names.name, "MC_MoveForks"));
-    blocks.push_back(block("run_" + names.name, "MC_RunVehicle"));
+    if (resets(options, v)) blocks.push_back(instance(reset_block(names, options), "MC_GroupReset"));
+    blocks.push_back(instance("reset_" + names.name, "MC_GroupReset"));
+    blocks.push_back(instance("power_" + names.name, "MC_GroupPower"));
+    blocks.push_back(names.path.empty() ? instance("stop_" + names.name, "MC_GroupStop")
+                                        : instance("move_" + names.name, "MC_MovePath"));
+    blocks.push_back(instance("forks_" + names.name, "MC_MoveForks"));
+    blocks.push_back(instance("run_" + names.name, "MC_RunVehicle"));
   }
   return blocks;
 }

@@ -12,7 +12,6 @@ namespace stepwright::ltl {
 
 using run::IncidentKind;
 using run::Phase;
-using run::Response;
 
 TrainMission::TrainMission(const TrainPlanning& planning, run::Controller& controller,
                            TrainMissionOptions options, Observer observer)
@@ -82,16 +81,6 @@ bool TrainMission::recover_runtime() {
   if (record_.phase == Phase::Safe) return false;
   return replan(
       {IncidentKind::LostRuntime, {"the runtime was restarted or stopped while nobody watched it"}});
-}
-
-bool TrainMission::has_gone_on() {
-  const Phase phase = record_.phase;
-  const std::string message = record_.message;
-  if (!await_answer() || !runs()) return false;
-  open_incident({IncidentKind::LostRuntime, {"the runtime was not seen for a while; it has gone on"}});
-  decide(Response::GoOn);
-  set_phase(phase, message);
-  return true;
 }
 
 bool TrainMission::finish() {

@@ -57,7 +57,6 @@ class TrainMission final : public run::Mission {
   void forget_requests() override { requests_.forget_asked(); }
   bool resume();
   bool recover_runtime() override;
-  bool has_gone_on();
   bool finish() override;
   void publish(bool now) override;
   void write_journal() const;
@@ -74,7 +73,7 @@ class TrainMission final : public run::Mission {
   // train_mission_rest.cpp: to rest, and there.
   std::optional<run::Cause> hold_stopped() override;
   std::optional<run::Cause> hold(const run::Cause& cause, run::Phase phase, const std::string& message);
-  bool take_held(const host::StepEvent& event);
+  void see(std::span<const std::byte> image);
   bool bring_to_rest();
   Rest await_rest();
 

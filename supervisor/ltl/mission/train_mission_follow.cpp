@@ -57,10 +57,8 @@ const char* sentence(std::uint32_t error) {
 }  // namespace
 
 Decision TrainMission::judge_image(std::span<const std::byte> image) {
-  const std::size_t coupled = reading_.trailers;
   const TrainReading before = reading_;
-  reading_ = reader_->read(image);
-  state_ = reading_.state;
+  see(image);
   record_.observed = {{"arc_m", reading_.arc_m},
                       {"trailers", static_cast<double>(reading_.trailers)},
                       {"task_state", static_cast<double>(reading_.state)}};
@@ -73,7 +71,7 @@ Decision TrainMission::judge_image(std::span<const std::byte> image) {
     return {run::Verdict::GiveUp, stopped_by_itself()};
   }
   if (reading_.trailers != driven_->train.trailers) {
-    if (coupled > reading_.trailers) leave_trailers(before);
+    if (before.trailers > reading_.trailers) leave_trailers(before);
     return {run::Verdict::Replan,
             {IncidentKind::Position,
              {fmt::format("{} trailers are coupled, the plan has {}", reading_.trailers,

@@ -28,54 +28,23 @@ std::optional<run::Cause> TrainMission::hold_stopped() {
 // ended.
 std::optional<run::Cause> TrainMission::hold(const run::Cause& cause, Phase phase,
                                              const std::string& message) {
-  open_incident(cause);
-  const std::size_t incident = record_.incidents.size() - 1;
   held_ = true;
   to_hold_ = false;
-  set_phase(phase, message);
-  const double until_s = clock_.now_s() + static_cast<double>(options_.hold.count());
-  double now_s = clock_.now_s();
-  while (true) {
-    if (abort_) {
-      give_up_aborted();
-      return std::nullopt;
-    }
-    const auto event = controller_.wait_event(milliseconds(200));
-    if (event ? !take_held(*event) : runtime_lost() && !has_gone_on()) {
-      if (record_.phase != Phase::Safe)
-        give_up("the program was stopped while the train was held", IncidentKind::LostRuntime);
-      return std::nullopt;
-    }
-    const auto snapshot = controller_.snapshot();
-    if (!event && snapshot && snapshot->program_digest == digest_) reading_ = reader_->read(snapshot->image);
-    if (!event) now_s = shown_time(snapshot, now_s);
-    now_s = std::max(now_s, clock_.now_s());
-    (void)due(now_s);  // what they ask for is in the next plan
-    publish(false);
-    if (!held_) {
-      record_.incidents[incident].response = Response::Replan;
-      return run::Cause{IncidentKind::Operator, {"the train goes on"}};
-    }
-    if (now_s > until_s) {
-      give_up(cause.evidence.front() + "; nobody has let the train go on", cause.kind);
-      return std::nullopt;
-    }
-    if (event) (void)controller_.acknowledge(event->sequence);
-  }
+  const bool goes_on = hold_at_rest({.cause = cause,
+                                     .phase = phase,
+                                     .message = message,
+                                     .most = options_.hold,
+                                     .stopped = "the program was stopped while the train was held",
+                                     .left = cause.evidence.front() + "; nobody has let the train go on",
+                                     .holds = [this] { return held_; },
+                                     .see = [this](std::span<const std::byte> image) { see(image); }});
+  if (!goes_on) return std::nullopt;
+  return run::Cause{IncidentKind::Operator, {"the train goes on"}};
 }
 
-// False if the program does not run any more.
-bool TrainMission::take_held(const host::StepEvent& event) {
-  if (event.kind == host::EventKind::RolledBack) return false;
-  if (event.program_digest != digest_) return true;
-  if (run::ends_program(event.kind)) return false;
-  clock_.see(event.incarnation, event.time_ns);
-  if (event.kind == host::EventKind::StepChange) {
-    reading_ = reader_->read(event.image);
-    state_ = reading_.state;
-  }
-  publish(false);
-  return true;
+void TrainMission::see(std::span<const std::byte> image) {
+  reading_ = reader_->read(image);
+  state_ = reading_.state;
 }
 
 // Along its way where it drives on one; with brakes on where it stands, or nobody knows.
@@ -136,8 +105,7 @@ TrainMission::Rest TrainMission::await_rest() {
     }
     if (event->program_digest == digest_ && event->kind == host::EventKind::StepChange) {
       clock_.see(event->incarnation, event->time_ns);
-      reading_ = reader_->read(event->image);
-      state_ = reading_.state;
+      see(event->image);
       reset_seen = reset_seen || reading_.error == 0;
       if (steps_[reading_.step].kind == TrainStepKind::Done && reading_.standing) {
         rested_at_ = event->sequence;

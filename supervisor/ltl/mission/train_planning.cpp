@@ -41,6 +41,7 @@ result::Result<void> possible_without(const TrainRequest& request, const Floor& 
     never |= Letter{1} << k;
     names += (names.empty() ? "'" : ", '") + floor.propositions[k].name + "'";
   }
+  if (never == 0) return {};
   const Automaton& monitor = request.task->monitor;
   const auto done = std::ranges::find(monitor.verdicts, Verdict::True);
   const auto state = static_cast<std::uint32_t>(done - monitor.verdicts.begin());

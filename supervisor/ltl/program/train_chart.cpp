@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "supervisor/vehicle/chart_builder.h"
 #include "supervisor/vehicle/literals.h"
 
 namespace stepwright::ltl {
@@ -40,40 +41,16 @@ class Writer {
     } else {
       come_to_rest();
     }
-    return std::move(made_);
+    return {chart_.take(), std::move(steps_)};
   }
 
  private:
   StepId step(TrainStep info, std::string comment) {
-    graphic::Step step;
-    step.name = info.name;
-    step.initial = made_.chart.steps.empty();
-    step.comment = std::move(comment);
-    made_.chart.steps.push_back(std::move(step));
-    made_.steps.push_back(std::move(info));
-    return StepId(static_cast<std::uint32_t>(made_.chart.steps.size() - 1));
+    const StepId made = chart_.step(info.name, std::move(comment));
+    steps_.push_back(std::move(info));
+    return made;
   }
-  // Of the step that was written last.
-  void action(const std::string& name, std::string body, Qualifier qualifier = Qualifier::N) {
-    made_.chart.actions.push_back({.name = name, .st_body = std::move(body)});
-    drives(name, qualifier);
-  }
-  void drives(const std::string& target, Qualifier qualifier = Qualifier::N) {
-    graphic::ActionBlock block;
-    block.qualifier = qualifier;
-    block.target = target;
-    made_.chart.steps.back().actions.push_back(std::move(block));
-  }
-  void transition(StepId from, StepId to, Condition condition, std::string comment = {}) {
-    graphic::Transition made;
-    made.name = fmt::format("T{:03}", made_.chart.transitions.size());
-    made.sources = {from};
-    made.targets = {to};
-    made.condition = std::move(condition);
-    made.comment = std::move(comment);
-    made.priority = static_cast<int>(made_.chart.transitions.size()) + 1;
-    made_.chart.transitions.push_back(std::move(made));
-  }
+
   static Condition in_state(std::uint32_t state) {
     return compare(kTaskState, CompareOp::Equal, std::to_string(state));
   }
@@ -101,10 +78,10 @@ class Writer {
   void drive() {
     std::vector<TrainStep> states = progress();
     const StepId start = step({.name = "START"}, "the way begins");
-    action("BEGIN",
-           "vehicle_train.Arc := 0.0;\nvehicle_train.Point := 0;\nvehicle_train.Area := 0;\n"
-           "vehicle_train.Areas := 0;\npermitted := 0.0;\n",
-           Qualifier::P1);
+    chart_.action("BEGIN",
+                  "vehicle_train.Arc := 0.0;\nvehicle_train.Point := 0;\nvehicle_train.Area := 0;\n"
+                  "vehicle_train.Areas := 0;\npermitted := 0.0;\n",
+                  Qualifier::P1);
     std::vector<StepId> steps;
     for (std::size_t k = 0; k < states.size(); ++k) {
       TrainStep info = states[k];
@@ -116,27 +93,27 @@ class Writer {
           last ? "the task is done; to the end of the way" : "to " + names_of(info.label, input_.places);
       const std::string name = info.name;
       steps.push_back(step(std::move(info), comment));
-      action(name + "_GO", fmt::format("permitted := {};\n", real_literal(input_.way->end_m)));
+      chart_.action(name + "_GO", fmt::format("permitted := {};\n", real_literal(input_.way->end_m)));
     }
     const StepId done =
         step({.name = "DONE", .kind = TrainStepKind::Done, .state = states.back().state}, "the train stands");
-    drives("at_rest");
+    chart_.drives("at_rest");
     const StepId blocked =
         step({.name = "BLOCKED", .kind = TrainStepKind::Blocked}, "something stands in the way");
-    action("BLOCKED_STOP", "permitted := 0.0;\n");
+    chart_.action("BLOCKED_STOP", "permitted := 0.0;\n");
     const StepId deviated =
         step({.name = "DEVIATED", .kind = TrainStepKind::Deviated}, "the task is elsewhere than planned");
-    action("DEVIATED_STOP", "permitted := 0.0;\n");
-    transition(start, steps.front(), graphic::always());
+    chart_.action("DEVIATED_STOP", "permitted := 0.0;\n");
+    chart_.transition(start, steps.front(), graphic::always());
     for (std::size_t k = 0; k + 1 < steps.size(); ++k) {
-      transition(steps[k], steps[k + 1], in_state(states[k + 1].state),
-                 "at " + names_of(states[k].label, input_.places));
-      transition(steps[k], deviated, not_in_state(states[k].state));
-      transition(steps[k], blocked, contact("way_blocked"));
+      chart_.transition(steps[k], steps[k + 1], in_state(states[k + 1].state),
+                        "at " + names_of(states[k].label, input_.places));
+      chart_.transition(steps[k], deviated, not_in_state(states[k].state));
+      chart_.transition(steps[k], blocked, contact("way_blocked"));
     }
-    transition(steps.back(), done,
-               all({at_least("arc", input_.way->end_m - kArrived_m), contact("standing")}));
-    transition(steps.back(), done, contact("way_blocked"), "near enough: the task is done");
+    chart_.transition(steps.back(), done,
+                      all({at_least("arc", input_.way->end_m - kArrived_m), contact("standing")}));
+    chart_.transition(steps.back(), done, contact("way_blocked"), "near enough: the task is done");
   }
 
   // As far as it takes to brake along the way, or nowhere.
@@ -144,23 +121,25 @@ class Writer {
     const bool moves = input_.kind == TrainProgramKind::Halt;
     const StepId start = step({.name = "START", .kind = TrainStepKind::Halt}, "to rest");
     if (moves) {
-      action("BEGIN",
-             fmt::format("permitted := MIN({}, arc + vehicle_train.Speed * vehicle_train.Speed / {} + 0.4 * "
-                         "ABS(vehicle_train.Speed));\n",
-                         real_literal(input_.way->end_m), real_literal(2.0 * options_.drive.brake_m_s2)),
-             Qualifier::P1);
+      chart_.action(
+          "BEGIN",
+          fmt::format("permitted := MIN({}, arc + vehicle_train.Speed * vehicle_train.Speed / {} + 0.4 * "
+                      "ABS(vehicle_train.Speed));\n",
+                      real_literal(input_.way->end_m), real_literal(2.0 * options_.drive.brake_m_s2)),
+          Qualifier::P1);
     } else {
-      drives("at_rest");
+      chart_.drives("at_rest");
     }
     const StepId done = step({.name = "DONE", .kind = TrainStepKind::Done}, "the train stands");
-    drives("at_rest");
-    transition(start, done,
-               all({compare("START.T", CompareOp::GreaterEqual, kSettled), contact("standing")}));
+    chart_.drives("at_rest");
+    chart_.transition(start, done,
+                      all({compare("START.T", CompareOp::GreaterEqual, kSettled), contact("standing")}));
   }
 
   const TrainProgramInput& input_;
   const TrainProgramOptions& options_;
-  TrainChart made_;
+  vehicle::ChartBuilder chart_;
+  std::vector<TrainStep> steps_;
 };
 
 }  // namespace

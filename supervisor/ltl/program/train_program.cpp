@@ -5,17 +5,15 @@
 #include <cmath>
 #include <utility>
 
-#include "ladder/graphic/externals.h"
 #include "supervisor/ltl/monitor/monitor_block.h"
 #include "supervisor/ltl/program/train_chart.h"
 #include "supervisor/ltl/program/train_texts.h"
 #include "supervisor/vehicle/data_tables.h"
 #include "supervisor/vehicle/news_chart.h"
+#include "supervisor/vehicle/project_parts.h"
 
 namespace stepwright::ltl {
 namespace {
-
-using graphic::Variable;
 
 constexpr const char* kTask = "train";
 constexpr double kFarthest_m = 320.0;  // navigation counts centimetres in 16 bits
@@ -41,40 +39,20 @@ class ProjectWriter {
       project.globals.push_back(vehicle::path_table("train", input_.way->samples, "the way of the train"));
       path = project.globals.back().name;
     }
-    add_text("sensing", train_sensing(input_, options_), train_sensing_blocks(input_));
+    // The chart sees the places of its own scan, drives what it permits.
+    vehicle::add_text(project, kTask, "sensing", train_sensing(input_, options_),
+                      train_sensing_blocks(input_));
     TrainChart chart = train_chart(input_, options_);
-    graphic::Pou pou;
-    pou.name = kTaskChart;
-    pou.variables = graphic::externals(project.globals, graphic::text_of(chart.chart));
-    pou.body = std::move(chart.chart);
     made_.steps = std::move(chart.steps);
-    add_program(std::move(pou));
-    add_text("driving", train_driving(options_, path), train_driving_blocks(options_, path));
-    graphic::Pou news;
-    news.name = "news";
-    news.body = vehicle::news_chart(options_.news_every);
-    add_program(std::move(news));
+    vehicle::add_chart(project, kTask, kTaskChart, std::move(chart.chart));
+    vehicle::add_text(project, kTask, "driving", train_driving(options_, path),
+                      train_driving_blocks(options_, path));
+    vehicle::add_chart(project, kTask, "news", vehicle::news_chart(options_.news_every));
     project.tasks = {{kTask, options_.interval_us, 0}};
     return std::move(made_);
   }
 
  private:
-  void add_text(const std::string& name, const std::string& text, std::vector<Variable> blocks) {
-    graphic::Pou pou;
-    pou.name = name;
-    pou.variables = graphic::externals(made_.project.globals, text);
-    for (Variable& block : blocks) pou.variables.push_back(std::move(block));
-    pou.body = graphic::StBody{text};
-    add_program(std::move(pou));
-  }
-
-  // Instances of one task run in this order: the chart sees the places of its own scan, drives what it
-  // permits.
-  void add_program(graphic::Pou pou) {
-    made_.project.instances.push_back({pou.name, pou.name, kTask});
-    made_.project.pous.push_back(std::move(pou));
-  }
-
   const TrainProgramInput& input_;
   const TrainTerminals& terminals_;
   const TrainProgramOptions& options_;
@@ -140,10 +118,7 @@ result::Result<void> check_options(const TrainProgramOptions& options) {
 }  // namespace
 
 TrainWatch train_watch(const Automaton& automaton, const std::string& task) {
-  // FNV-1a, 32 bits.
-  std::uint32_t hash = 2166136261U;
-  for (const char c : task) hash = (hash ^ static_cast<std::uint8_t>(c)) * 16777619U;
-  return {automaton, task, fmt::format("{:08x}", hash)};
+  return {automaton, task, vehicle::digest(task)};
 }
 
 result::Result<TrainProgram> train_program(const TrainProgramInput& input, const TrainTerminals& terminals,

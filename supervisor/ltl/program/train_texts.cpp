@@ -8,33 +8,16 @@
 #include "supervisor/ltl/monitor/monitor_block.h"
 #include "supervisor/vehicle/data_tables.h"
 #include "supervisor/vehicle/literals.h"
+#include "supervisor/vehicle/project_parts.h"
 
 namespace stepwright::ltl {
 namespace {
 
 using graphic::Variable;
-using graphic::VariableSection;
+using vehicle::global_variable;
+using vehicle::instance;
 using vehicle::real_literal;
 using vehicle::time_literal;
-
-Variable global(std::string name, std::string type, std::string comment, std::string address = {},
-                std::string initial = {}) {
-  Variable made;
-  made.name = std::move(name);
-  made.type = std::move(type);
-  made.section = VariableSection::Global;
-  made.address = std::move(address);
-  made.initial = std::move(initial);
-  made.comment = std::move(comment);
-  return made;
-}
-
-Variable block(std::string name, std::string type) {
-  Variable made;
-  made.name = std::move(name);
-  made.type = std::move(type);
-  return made;
-}
 
 std::string initial_of(const TrainModel& train, const TrainDrive& drive) {
   return vehicle::vehicle_initial({.wheelbase_m = train.wheelbase_m,
@@ -108,36 +91,39 @@ std::string watch_instance(const TrainWatch& watch) {
 
 std::vector<Variable> train_globals(const TrainProgramInput& input, const TrainTerminals& terminals,
                                     const TrainProgramOptions& options) {
-  std::vector<Variable> all = {global("x", "INT", "place by navigation, cm", terminals.x),
-                               global("y", "INT", "place by navigation, cm", terminals.y),
-                               global("heading", "INT", "by navigation, 0.01 degrees", terminals.heading),
-                               global("speed", "INT", "of the wheels, mm/s", terminals.speed),
-                               global("lock", "INT", "of the steering, 0.01 degrees", terminals.lock)};
+  std::vector<Variable> all = {
+      global_variable("x", "INT", "place by navigation, cm", terminals.x),
+      global_variable("y", "INT", "place by navigation, cm", terminals.y),
+      global_variable("heading", "INT", "by navigation, 0.01 degrees", terminals.heading),
+      global_variable("speed", "INT", "of the wheels, mm/s", terminals.speed),
+      global_variable("lock", "INT", "of the steering, 0.01 degrees", terminals.lock)};
   for (std::size_t k = 0; k < terminals.hitches.size(); ++k)
-    all.push_back(global(hitch(k), "INT", "angle of the hitch, 0.01 degrees", terminals.hitches[k]));
-  all.push_back(global("trailers", "INT", "how many are coupled", terminals.trailers));
-  all.push_back(global("bumper", "BOOL", "the train has met something", terminals.bumper));
-  all.push_back(global("estop_ok", "BOOL", "off while the emergency stop is pressed", terminals.estop_ok));
-  all.push_back(global("way_free", "BOOL", "off while something stands ahead", terminals.way_free));
+    all.push_back(global_variable(hitch(k), "INT", "angle of the hitch, 0.01 degrees", terminals.hitches[k]));
+  all.push_back(global_variable("trailers", "INT", "how many are coupled", terminals.trailers));
+  all.push_back(global_variable("bumper", "BOOL", "the train has met something", terminals.bumper));
+  all.push_back(
+      global_variable("estop_ok", "BOOL", "off while the emergency stop is pressed", terminals.estop_ok));
+  all.push_back(global_variable("way_free", "BOOL", "off while something stands ahead", terminals.way_free));
   const std::vector<std::string> names = place_names(input.places);
   for (std::size_t k = 0; k < names.size(); ++k)
-    all.push_back(global(names[k], "BOOL", "the car is in " + input.places[k], terminals.at[k]));
-  all.push_back(global("set_speed", "INT", "mm/s", terminals.set_speed));
-  all.push_back(global("set_lock", "INT", "0.01 degrees", terminals.set_lock));
-  all.push_back(global("enable", "BOOL", "brakes off", terminals.enable));
+    all.push_back(global_variable(names[k], "BOOL", "the car is in " + input.places[k], terminals.at[k]));
+  all.push_back(global_variable("set_speed", "INT", "mm/s", terminals.set_speed));
+  all.push_back(global_variable("set_lock", "INT", "0.01 degrees", terminals.set_lock));
+  all.push_back(global_variable("enable", "BOOL", "brakes off", terminals.enable));
+  all.push_back(global_variable("vehicle_train", "VEHICLE_REF", "the train", {},
+                                initial_of(*input.train, options.drive)));
+  all.push_back(global_variable(kTaskState, "UINT", "of the task's automaton: " + input.watch->text, {},
+                                std::to_string(input.watch->automaton.initial)));
   all.push_back(
-      global("vehicle_train", "VEHICLE_REF", "the train", {}, initial_of(*input.train, options.drive)));
-  all.push_back(global(kTaskState, "UINT", "of the task's automaton: " + input.watch->text, {},
-                       std::to_string(input.watch->automaton.initial)));
-  all.push_back(global(kTaskVerdict, "INT", "of the task: 0 undecided, 1 done, 2 cannot be done any more"));
-  all.push_back(global("permitted", "REAL", "up to where it may drive along its way, m"));
-  all.push_back(global("allowed", "REAL", "the same, with what stands ahead"));
-  all.push_back(global("arc", "REAL", "how far it has come along its way, m"));
+      global_variable(kTaskVerdict, "INT", "of the task: 0 undecided, 1 done, 2 cannot be done any more"));
+  all.push_back(global_variable("permitted", "REAL", "up to where it may drive along its way, m"));
+  all.push_back(global_variable("allowed", "REAL", "the same, with what stands ahead"));
+  all.push_back(global_variable("arc", "REAL", "how far it has come along its way, m"));
   for (const auto& [name, comment] : {std::pair("standing", "it stands"),
                                       {"seen", "something stands ahead that the way does not go round"},
                                       {"way_blocked", "something has stood in the way for a while"},
                                       {"at_rest", "it rests, brakes on"}})
-    all.push_back(global(name, "BOOL", comment));
+    all.push_back(global_variable(name, "BOOL", comment));
   return all;
 }
 
@@ -162,8 +148,8 @@ std::string train_sensing(const TrainProgramInput& input, const TrainProgramOpti
 }
 
 std::vector<Variable> train_sensing_blocks(const TrainProgramInput& input) {
-  return {block("read_train", "MC_ReadVehicle"), block("wait_blocked", "TON"), block("failed", "BOOL"),
-          block(watch_instance(*input.watch), watch_type(*input.watch))};
+  return {instance("read_train", "MC_ReadVehicle"), instance("wait_blocked", "TON"),
+          instance("failed", "BOOL"), instance(watch_instance(*input.watch), watch_type(*input.watch))};
 }
 
 std::string train_driving(const TrainProgramOptions& options, const std::string& path) {
@@ -177,10 +163,11 @@ std::string train_driving(const TrainProgramOptions& options, const std::string&
 
 std::vector<Variable> train_driving_blocks(const TrainProgramOptions& options, const std::string& path) {
   std::vector<Variable> blocks;
-  if (options.reset != 0) blocks.push_back(block(reset_block(options), "MC_GroupReset"));
-  blocks.push_back(block("power_train", "MC_GroupPower"));
-  blocks.push_back(path.empty() ? block("stop_train", "MC_GroupStop") : block("move_train", "MC_MovePath"));
-  blocks.push_back(block("run_train", "MC_RunVehicle"));
+  if (options.reset != 0) blocks.push_back(instance(reset_block(options), "MC_GroupReset"));
+  blocks.push_back(instance("power_train", "MC_GroupPower"));
+  blocks.push_back(path.empty() ? instance("stop_train", "MC_GroupStop")
+                                : instance("move_train", "MC_MovePath"));
+  blocks.push_back(instance("run_train", "MC_RunVehicle"));
   return blocks;
 }
 

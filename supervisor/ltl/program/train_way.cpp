@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "supervisor/ltl/planner/plan_way.h"
 #include "supervisor/ltl/referee/referee.h"
@@ -12,6 +13,7 @@ namespace stepwright::ltl {
 namespace {
 
 using geometry::Point;
+using geometry::Travel;
 
 constexpr double kLook_s = 0.02;
 constexpr double kSlow_m_s = 0.02;  // slower is at rest
@@ -32,20 +34,19 @@ class Legs {
   explicit Legs(double sample_m) : sample_m_(sample_m) {}
 
   void add(const TrainState& state) {
-    const double speed = state[kTrainSpeed];
-    const double way = speed < 0.0 ? -1.0 : 1.0;
-    if (leg_.poses.empty()) return begin(state, std::abs(speed) < kSlow_m_s ? 0.0 : way);
-    const double step_m = distance(place_of(state), at_);
+    const bool slow = std::abs(state[kTrainSpeed]) < kSlow_m_s;
+    const Travel travel = state[kTrainSpeed] < 0.0 ? Travel::Reverse : Travel::Forward;
+    if (leg_.empty()) return begin(state, slow ? std::nullopt : std::optional(travel));
+    const double step_m = geometry::distance(place_of(state), place_of(last_));
     if (step_m < 1e-9) return;
-    if (leg_.way == 0.0) leg_.way = way;
-    if (std::abs(speed) >= kSlow_m_s && way != leg_.way) {
+    if (!travel_) travel_ = travel;
+    if (!slow && travel != travel_) {
       end();
-      begin(last_, way);
+      begin(last_, travel);
     }
     arc_m_ += step_m;
-    at_ = place_of(state);
     last_ = state;
-    if (arc_m_ - leg_.poses.back().arc_m >= sample_m_) leg_.poses.push_back({pose_of(state), arc_m_});
+    if (arc_m_ - leg_.back().arc_m >= sample_m_) add_pose();
   }
 
   std::vector<vehicle::PathLeg> take() {
@@ -55,29 +56,27 @@ class Legs {
   double arc_m() const { return arc_m_; }
 
  private:
-  static double distance(Point a, Point b) { return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m); }
-
-  void begin(const TrainState& state, double way) {
-    leg_ = {.poses = {{pose_of(state), arc_m_}}, .way = way};
-    at_ = place_of(state);
+  void begin(const TrainState& state, std::optional<Travel> travel) {
     last_ = state;
+    travel_ = travel;
+    add_pose();
   }
+  void add_pose() { leg_.push_back({pose_of(last_), arc_m_, travel_.value_or(Travel::Forward)}); }
   void end() {
-    if (leg_.poses.empty()) return;
+    if (leg_.empty()) return;
     // A last bit that is very short would have a curvature of rounding.
-    const bool short_end = arc_m_ - leg_.poses.back().arc_m < 0.25 * sample_m_;
-    if (short_end && leg_.poses.size() > 1) leg_.poses.pop_back();
-    if (arc_m_ - leg_.poses.back().arc_m > 1e-6) leg_.poses.push_back({pose_of(last_), arc_m_});
-    if (leg_.way == 0.0) leg_.way = 1.0;
-    if (leg_.poses.size() > 1) legs_.push_back(std::move(leg_));
+    const bool short_end = arc_m_ - leg_.back().arc_m < 0.25 * sample_m_;
+    if (short_end && leg_.size() > 1) leg_.pop_back();
+    if (arc_m_ - leg_.back().arc_m > 1e-6) add_pose();
+    if (leg_.size() > 1) legs_.push_back(std::move(leg_));
     leg_ = {};
   }
 
   double sample_m_;
-  vehicle::PathLeg leg_{.poses = {}, .way = 0.0};
+  vehicle::PathLeg leg_;
+  std::optional<Travel> travel_;  // of the leg; nothing before the car moves
   std::vector<vehicle::PathLeg> legs_;
   TrainState last_{};
-  Point at_;
   double arc_m_ = 0.0;
 };
 

@@ -1,0 +1,48 @@
+// A plant that is held at rest.
+
+#include <algorithm>
+#include <chrono>
+
+#include "supervisor/run/mission.h"
+
+namespace stepwright::run {
+
+bool Mission::hold_at_rest(const Hold& hold) {
+  open_incident(hold.cause);
+  const std::size_t incident = record_.incidents.size() - 1;
+  set_phase(hold.phase, hold.message);
+  const double until_s = clock_.now_s() + static_cast<double>(hold.most.count());
+  double now_s = clock_.now_s();
+  while (true) {
+    if (abort_) return give_up_aborted();
+    const auto event = controller_.wait_event(std::chrono::milliseconds(200));
+    if (event ? !see_held(*event, hold) : runtime_lost() && !has_gone_on())
+      return record_.phase != Phase::Safe && give_up(hold.stopped, IncidentKind::LostRuntime);
+    // Who rests causes no event that would tell what there is, and the time.
+    const auto snapshot = controller_.snapshot();
+    if (!event && snapshot && snapshot->program_digest == digest_) hold.see(snapshot->image);
+    if (!event) now_s = shown_time(snapshot, now_s);
+    now_s = std::max(now_s, clock_.now_s());
+    (void)due(now_s);  // what they ask for is in the next plan
+    publish(false);    // nobody who stands causes news
+    if (!hold.holds()) {
+      record_.incidents[incident].response = Response::Replan;
+      return true;
+    }
+    if (now_s > until_s) return give_up(hold.left, hold.cause.kind);
+    if (event) (void)controller_.acknowledge(event->sequence);
+  }
+}
+
+// False if the program does not run any more.
+bool Mission::see_held(const host::StepEvent& event, const Hold& hold) {
+  if (event.kind == host::EventKind::RolledBack) return false;
+  if (event.program_digest != digest_) return true;
+  if (ends_program(event.kind)) return false;
+  clock_.see(event.incarnation, event.time_ns);
+  if (event.kind == host::EventKind::StepChange) hold.see(event.image);
+  publish(false);
+  return true;
+}
+
+}  // namespace stepwright::run
