@@ -97,6 +97,19 @@ void check_names(const TomlTable& cell, const TomlTable& dds, const CellConfig& 
               "choose a shorter state_dir", "0462");
 }
 
+// A demand that no planner takes would never change.
+ScheduledFault read_fault(const TomlTable& table, const missions::CellMission& mission) {
+  ScheduledFault fault{table.required_number("at_s", {0.0, 1e9}), table.required_text("name"),
+                       table.required_number("value"), table.where("name")};
+  if (!is_goal_change(fault) || (mission.table && mission.table->takes_demands())) return fault;
+  table.report(
+      "name",
+      mission.table ? "the planner of [" + mission.name + "] has no demand '" + fault.name + "'"
+                    : "the cell has no planner that the demand '" + fault.name + "' could change for",
+      "a changed demand is of a cell with [planning]; faults of a plant have no parentheses", "0449");
+  return fault;
+}
+
 }  // namespace
 
 std::filesystem::path temporary_folder() {
@@ -182,10 +195,8 @@ CellReading read_cell_config(const std::filesystem::path& file, const std::vecto
                                             found);
   config.modbus_client_metrics = read_metrics(root.table("modbus").table("client"));
   config.mission = missions::read_mission(root, {folder, config.safety.io.shared_memory});
-  for (const TomlTable& fault : root.tables("faults")) {
-    config.faults.push_back({fault.required_number("at_s", {0.0, 1e9}), fault.required_text("name"),
-                             fault.required_number("value"), fault.where("name")});
-  }
+  for (const TomlTable& fault : root.tables("faults"))
+    config.faults.push_back(read_fault(fault, config.mission));
   const TomlTable executive = root.table("executive");
   config.executive.max_replans = static_cast<int>(executive.integer("max_replans", 8, {0, 1'000}));
   config.executive.report_fluent = executive.text("report_fluent", {});

@@ -24,8 +24,9 @@ const std::vector<Parameter> kEntries = {
 };
 
 constexpr const char* kSeries =
-    R"({"type": "object", "required": ["now_ms", "from_ms", "to_ms", "column_ms", "series"],
-  "properties": {"now_ms": {"type": "number"}, "from_ms": {"type": "number"}, "to_ms": {"type": "number"},
+    R"({"type": "object", "required": ["now_ms", "known_ms", "from_ms", "to_ms", "column_ms", "series"],
+  "properties": {"now_ms": {"type": "number"},
+    "known_ms": {"type": "number", "description": "no column behind it has a value yet"}, "from_ms": {"type": "number"}, "to_ms": {"type": "number"},
     "column_ms": {"type": "number"}, "series": {"type": "array", "items": {"type": "object",
       "required": ["tag", "least", "greatest", "last", "damaged"], "properties": {"tag": {"type": "string"},
         "least": {"type": "array", "items": {"type": ["number", "null"]}},

@@ -27,6 +27,8 @@ std::int64_t real_time_ns() {
 }
 
 constexpr std::size_t kLongestName = 255;
+// Of no tag: a time of note_until, in its place among the samples.
+constexpr TagId kUntil(~0U - 1);
 
 result::Result<void> check_settings(const std::string& name, const SuppressionSettings& settings) {
   const auto wrong = [](std::string message, std::string hint) {
@@ -83,6 +85,12 @@ void Historian::append(TagId tag, const Sample& sample) {
 }
 void Historian::append(std::span<const TagSample> samples) {
   core_->queue.push(samples);
+}
+void Historian::note_until(std::int64_t time_ns) {
+  core_->queue.push(TagSample{kUntil, {time_ns}});
+}
+std::int64_t Historian::known_until_ns() const {
+  return core_->known_until_ns;
 }
 result::Result<void> Historian::flush() {
   return core_->flush();
@@ -194,7 +202,13 @@ void Historian::Core::write(std::span<const TagSample> batch, bool last) {
   WriteSet set;
   {
     const std::lock_guard lock(state_mutex);
-    for (const TagSample& sample : batch) tags.append(sample);
+    for (const TagSample& sample : batch) {
+      if (sample.tag == kUntil) {
+        known_until_ns = std::max<std::int64_t>(known_until_ns, sample.sample.time_ns);
+      } else {
+        tags.append(sample);
+      }
+    }
     if (last) tags.release_held();
     set = tags.collect(checkpoint);
   }

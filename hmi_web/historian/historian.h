@@ -75,7 +75,7 @@ struct Trend {
 };
 
 struct HistorianStatus {
-  std::uint64_t appended = 0;  // samples handed over
+  std::uint64_t appended = 0;  // samples handed over, and times of note_until
   std::uint64_t dropped = 0;   // of them: the queue was full, or their tag is unknown
   std::uint64_t kept = 0;      // after suppression
   std::uint64_t lost = 0;      // kept, but the file took them not in time, or was damaged
@@ -103,6 +103,10 @@ class Historian {
 
   void append(TagId tag, const Sample& sample);
   void append(std::span<const TagSample> samples);
+  // Everything up to this time is appended: tags of which nothing came have the value that they had.
+  void note_until(std::int64_t time_ns);
+  // The newest such time of which readers see all that was appended before; INT64_MIN: none yet.
+  std::int64_t known_until_ns() const;
 
   // Waits until everything appended before is in the file, or has failed to get there.
   [[nodiscard]] result::Result<void> flush();

@@ -79,7 +79,7 @@ result::Result<void> CellRecorder::start() {
   alarms_ = std::move(*all);
   clock_.emplace(options_.real_time, known);
   calendar_.emplace(known ? known->newest_ns : 0);
-  *now_ns_ = known ? known->newest_ns : 0;
+  *now_ns_ = begun_ns_ = known ? known->newest_ns : 0;
   auto epoch = historian_->tag(kEpochTag, {historian::SuppressionKind::None});
   if (!epoch) return result::forward(epoch);
   epoch_tag_ = *epoch;
@@ -215,6 +215,7 @@ std::optional<std::string> CellRecorder::take(const server::Observation& seen, c
     // Who was kept from looking for long does not know when the runtime has gone.
     record_missing(has_gap(seen, wall_ns, {}) ? seen_until_ns_ + kBehindNs : now_ns_->load());
   }
+  if (noted_ns_ != *now_ns_) historian_->note_until(noted_ns_ = *now_ns_);
   alarms_->take({*now_ns_, &seen, &view});
   return message();
 }

@@ -19,6 +19,7 @@
 // Thread rule: take from one thread; everything else from any. Nothing waits for the disk. The folder has one
 // writer (S0004).
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstdint>
@@ -72,6 +73,8 @@ class CellRecorder {
   CellAlarms& alarms() { return *alarms_; }
   // The newest time of the history's clock.
   std::int64_t now_ns() const { return *now_ns_; }
+  // Up to here readers of the history see all that was taken; what came since may turn out to be missing.
+  std::int64_t known_ns() const { return std::max(begun_ns_, historian_->known_until_ns()); }
   // How far the machine's calendar stands ahead of the history's; 0: it is believed.
   std::chrono::seconds calendar_ahead() const;
   // The calendar is right: the history goes on at its time. False: it is believed already.
@@ -102,6 +105,8 @@ class CellRecorder {
   RecorderOptions options_;
   Clock wall_clock_;
   std::shared_ptr<std::atomic<std::int64_t>> now_ns_;  // shared with the files' retention
+  std::int64_t begun_ns_ = 0;                          // the newest time of the process before
+  std::int64_t noted_ns_ = 0;                          // as the historian was told
   std::unique_ptr<historian::Historian> historian_;
   std::unique_ptr<CellAlarms> alarms_;
   std::optional<HistoryClock> clock_;

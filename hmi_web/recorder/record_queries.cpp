@@ -109,15 +109,15 @@ bool is_known(const Sample& sample) {
   return sample.quality <= Quality::Uncertain && !std::isnan(sample.value);
 }
 
-// The columns of one tag: what lies in a column, or the value that holds through it.
+// The columns of one tag: what lies in a column, or the value that holds through it, as far as that is known.
 class Columns {
  public:
-  Columns(const historian::Trend& trend, Window window, std::int64_t now_ns) {
+  Columns(const historian::Trend& trend, Window window, std::int64_t known_ns) {
     std::optional<Sample> held = trend.before;
     for (std::size_t i = 0; i < trend.buckets.size(); ++i) {
       const std::int64_t begin = window.from_ns + static_cast<std::int64_t>(i) * trend.bucket_ns;
       const Summary& bucket = trend.buckets[i];
-      const bool holds = held && is_known(*held) && begin <= now_ns && begin - held->time_ns <= kHoldsNs;
+      const bool holds = held && is_known(*held) && begin <= known_ns && begin - held->time_ns <= kHoldsNs;
       if (bucket.count > 0) {
         add(bucket, holds ? held : std::nullopt);
         held = bucket.last;
@@ -252,8 +252,9 @@ Answer RecordQueries::tags(const Parameters&) const {
 }
 
 Answer RecordQueries::trend(const Parameters& given) const {
-  const std::int64_t now_ns = recorder_.now_ns();
-  const auto window = window_of(given, now_ns);
+  // Before the read: what comes meanwhile is more than is told.
+  const std::int64_t now_ns = recorder_.now_ns(), known_ns = recorder_.known_ns();
+  const auto window = window_of(given, known_ns);
   if (!window) return refused(window.error());
   const auto columns = whole_number(given, "columns", kColumns, 1, kMostColumns);
   if (!columns) return refused(columns.error());
@@ -261,7 +262,13 @@ Answer RecordQueries::trend(const Parameters& given) const {
   const auto tags = tags_of(given, recorder_.historian(), &names);
   if (!tags) return refused(tags.error());
   JsonWriter out;
-  out.open('{').key("now_ms").milliseconds(now_ns).key("from_ms").milliseconds(window->from_ns);
+  out.open('{')
+      .key("now_ms")
+      .milliseconds(now_ns)
+      .key("known_ms")
+      .milliseconds(known_ns)
+      .key("from_ms")
+      .milliseconds(window->from_ns);
   out.key("to_ms").milliseconds(window->to_ns).key("series").open('[');
   std::int64_t bucket_ns = 0;
   for (std::size_t i = 0; i < tags->size(); ++i) {
@@ -269,7 +276,7 @@ Answer RecordQueries::trend(const Parameters& given) const {
     if (!trend) return refused(trend.error());
     bucket_ns = trend->bucket_ns;
     out.open('{').key("tag").text(names[i]);
-    Columns(*trend, *window, now_ns).write(out);
+    Columns(*trend, *window, known_ns).write(out);
     out.key("damaged").integer(static_cast<std::int64_t>(trend->damage.size())).close('}');
   }
   out.close(']').key("column_ms").number(static_cast<double>(bucket_ns) / 1e6);

@@ -139,11 +139,10 @@ async function theServerIsKilled(page, cell) {
 const imagesLost = async (page) =>
   (await get(page, '/api/scan')).runtimes[0].dds.find(({ topic }) => topic.includes('/snapshot/')).lost;
 
-// The columns of a part of the history that are not known, in ms from its begin, or the word that its end is still to
-// come: what lies behind the newest image can become unknown yet.
+// The columns of a part of the history that have no value, in ms from its begin, or the word that its end is still to come.
 async function unknownIn(page, { from, to }) {
-  const { now_ms: now, series, column_ms: width } = await get(page, `/api/history/trend?tags=Main.total&from_ms=${from}&to_ms=${to}&columns=25`);
-  if (now <= to) return ['its end is to come'];
+  const { known_ms: known, series, column_ms: width } = await get(page, `/api/history/trend?tags=Main.total&from_ms=${from}&to_ms=${to}&columns=25`);
+  if (known <= to) return ['its end is to come'];
   return series[0].last.flatMap((value, i) => (value === null ? [i * width] : []));
 }
 

@@ -28,6 +28,8 @@ struct MissionTable {
   virtual const source::Dialect& dialect() const { return source::standard_dialect(); }
   // Its programs tell of lost conditions by alarms of their own (supervisor/translate/monitors.h).
   virtual bool has_monitors() const { return false; }
+  // Takes changed demands, the [[faults]] whose names begin with '(' (cell/config/cell_config.h).
+  virtual bool takes_demands() const { return false; }
   // "KEY=VALUE" for a run that nobody can look after; for one of the same plan strictly in sequence (empty:
   // there is none).
   virtual std::vector<std::string> unattended() const { return {}; }

@@ -5,8 +5,11 @@
 // Thread rule: as Historian. `state_mutex_` guards the tags and the figures; the file belongs to the writing
 // thread; connections that read are borrowed by one reader at a time.
 
+#include <atomic>
 #include <chrono>
+#include <cstdint>
 #include <functional>
+#include <limits>
 #include <mutex>
 #include <thread>
 #include <vector>
@@ -33,6 +36,7 @@ class Historian::Core {
   storage::BatchQueue<TagSample> queue;
   mutable std::mutex state_mutex;
   OpenTags tags;  // guarded by state_mutex
+  std::atomic<std::int64_t> known_until_ns{std::numeric_limits<std::int64_t>::min()};
 
  private:
   using Clock = std::chrono::steady_clock;

@@ -38,6 +38,7 @@ struct PlanningTable final : MissionTable {
 
   const source::Dialect& dialect() const override { return *written_in; }
   bool has_monitors() const override { return monitors; }
+  bool takes_demands() const override { return true; }
   std::string in_sequence() const override { return "planning.sequential=true"; }
 };
 

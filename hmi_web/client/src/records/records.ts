@@ -80,6 +80,7 @@ export interface Series {
 
 export interface History {
   now_ms: number;
+  known_ms: number; // nothing is drawn behind it
   from_ms: number;
   to_ms: number;
   column_ms: number;

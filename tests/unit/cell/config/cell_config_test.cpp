@@ -196,13 +196,27 @@ TEST_F(CellConfigTest, WhenRetainIsWrong_ThenEachPlaceIsNamed) {
 }
 
 TEST_F(CellConfigTest, WhenFaultsAreListed_ThenTheyAreReadInOrder) {
+  for (const char* file : {"domain.pddl", "problem.pddl", "binding.toml"})
+    std::ofstream(folder_ / file) << "x";
   const auto config =
-      load_cell_config(write("[[faults]]\nat_s = 3.5\nname = \"leak_a1\"\nvalue = 0.2\n[[faults]]\nat_s = "
-                             "9\nname = \"(demand c1)\"\nvalue = 8\n"));
+      load_cell_config(write("[planning]\ndomain = \"domain.pddl\"\nproblem = \"problem.pddl\"\nbinding = "
+                             "\"binding.toml\"\n[[faults]]\nat_s = 3.5\nname = \"leak_a1\"\nvalue = 0.2\n"
+                             "[[faults]]\nat_s = 9\nname = \"(demand c1)\"\nvalue = 8\n"));
   ASSERT_TRUE(config.has_value()) << result::to_string(config.error());
   ASSERT_EQ(config->faults.size(), 2u);
   EXPECT_EQ(config->faults[1].name, "(demand c1)");
   EXPECT_DOUBLE_EQ(config->faults[0].at_s, 3.5);
+}
+
+TEST_F(CellConfigTest, WhenNoPlannerTakesAChangedDemand_ThenItIsRefusedAtItsPlace) {
+  std::ofstream(folder_ / "problem.json") << "{}";
+  for (const std::string mission : {"", "[ltl]\nproblem = \"problem.json\"\n"}) {
+    const auto config =
+        load_cell_config(write(mission + "[[faults]]\nat_s = 9\nname = \"(demand c1)\"\nvalue = 8\n"));
+    ASSERT_FALSE(config.has_value()) << mission;
+    EXPECT_EQ(config.error()[0].code, "C0449");
+    EXPECT_EQ(config.error()[0].where.line, mission.empty() ? 3u : 5u);
+  }
 }
 
 TEST_F(CellConfigTest, WhenARecordingIsConfigured_ThenItsFileIsInTheStateFolder) {

@@ -49,6 +49,19 @@ TEST_F(HistorianTest, WhenSamplesAreAppended_ThenARangeGivesThemBack) {
   EXPECT_EQ(all(other).size(), 1u);
 }
 
+TEST_F(HistorianTest, WhenATimeIsNoted_ThenItIsKnownWithWhatWasAppendedBefore) {
+  open();
+  const TagId level = *historian_->tag("level", kAll);
+  EXPECT_EQ(historian_->known_until_ns(), kAlways.from_ns);
+  historian_->append(level, {7, 1.0});
+  historian_->note_until(9);
+  historian_->note_until(8);
+  ASSERT_TRUE(historian_->flush().has_value());
+  EXPECT_EQ(historian_->known_until_ns(), 9) << "never back";
+  EXPECT_EQ(all(level).size(), 1u);
+  EXPECT_EQ(historian_->status().dropped, 0u) << "a time is of no tag";
+}
+
 TEST_F(HistorianTest, WhenMoreIsStoredThanAskedFor_ThenTheRangeSaysSo) {
   open();
   const TagId level = *historian_->tag("level", kAll);

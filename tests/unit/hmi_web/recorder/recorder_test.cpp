@@ -132,8 +132,10 @@ class RecorderTest : public testing::Test {
     recorder_->take(seen, view);
   }
   // As the API's routes answer it.
-  api::Answer ask(const std::string& target) {
-    EXPECT_TRUE(recorder_->flush().has_value());
+  api::Answer ask(const std::string& target, bool flush = true) {
+    if (flush) {
+      EXPECT_TRUE(recorder_->flush().has_value());
+    }
     RecordQueries records(*recorder_);
     const api::RouteTable table(api::record_routes({.records = &records}));
     api::Match match = table.find("GET", target);
@@ -278,6 +280,30 @@ TEST_F(RecorderTest, WhenImagesThatWaitedComeTogether_ThenTheTimeBetweenThemIsAG
   const json levels = trend("points/a1.level", 0.0, 3.2, 32)["series"][0]["last"];
   for (int i = 4; i < 27; ++i) EXPECT_TRUE(levels[i].is_null()) << i;
   EXPECT_EQ(levels[29], 50.0);
+}
+
+// What has not been written yet may be a gap.
+TEST_F(RecorderTest, WhenImagesAreStillToBeWritten_ThenNoValueHoldsThroughTheirTime) {
+  open();
+  look(0.0, {5}, 50.0);
+  ASSERT_TRUE(recorder_->flush().has_value());
+  look(10.5, {5}, 51.0);
+  const std::string target =
+      "/api/history/trend?tags=points/a1.level&columns=20&from_ms=" + std::to_string(kWall / 1'000'000) +
+      "&to_ms=" + std::to_string(kWall / 1'000'000 + 20'000);
+  const json early = json::parse(ask(target, /*flush=*/false).text);
+  EXPECT_EQ(early["now_ms"], kWall / 1'000'000 + 10'500);
+  EXPECT_LE(early["known_ms"], early["now_ms"]);
+  for (std::size_t i = 0; i < 20; ++i) {
+    const double begin_ms = early["from_ms"].get<double>() + static_cast<double>(i) * 1'000.0;
+    if (begin_ms > early["known_ms"]) {
+      EXPECT_TRUE(early["series"][0]["last"][i].is_null()) << early.dump();
+    }
+  }
+  const json late = json::parse(ask(target).text);
+  EXPECT_EQ(late["known_ms"], late["now_ms"]);
+  EXPECT_EQ(late["series"][0]["last"][9], 50.0);
+  EXPECT_EQ(late["series"][0]["last"][10], 51.0);
 }
 
 // At a barrier, or while a simulated clock is held.
