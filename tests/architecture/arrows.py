@@ -102,7 +102,7 @@ ARROWS = {
     "supervisor/ltl/referee": ["supervisor/ltl/automaton", "supervisor/ltl/train", "plant_models/ode"],
     "supervisor/ltl/planner": ["supervisor/ltl/search", "supervisor/ltl/referee", "runtime/ground/markup"],
     "supervisor/ltl/program": ["supervisor/ltl/planner", "supervisor/ltl/monitor", "supervisor/vehicle", "ladder/graphic"],
-    "supervisor/ltl/mission": ["supervisor/ltl/program", "supervisor/run", "ladder/driver", "runtime/bytecode/reader"],
+    "supervisor/ltl/mission": ["supervisor/ltl/drawing", "supervisor/ltl/program", "supervisor/run", "ladder/driver", "runtime/bytecode/reader"],
     "supervisor/geometry": [],
     "supervisor/vehicle": ["supervisor/geometry", "ladder/graphic"],
     "supervisor/map": ["supervisor/geometry", "runtime/ground/result"],
@@ -122,7 +122,7 @@ ARROWS = {
     "supervisor/fleet/vda5050": ["supervisor/fleet/plan"],
     "supervisor/fleet/vda5050/link": ["supervisor/fleet/vda5050", "runtime/bytecode/reader", "runtime/ground/mqtt", "runtime/ground/settings"],
     "supervisor/translate": ["supervisor/model", "ladder/graphic", "runtime/ground/settings"],
-    "supervisor/run": ["supervisor/translate", "ladder/graphic", "runtime/bytecode/reader", "runtime/dds", "runtime/record"],
+    "supervisor/run": ["supervisor/geometry", "supervisor/translate", "ladder/graphic", "runtime/bytecode/reader", "runtime/dds", "runtime/record"],
     "supervisor/executive": [
         "supervisor/run", "supervisor/translate", "supervisor/pddl/planner", "ladder/driver", "ladder/exchange", "runtime/bytecode/reader",
     ],
