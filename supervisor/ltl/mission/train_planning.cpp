@@ -56,7 +56,9 @@ result::Result<TrainPlanning> TrainPlanning::open(TrainPlanningOptions options) 
   TrainPlanning planning(std::move(options));
   const Problem& problem = planning.options_.problem;
   if (auto good = validate(problem.train); !good) return result::forward(good);
-  if (auto good = make_regions(problem.floor); !good) return result::forward(good);
+  auto regions = make_regions(problem.floor);
+  if (!regions) return result::forward(regions);
+  planning.regions_ = *std::move(regions);
   auto task = planning.task(problem.task);
   if (!task) return result::forward(task);
   planning.first_ = *std::move(task);

@@ -74,6 +74,8 @@ class TrainPlanning {
   [[nodiscard]] result::Result<TrainTask> task(const std::string& text) const;
   const TrainTask& first_task() const { return *first_; }
   const TrainPlanningOptions& options() const { return options_; }
+  // The floor without what stands on it besides.
+  const RegionMap& regions() const { return *regions_; }
 
   // Codes of plan_train and train_program.
   [[nodiscard]] result::Result<PreparedTrain> plan(const TrainRequest& request) const;
@@ -90,6 +92,7 @@ class TrainPlanning {
                                              PreparedTrain& prepared) const;
 
   TrainPlanningOptions options_;
+  std::optional<RegionMap> regions_;
   std::optional<TrainTask> first_;
 };
 
