@@ -3,6 +3,7 @@
 
 export interface Presence {
   plant: boolean; // something to draw
+  pictures: boolean; // that a mission shows of its plan
   plan: boolean; // a supervisor plans for the cell
   levels: boolean; // values drawn over time
   monitors: boolean; // formulas that the scan watches
@@ -16,15 +17,16 @@ export interface PageAreas {
 
 const quoted = (rows: string[][]): string => rows.map((row) => `'${row.join(' ')}'`).join(' ');
 
-export function pageAreas({ plant, plan, levels, monitors }: Presence): PageAreas {
-  const single = ['synoptic', 'plan', 'incidents', 'sfc', 'trend', 'state', 'replans', 'monitors', 'scan', 'tags'].filter(
+export function pageAreas({ plant, pictures, plan, levels, monitors }: Presence): PageAreas {
+  const single = ['synoptic', 'pictures', 'plan', 'incidents', 'sfc', 'trend', 'state', 'replans', 'monitors', 'scan', 'tags'].filter(
     (area) =>
       (area !== 'synoptic' || plant) &&
+      (area !== 'pictures' || pictures) &&
       (!['plan', 'incidents', 'state', 'replans'].includes(area) || plan) &&
       (area !== 'trend' || levels) &&
       (area !== 'monitors' || monitors),
   );
-  const above = plant ? [['synoptic', 'synoptic']] : [];
+  const above = [...(plant ? [['synoptic', 'synoptic']] : []), ...(pictures ? [['pictures', 'pictures']] : [])];
   // Over all columns below the rest.
   const below = (columns: number) => (monitors ? [Array<string>(columns).fill('monitors')] : []);
   const beside = above.map((row) => [...row, 'sfc']);
@@ -44,6 +46,6 @@ export function pageAreas({ plant, plan, levels, monitors }: Presence): PageArea
   return {
     single: quoted(single.map((area) => [area])),
     narrow: quoted([...above, ['sfc', 'scan'], ['sfc', 'tags'], ...(levels ? [['trend', 'trend']] : []), ...below(2)]),
-    wide: quoted([...beside, plant ? ['scan', 'scan', 'tags'] : ['sfc', 'scan', 'tags'], ...(levels ? [['trend', 'trend', 'tags']] : []), ...below(3)]),
+    wide: quoted([...beside, above.length > 0 ? ['scan', 'scan', 'tags'] : ['sfc', 'scan', 'tags'], ...(levels ? [['trend', 'trend', 'tags']] : []), ...below(3)]),
   };
 }
