@@ -65,7 +65,7 @@ class AutomatonLayout {
       if (is_behind(state)) places_[state].column = last + 1;
   }
 
-  bool is_behind(std::uint32_t state) const { return graph_.decided[state] && state != graph_.initial; }
+  bool is_behind(std::uint32_t state) const { return graph_.decided[state] != 0 && state != graph_.initial; }
   bool is_first(std::uint32_t state) const {
     return std::ranges::find(graph_.first_row, state) != graph_.first_row.end();
   }
@@ -80,7 +80,10 @@ class AutomatonLayout {
       const auto first = order.begin() + static_cast<std::ptrdiff_t>(begin);
       const auto last = order.begin() + static_cast<std::ptrdiff_t>(end);
       std::stable_sort(first, last, [&](std::uint32_t a, std::uint32_t b) {
-        return sum[a] / std::max(1.0, count[a]) < sum[b] / std::max(1.0, count[b]);
+        const auto key = [&](std::uint32_t state) {
+          return std::pair(graph_.decided[state], sum[state] / std::max(1.0, count[state]));
+        };
+        return key(a) < key(b);
       });
       std::uint32_t row = graph_.first_row.empty() ? 0 : 1;
       for (auto state = first; state != last; ++state) {

@@ -5,7 +5,7 @@
 // all others.
 //
 // Thread rule: pure function. Example:
-//   const auto places = lay_out({.after = {{1, 2}, {2}, {}}, .decided = {false, false, true}});
+//   const auto places = lay_out({.after = {{1, 2}, {2}, {}}, .decided = {0, 0, 1}});
 //   places[2].column;   // 2
 
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace stepwright::ltl {
 
 struct AutomatonGraph {
   std::vector<std::vector<std::uint32_t>> after;  // of each state those that it leads to, itself perhaps
-  std::vector<bool> decided;
+  std::vector<std::uint8_t> decided;  // 0: it is not; the greater, the lower in the column of those that are
   std::uint32_t initial = 0;
   std::vector<std::uint32_t> first_row{};  // states with the topmost row to themselves; empty: none have it
 };

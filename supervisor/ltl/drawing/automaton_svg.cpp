@@ -62,10 +62,10 @@ class Picture {
   // Every other column half a row lower: arrows that pass it lead between its states.
   void place() {
     AutomatonGraph graph{.after = std::vector<std::vector<std::uint32_t>>(automaton_.size()),
-                         .decided = std::vector<bool>(automaton_.size()),
+                         .decided = std::vector<std::uint8_t>(automaton_.size()),
                          .initial = automaton_.initial};
     for (std::uint32_t state = 0; state < automaton_.size(); ++state) {
-      graph.decided[state] = decided(state);
+      graph.decided[state] = static_cast<std::uint8_t>(automaton_.verdicts[state]);
       if (!decided(state)) automaton_.guards.collect(automaton_.edges[state], graph.after[state]);
     }
     for (const StatePlace& each : lay_out(graph)) {

@@ -100,11 +100,11 @@ class TaskPicture {
       states.push_back(state);
     }
     AutomatonGraph graph{.after = std::vector<std::vector<std::uint32_t>>(states.size()),
-                         .decided = std::vector<bool>(states.size()),
+                         .decided = std::vector<std::uint8_t>(states.size()),
                          .initial = number.at(picture_.initial)};
     for (const std::uint32_t state : picture_.planned) graph.first_row.push_back(number.at(state));
     for (const auto& [from, after] : edges_) {
-      graph.decided[number.at(from)] = monitor_.verdicts[from] != Verdict::Undecided;
+      graph.decided[number.at(from)] = static_cast<std::uint8_t>(monitor_.verdicts[from]);
       for (const auto& [to, letters] : after) {
         graph.after[number.at(from)].push_back(number.at(to));
         AutomatonPicture::Edge edge{.from = from, .to = to};

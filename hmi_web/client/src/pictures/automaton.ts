@@ -7,13 +7,15 @@ export const RADIUS_PX = 17;
 
 const SIDE_PX = 34; // from the middle of the outermost states to the edge
 const TOP_PX = 40;
-const LEAST_ACROSS_PX = 104; // between two columns: a name fits between
+const LEAST_ACROSS_PX = 86; // between two columns: a short name fits between
 const MOST_ACROSS_PX = 210;
 const ROW_PX = 62;
 const DOWN_PX = 84;
 const LEAST_BESIDE_PX = 44; // between two rows that stand beside each other
 const MOST_BESIDE_PX = 110;
 const HEAD_PX = 8;
+const LETTER_PX = 7;
+const MOST_LETTERS = 24;
 
 export interface DrawnState extends TaskState {
   x: number;
@@ -31,6 +33,7 @@ export interface Drawing {
   width: number;
   height: number;
   downwards: boolean;
+  letters: number; // so many fit beside an arrow
   states: DrawnState[];
   edges: DrawnEdge[];
 }
@@ -62,7 +65,8 @@ export function drawingOf(picture: AutomatonPicture, room: number): Drawing {
     return { ...edge, path: `M${text(from)}C${text(first)} ${text(second)} ${text(to)}`, head: headOf(second, to), x: short(middle(0)), y: short(middle(1)) };
   });
   const [width, height] = xy([2 * origin[0] + columns * column, 2 * origin[1] + rows * row]);
-  return { width, height, downwards, states, edges };
+  const letters = downwards ? MOST_LETTERS : Math.min(MOST_LETTERS, Math.floor((column - 2 * RADIUS_PX) / LETTER_PX) + 2);
+  return { width, height, downwards, letters, states, edges };
 }
 
 // From edge to edge of the two circles. Past the columns between it goes round, back it goes below.
@@ -90,9 +94,8 @@ export function lettersText(letters: string[][], nowhere: string): string {
   return letters.map((names) => (names.length > 0 ? names.join(' + ') : nowhere)).join(' / ');
 }
 
-const LABEL = 22;
-export function shortened(text: string): string {
-  return text.length > LABEL ? `${text.slice(0, LABEL - 1)}…` : text;
+export function shortened(text: string, most: number): string {
+  return text.length > most ? `${text.slice(0, most - 1)}…` : text;
 }
 
 // The one behind the current state on the plan; null: the plan does not go through it, or ends there.

@@ -68,8 +68,8 @@ export function pointAt(way: WayPoint[], arcM: number): Pair | null {
   return end <= 0 ? [to.x, to.y] : [at.x, at.y];
 }
 
-// `through`: the way leads through it, which the task does not need; `off`: the way does not lead there.
-export type StopState = 'done' | 'next' | 'ahead' | 'through' | 'off';
+// `through`: the way leads through it, which the task does not need; `off`: the way does not lead there; `open`: no way is planned.
+export type StopState = 'done' | 'next' | 'ahead' | 'through' | 'off' | 'open';
 
 export interface StopRow {
   number: number | null; // on the floor
@@ -93,10 +93,11 @@ export function stopRows(picture: FloorPicture, coveredM: number): StopRow[] {
   const row = (name: string, state: StopState): StopRow => ({ number: null, places: [name], arcM: null, state });
   const before = picture.places.filter(({ name, visited }) => visited && !named.has(name));
   const others = picture.places.filter(({ name, visited }) => !visited && !met.has(name));
-  return [...before.map(({ name }) => row(name, 'done')), ...rows, ...others.map(({ name }) => row(name, 'off'))];
+  const rest = picture.program === '' ? 'open' : 'off';
+  return [...before.map(({ name }) => row(name, 'done')), ...rows, ...others.map(({ name }) => row(name, rest))];
 }
 
-const ORDER: readonly StopState[] = ['next', 'ahead', 'done', 'through', 'off'];
+const ORDER: readonly StopState[] = ['next', 'ahead', 'done', 'through', 'open', 'off'];
 
 // What a place looks like, of all that it has to do with the way.
 export function stateOfPlace(rows: StopRow[], name: string): StopState {

@@ -18,7 +18,7 @@ export interface PageAreas {
 const quoted = (rows: string[][]): string => rows.map((row) => `'${row.join(' ')}'`).join(' ');
 
 export function pageAreas({ plant, pictures, plan, levels, monitors }: Presence): PageAreas {
-  const single = ['synoptic', 'pictures', 'plan', 'incidents', 'sfc', 'trend', 'state', 'replans', 'monitors', 'scan', 'tags'].filter(
+  const single = ['pictures', 'synoptic', 'plan', 'incidents', 'sfc', 'trend', 'state', 'replans', 'monitors', 'scan', 'tags'].filter(
     (area) =>
       (area !== 'synoptic' || plant) &&
       (area !== 'pictures' || pictures) &&
@@ -26,26 +26,28 @@ export function pageAreas({ plant, pictures, plan, levels, monitors }: Presence)
       (area !== 'trend' || levels) &&
       (area !== 'monitors' || monitors),
   );
-  const above = [...(plant ? [['synoptic', 'synoptic']] : []), ...(pictures ? [['pictures', 'pictures']] : [])];
-  // Over all columns below the rest.
-  const below = (columns: number) => (monitors ? [Array<string>(columns).fill('monitors')] : []);
+  const above = plant ? [['synoptic', 'synoptic']] : [];
+  // Over all columns above and below the rest.
+  const across = (area: string, columns: number, there: boolean) => (there ? [Array<string>(columns).fill(area)] : []);
+  const top = (columns: number) => across('pictures', columns, pictures);
+  const below = (columns: number) => across('monitors', columns, monitors);
   const beside = above.map((row) => [...row, 'sfc']);
   if (plan) {
     return {
       single: quoted(single.map((area) => [area])),
       narrow: quoted([
-        ...above, ['plan', 'plan'], ['incidents', 'incidents'],
+        ...top(2), ...above, ['plan', 'plan'], ['incidents', 'incidents'],
         ...(levels ? [['sfc', 'trend']] : []), ['sfc', 'state'], ['sfc', 'scan'], ['replans', 'tags'], ...below(2),
       ]),
       wide: quoted([
-        ...beside, ['plan', 'plan', 'sfc'], ['incidents', 'incidents', 'sfc'],
+        ...top(3), ...beside, ['plan', 'plan', 'sfc'], ['incidents', 'incidents', 'sfc'],
         levels ? ['trend', 'state', 'tags'] : ['state', 'state', 'tags'], ['replans', 'scan', 'tags'], ...below(3),
       ]),
     };
   }
   return {
     single: quoted(single.map((area) => [area])),
-    narrow: quoted([...above, ['sfc', 'scan'], ['sfc', 'tags'], ...(levels ? [['trend', 'trend']] : []), ...below(2)]),
-    wide: quoted([...beside, above.length > 0 ? ['scan', 'scan', 'tags'] : ['sfc', 'scan', 'tags'], ...(levels ? [['trend', 'trend', 'tags']] : []), ...below(3)]),
+    narrow: quoted([...top(2), ...above, ['sfc', 'scan'], ['sfc', 'tags'], ...(levels ? [['trend', 'trend']] : []), ...below(2)]),
+    wide: quoted([...top(3), ...beside, plant ? ['scan', 'scan', 'tags'] : ['sfc', 'scan', 'tags'], ...(levels ? [['trend', 'trend', 'tags']] : []), ...below(3)]),
   };
 }

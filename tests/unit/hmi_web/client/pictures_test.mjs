@@ -82,6 +82,7 @@ test('Stops_WhenTheWayGoesOn_ThenTheyAreVisitedInTheirOrder', () => {
   const told = (arc) => page.stopRows(floor, arc).map(({ number, places, state }) => `${number ?? '-'} ${places.join('+')} ${state}`);
   assert.deepEqual(told(0), ['- a done', '1 b next', '- e through', '2 c ahead', '- d off']);
   assert.deepEqual(told(3), ['- a done', '1 b done', '- e through', '2 c next', '- d off']);
+  assert.deepEqual(page.stopRows({ ...floor, program: '', stops: [] }, 0).map(({ state }) => state), ['done', 'open', 'open', 'open', 'open']);
   const rows = page.stopRows(floor, 9);
   assert.deepEqual(['a', 'b', 'c', 'd', 'e'].map((name) => page.stateOfPlace(rows, name)), ['done', 'done', 'done', 'off', 'through']);
 });
@@ -111,9 +112,10 @@ const task = taskOf({
 });
 
 test('Automaton_WhenThePanelIsWideOrNarrow_ThenNothingLeavesIt', () => {
-  for (const room of [240, 300, 500, 900]) {
+  for (const room of [230, 300, 500, 900]) {
     const drawing = page.drawingOf(task, room);
     assert.equal(drawing.downwards, room < 300);
+    assert.ok(drawing.letters >= 6);
     assert.ok(drawing.width <= room, `${drawing.width} in ${room}`);
     for (const { x, y } of drawing.states) assert.ok(x >= page.RADIUS_PX && x <= drawing.width - page.RADIUS_PX && y >= page.RADIUS_PX && y <= drawing.height - page.RADIUS_PX);
     assert.equal(new Set(drawing.states.map(({ x, y }) => `${x} ${y}`)).size, task.states.length);
@@ -132,5 +134,6 @@ test('Automaton_WhenAStateHolds_ThenItIsKnownWhatIsBehindAndWhatLeadsOn', () => 
 
 test('Letters_WhenPlacesOverlapOrThereAreSeveral_ThenTheyAreToldApart', () => {
   assert.equal(page.lettersText([['a'], ['a', 'c'], []], 'no place'), 'a / a + c / no place');
-  assert.equal(page.shortened('x'.repeat(40)).length, 22);
+  assert.equal(page.shortened('x'.repeat(40), 22).length, 22);
+  assert.equal(page.shortened('press', 5), 'press');
 });
