@@ -92,8 +92,11 @@ async function obeysTheKeyboard(page) {
   const floor = page.getByTestId('plan-floor');
   const scale = () => floor.getAttribute('data-scale').then(Number);
   const whole = await scale();
-  await floor.focus();
-  check((await page.evaluate(hiddenFocus)) === '', 'the floor shows that it has the focus');
+  await page.locator('[data-help=plan-floor]').focus();
+  await page.keyboard.press('Tab');
+  check((await page.evaluate(() => document.activeElement.dataset.testid)) === 'plan-floor', 'Tab leads to the floor');
+  const hidden = await page.evaluate(hiddenFocus);
+  check(hidden === '', `which shows that it has the focus ${hidden}`);
   await page.keyboard.press('+');
   await page.keyboard.press('ArrowLeft');
   check((await scale()) > 1.2 * whole, `plus zooms in (${whole} to ${await scale()} pixels a metre)`);

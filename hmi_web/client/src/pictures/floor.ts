@@ -4,6 +4,9 @@ import type { Pair } from '../fleet/document';
 import type { Value } from '../lib/protocol';
 import type { Body, FloorPicture, Swept, WayPoint } from './document';
 
+// An arc that falls by less is one that trembles; by more, that of the program before, which the first scan still shows.
+const TREMBLES_M = 1;
+
 // The last that was known of a way, while another program runs or the value is not known.
 export class Covered {
   private program = '';
@@ -15,7 +18,8 @@ export class Covered {
       this.program = picture.program;
       this.last = 0;
     }
-    const known = arcM ?? Math.max(this.last, picture.coveredM);
+    const trembles = arcM !== null && arcM < this.last && this.last - arcM < TREMBLES_M;
+    const known = arcM === null || trembles ? Math.max(this.last, picture.coveredM) : arcM;
     this.last = Math.min(Math.max(known, 0), picture.lengthM);
     return this.last;
   }

@@ -52,7 +52,9 @@ test('Covered_WhenAnotherProgramRuns_ThenTheLastThatWasKnown', () => {
   const first = floorOf({ length_m: 10, covered_m: 2 });
   assert.equal(covered.of(first, null), 2, 'as the picture says');
   assert.equal(covered.of(first, 5), 5);
+  assert.equal(covered.of(first, 4.9), 5, 'it does not tremble back');
   assert.equal(covered.of(first, null), 5);
+  assert.equal(covered.of(first, 0.1), 0.1, 'the first scan had shown the arc of the program before');
   assert.equal(covered.of(first, 99), 10, 'no further than the way is long');
   assert.equal(covered.of({ ...first, program: 'cd', coveredM: 0 }, null), 0, 'of another plan');
 });
