@@ -16,9 +16,18 @@ const given = options();
 const shot = (page, name, selector) =>
   (selector ? page.locator(selector) : page).screenshot({ path: join(given.out, `train-${name}.png`), animations: 'disabled', ...(selector ? {} : { fullPage: true }) });
 
-// Every state that the task was in, every place at which the car was drawn, every stop that was reached, how many pieces lie behind.
+// Every state that the task was in, every place at which the car was drawn, every stop that was reached, how many pieces lie behind,
+// and how long each message with pictures was.
 function keepHistory() {
-  const seen = { states: [], places: new Set(), pieces: [], stops: new Set(), links: 0 };
+  const seen = { states: [], places: new Set(), pieces: [], stops: new Set(), links: 0, monitor: [], messages: [] };
+  globalThis.WebSocket = class extends globalThis.WebSocket {
+    constructor(...given) {
+      super(...given);
+      this.addEventListener('message', ({ data }) => {
+        if (data.endsWith('"type":"pictures"}')) seen.messages.push(data.length);
+      });
+    }
+  };
   const note = (list, value) => {
     if (value !== list.at(-1)) list.push(value);
   };
@@ -30,6 +39,9 @@ function keepHistory() {
     seen.links = Math.max(seen.links, document.querySelectorAll('[data-link]').length);
     const driven = document.querySelector('[data-swept=driven]');
     if (driven) note(seen.pieces, Number(driven.dataset.pieces));
+    // The formula of the cell's monitor in words, its verdict, and how far it is from being satisfied.
+    const monitor = document.querySelector('[data-monitor=clean_train]');
+    if (monitor?.dataset.verdict) note(seen.monitor, [...monitor.children].slice(1, 4).map((cell) => cell.innerText.trim()).join(', '));
     for (const row of document.querySelectorAll('[data-testid=stops] [data-state=done]')) seen.stops.add(row.dataset.place);
   };
   globalThis.seen = seen;
@@ -70,6 +82,9 @@ async function drawsItMoving(page) {
   check(places > 20, `the car was drawn at ${places} places`);
   check(links === 4, `${links} links were drawn`);
   check(pieces.length > 5 && pieces.every((count, index) => index === 0 || count >= pieces[index - 1]), `more and more lies behind it: ${pieces.join(' ')}`);
+  const monitor = await page.evaluate(() => globalThis.seen.monitor);
+  for (const line of ['unload before wash, watching, 1', 'unload before wash, satisfied, '])
+    check(monitor.includes(line), `the monitor was "${line}" (${monitor.join('; ')})`);
   check((await covered(page)) > 3, 'the page says how much of the way is covered');
   check((await page.getByTestId('task-state').innerText()).includes('from the end'), 'and how far the task has come, in words');
 }
@@ -136,6 +151,9 @@ async function tellsTheEnd(page) {
   const length = await page.getByTestId('way-covered').getAttribute('aria-valuemax').then(Number);
   check(length - (await covered(page)) < 0.6, `all of the way is covered (${await covered(page)} m of ${length} m)`);
   check((await page.locator('[data-testid=stops] [data-state=next], [data-testid=stops] [data-state=ahead]').count()) === 0, 'no place is to come');
+  const messages = await page.evaluate(() => globalThis.seen.messages);
+  check(messages.length >= 4 && messages.length <= 12 && messages.every((length) => length < 800_000),
+    `pictures came with plans and what people wanted only: messages of ${messages.join(' ')} bytes`);
   await shot(page, 'done');
 }
 
@@ -149,6 +167,8 @@ await leadOverPage(given, {
     await startsTheRun(page, demo);
     await drawsThePlan(page);
     await drawsItMoving(page);
+    await page.evaluate(() => scrollTo(0, 0));
+    await page.screenshot({ path: join(given.out, 'train-overview.png'), clip: { x: 0, y: 0, width: 1440, height: 548 } }); // hmi_web/doc/train.png
     await holdsStill(page);
     await isReadEverywhere(page);
     await obeysTheKeyboard(page);

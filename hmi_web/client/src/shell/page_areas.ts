@@ -18,7 +18,9 @@ export interface PageAreas {
 const quoted = (rows: string[][]): string => rows.map((row) => `'${row.join(' ')}'`).join(' ');
 
 export function pageAreas({ plant, pictures, plan, levels, monitors }: Presence): PageAreas {
-  const single = ['pictures', 'synoptic', 'plan', 'incidents', 'sfc', 'trend', 'state', 'replans', 'monitors', 'scan', 'tags'].filter(
+  // What a mission shows of its plan has the plan and its buttons at its side, not below the plant.
+  const [first, second] = pictures ? ['plan', 'synoptic'] : ['synoptic', 'plan'];
+  const single = ['pictures', first, second, 'incidents', 'sfc', 'trend', 'state', 'replans', 'monitors', 'scan', 'tags'].filter(
     (area) =>
       (area !== 'synoptic' || plant) &&
       (area !== 'pictures' || pictures) &&
@@ -31,16 +33,17 @@ export function pageAreas({ plant, pictures, plan, levels, monitors }: Presence)
   const across = (area: string, columns: number, there: boolean) => (there ? [Array<string>(columns).fill(area)] : []);
   const top = (columns: number) => across('pictures', columns, pictures);
   const below = (columns: number) => across('monitors', columns, monitors);
+  const both = (rows: string[][], planned: string[]) => (pictures ? [planned, ...rows] : [...rows, planned]);
   const beside = above.map((row) => [...row, 'sfc']);
   if (plan) {
     return {
       single: quoted(single.map((area) => [area])),
       narrow: quoted([
-        ...top(2), ...above, ['plan', 'plan'], ['incidents', 'incidents'],
+        ...top(2), ...both(above, ['plan', 'plan']), ['incidents', 'incidents'],
         ...(levels ? [['sfc', 'trend']] : []), ['sfc', 'state'], ['sfc', 'scan'], ['replans', 'tags'], ...below(2),
       ]),
       wide: quoted([
-        ...top(3), ...beside, ['plan', 'plan', 'sfc'], ['incidents', 'incidents', 'sfc'],
+        ...top(3), ...both(beside, ['plan', 'plan', 'sfc']), ['incidents', 'incidents', 'sfc'],
         levels ? ['trend', 'state', 'tags'] : ['state', 'state', 'tags'], ['replans', 'scan', 'tags'], ...below(3),
       ]),
     };
