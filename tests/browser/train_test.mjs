@@ -9,7 +9,7 @@ import { leadOverPage } from './page_run.mjs';
 import { asks, BY_OPERATOR, isAccessible, startsTheRun } from './people.mjs';
 import { check, fitsEachLook, options, waitFor } from './support.mjs';
 
-const SPEED = 3;
+const SPEED = 2;
 const LOOKS = [['light', 1440], ['dark', 1440], ['light', 820], ['light', 360], ['dark', 360]];
 
 const given = options();
