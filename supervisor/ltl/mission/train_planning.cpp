@@ -91,6 +91,7 @@ result::Result<PlanAnswer> TrainPlanning::answer(const TrainRequest& request, Pr
                             .most_s = options_.most_s,
                             .shorten_s = options_.shorten_rounds > 0 ? options_.most_s : 0.0,
                             .shorten_rounds = options_.shorten_rounds,
+                            .threads = options_.threads,
                             .cancel = request.cancel};
   result::Result<PlanAnswer> found = result::fail(kStartDoesNotFit, {}, "the train does not fit");
   for (const double share : kMarginShares) {

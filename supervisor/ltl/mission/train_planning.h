@@ -34,6 +34,7 @@ struct TrainPlanningOptions {
   // After it for a shorter one, by rounds: the same on every machine.
   std::size_t shorten_rounds = 0;
   std::vector<driver::Watcher> watchers{};  // compiled with every program
+  std::size_t threads = 0;                  // of the planner; 0: as many as the machine has
 };
 
 // A task that can be planned, and its monitor.

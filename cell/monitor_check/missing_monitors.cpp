@@ -1,6 +1,6 @@
-#include "cell/monitors/missing_monitors.h"
+#include "cell/monitor_check/missing_monitors.h"
 
-#include "cell/monitors/cell_monitors.h"
+#include "cell/monitor_check/monitor_names.h"
 
 namespace stepwright::cell_monitors {
 
@@ -13,6 +13,12 @@ result::Diagnostics missing_monitors(const config::CellConfig& config, const rea
                         "compile it for this cell: stepwright compile ... --config CELL.toml"});
   }
   return problems;
+}
+
+result::Diagnostics missing_monitors(const config::CellConfig& config, std::span<const std::byte> container) {
+  if (config.monitors.empty()) return {};
+  const auto info = reader::ProgramInfo::read(container);
+  return info ? missing_monitors(config, *info) : result::Diagnostics{};
 }
 
 }  // namespace stepwright::cell_monitors
