@@ -24,12 +24,11 @@ result::Result<void> compile_project(const graphic::Project& project, const Hand
                                      std::span<const driver::Watcher> watchers, PreparedPlan& prepared) {
   auto joined = programs.joined(project);
   if (!joined) return tl::unexpected(std::move(joined.error()));
-  auto output = driver::compile(
-      {.texts = {},
-       .projects = joined->projects(),
-       .document = options.document,
-       .dialect = options.dialect,
-       .watchers = watchers});
+  auto output = driver::compile({.texts = {},
+                                 .projects = joined->projects(),
+                                 .document = options.document,
+                                 .dialect = options.dialect,
+                                 .watchers = watchers});
   if (!output) return tl::unexpected(std::move(output.error()));
   prepared.container = std::move(output->container);
   return {};
@@ -271,8 +270,7 @@ result::Result<void> PlanningService::build(PreparedPlan& prepared, const pddl::
     if (step.kind == translate::StepKind::Action) prepared.episode.actions[*step.action].step = step.name;
   }
   if (auto scheduled = fill_schedule(prepared, binding_, options_.sequential); !scheduled) return scheduled;
-  return compile_project(prepared.translation.project, programs_, options_, options_.watchers,
-                         prepared);
+  return compile_project(prepared.translation.project, programs_, options_, options_.watchers, prepared);
 }
 
 result::Result<PreparedPlan> PlanningService::observer(bool locate, std::chrono::milliseconds settle) const {
@@ -282,8 +280,8 @@ result::Result<PreparedPlan> PlanningService::observer(bool locate, std::chrono:
   options.locate = locate;
   options.interval_us = options_.interval_us;
   prepared.translation = translate::observe_program(binding_, options);
-  if (auto compiled = compile_project(prepared.translation.project, programs_, options_,
-                                      resting_watchers_, prepared);
+  if (auto compiled =
+          compile_project(prepared.translation.project, programs_, options_, resting_watchers_, prepared);
       !compiled) {
     return tl::unexpected(std::move(compiled.error()));
   }

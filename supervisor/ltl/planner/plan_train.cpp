@@ -6,9 +6,9 @@
 
 #include "supervisor/ltl/guide/impossible.h"
 #include "supervisor/ltl/guide/task.h"
+#include "supervisor/ltl/lanes/lanes.h"
 #include "supervisor/ltl/planner/deadline.h"
 #include "supervisor/ltl/planner/first_plan.h"
-#include "supervisor/ltl/lanes/lanes.h"
 #include "supervisor/ltl/planner/planned_task.h"
 #include "supervisor/ltl/planner/shorter_plans.h"
 
@@ -18,9 +18,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr const char* kTaskName = "task";         // in place of a file
-constexpr std::size_t kMostStages = 2'000'000;    // of a guide that tells whether a point can do it
-constexpr std::size_t kMostJudged = 4;            // of plans that got shorter and shorter
+constexpr const char* kTaskName = "task";       // in place of a file
+constexpr std::size_t kMostStages = 2'000'000;  // of a guide that tells whether a point can do it
+constexpr std::size_t kMostJudged = 4;          // of plans that got shorter and shorter
 
 result::Diagnostics blame(const Impossible& why) {
   result::Diagnostics found;
@@ -75,6 +75,7 @@ class Planner {
     answer.threads = threads_;
     answer.states = task_.automaton ? task_.automaton->size() : 0;
     if (options_.shorten_s > 0.0) shorten(answer);
+    answer.search.driven.reset();
     return answer;
   }
 
@@ -90,14 +91,16 @@ class Planner {
   // The shortest one that the referee accepts.
   void shorten(PlanAnswer& answer) const {
     if (answer.plan.pieces.empty()) return;
-    std::vector<TrainPlan> plans = shorter_plans(ground_, [this] { return task_.states(); },
-                                                 {.start = start_,
-                                                  .than_m = answer.plan.length_m,
-                                                  .seed = options_.seed,
-                                                  .most_s = options_.shorten_s,
-                                                  .most_rounds = options_.shorten_rounds,
-                                                  .threads = threads_,
-                                                  .cancel = options_.cancel});
+    std::vector<TrainPlan> plans =
+        shorter_plans(ground_, [this] { return task_.states(); },
+                      {.start = start_,
+                       .than_m = answer.plan.length_m,
+                       .first = answer.search.driven ? &*answer.search.driven : nullptr,
+                       .seed = options_.seed,
+                       .most_s = options_.shorten_s,
+                       .most_rounds = options_.shorten_rounds,
+                       .threads = threads_,
+                       .cancel = options_.cancel});
     for (std::size_t n = 0; n < kMostJudged && n < plans.size(); ++n) {
       TrainPlan& plan = plans[plans.size() - 1 - n];
       PlanJudgement judgement = judged(plan);

@@ -35,7 +35,7 @@ struct PlanOptions {
   double most_s = 10.0;                                               // until the first plan, judged
   std::size_t most_rounds = std::numeric_limits<std::size_t>::max();  // of each of two lines of searches
   std::size_t most_tries = 8;  // searches of each, where the referee refuses
-  double shorten_s = 0.0;                                             // for a shorter plan afterwards
+  double shorten_s = 0.0;      // for a shorter plan afterwards
   std::size_t shorten_rounds = std::numeric_limits<std::size_t>::max();
   SearchGuide guide = SearchGuide::OnTheRegions;
   std::size_t threads = 0;                    // 1 or 2; 0: as many of them as the machine has

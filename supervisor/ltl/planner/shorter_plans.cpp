@@ -15,7 +15,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kOtherRoutesFirst = 2;  // rounds
-constexpr std::size_t kOtherRoutesEvery = 5;  // then, in one of both lanes
 
 std::uint64_t mixed(std::uint64_t seed, std::uint64_t round, std::uint64_t lane) {
   std::uint64_t x = seed * 0x9E3779B97F4A7C15u + round * 0xC2B2AE3D27D4EB4Fu + lane * 0x165667B19E3779F9u;
@@ -30,6 +29,7 @@ class Rounds {
       : ground_(ground), states_(states), options_(options) {
     constexpr double kLongest_s = 1e6;  // more would overflow some clocks
     const std::chrono::duration<double> most(std::clamp(options.most_s, 0.0, kLongest_s));
+    if (options.first != nullptr && ground.has_automaton()) best_[0] = *options.first;
     stop_ = {Clock::now() + std::chrono::duration_cast<Clock::duration>(most), options.cancel, nullptr};
   }
 
@@ -71,7 +71,7 @@ class Rounds {
 
   ShortenRound round_of(std::size_t round, std::size_t lane) const {
     const std::uint64_t seed = mixed(options_.seed, round, lane);
-    const bool is_other = round < kOtherRoutesFirst || (lane == 1 && round % kOtherRoutesEvery == 0);
+    const bool is_other = round < kOtherRoutesFirst || (round + lane) % 2 == 1;
     const bool is_wanted = round == 0 ? lane == 0 : (seed >> 40 & 1) != 0;
     return {.start = options_.start,
             .seed = seed,

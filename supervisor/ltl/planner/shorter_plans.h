@@ -23,6 +23,7 @@ namespace stepwright::ltl {
 struct ShorterOptions {
   TrainState start{};
   double than_m = std::numeric_limits<double>::infinity();
+  const DrivenRoute* first = nullptr;  // of the plan that there is, of an automaton's states; may be null
   std::uint64_t seed = 1;
   double most_s = 1.0;
   std::size_t most_rounds = std::numeric_limits<std::size_t>::max();

@@ -32,7 +32,7 @@ struct RouteOptions {
   double spread_m = 2.0;  // between such points
   std::size_t most_corners = 1500;
   std::size_t most_inner = 1500;  // points within and beside propositions
-  std::size_t threads = 1;  // that look for ways, 1 or 2; they find the same ones
+  std::size_t threads = 1;        // that look for ways, 1 or 2; they find the same ones
   // The graph is left as it is by then, without the ways that were not looked at.
   Stop stop{};
 };

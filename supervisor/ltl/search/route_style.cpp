@@ -14,9 +14,7 @@ constexpr double kBeside_m = 0.05;  // of a link, as walls are looked at
 }  // namespace
 
 DriveStyle plain_style(const TrainModel& model) {
-  return {.lookahead_m = model.trailers == 0 ? 0.8 : 1.0,
-          .tightest_m = tightest_m(model),
-          .cruise_m_s = 1.6};
+  return {.lookahead_m = model.trailers == 0 ? 0.8 : 1.0, .tightest_m = tightest_m(model), .cruise_m_s = 1.6};
 }
 
 DriveStyle style_by_chance(const TrainModel& model, std::mt19937_64& dice) {

@@ -10,7 +10,7 @@ namespace stepwright::ltl {
 
 namespace {
 
-constexpr double kSwell_m = 0.05;  // of links, against what two looks do not see between them
+constexpr double kSwell_m = 0.05;               // of links, against what two looks do not see between them
 constexpr std::size_t kMostStages = 2'000'000;  // of the guide: regions times states
 
 TrainModel swollen(TrainModel model) {
@@ -69,7 +69,8 @@ const RouteGraph* SearchGround::graph(Clearance clearance, const Stop& stop, std
   const std::lock_guard lock(slot.making);
   if (slot.graph == nullptr) {
     const double half_m = 0.5 * model_.width_m;
-    RouteOptions options{.margin_m = half_m + 0.1, .wanted_m = wanted_m(model_), .threads = threads, .stop = stop};
+    RouteOptions options{
+        .margin_m = half_m + 0.1, .wanted_m = wanted_m(model_), .threads = threads, .stop = stop};
     if (clearance == Clearance::More) options.wanted_m *= 1.5;
     if (clearance == Clearance::Least) options.wanted_m = half_m + 0.3;
     auto made = std::make_unique<RouteGraph>(floor_, places_, walls_, options);

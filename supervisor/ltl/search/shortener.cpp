@@ -14,20 +14,20 @@ using geometry::Point;
 
 constexpr std::uint64_t kRoundWork = 30'000;  // steps of the integration times links
 constexpr std::size_t kMostTries = 300;       // in a round, where none of them can be driven
+constexpr std::size_t kMostOthers = 6;        // routes in a round
 constexpr std::size_t kStyles = 4;            // of each other route
 constexpr double kLeastGain_m = 1e-4;
 constexpr double kSlack_m = 0.05;    // that a drive may be behind another one before it is given up
 constexpr double kLongest_m = 0.15;  // that a route may get longer by
 constexpr double kLeastMove_m = 0.04;
 constexpr double kMostMove_m = 1.2;
-constexpr double kSame = 0.2;      // shares of the kinds of change: the same route in another style,
-constexpr double kLeaveOut = 0.3;  // without a point,
-constexpr double kPutIn = 0.42;    // with one more; all others: a point is moved
-constexpr double kRestyled = 0.3;  // of those, in another style as well
-
-Point place_of(const DriveMark& mark) {
-  return {mark.state[kTrainX], mark.state[kTrainY]};
-}
+constexpr double kFromStart = 0.3;  // of other routes
+constexpr double kFar_m = 1e9;
+constexpr double kSame = 0.2;       // shares of the kinds of change: the same route in another style,
+constexpr double kLeaveOut = 0.3;   // without a point,
+constexpr double kPutIn = 0.42;     // with one more; all others: a point is moved
+constexpr double kWithNext = 0.35;  // with the next one
+constexpr double kRestyled = 0.3;   // of those, in another style as well
 
 double sum_m(const Route& route, std::size_t from = 0) {
   double length = 0.0;
@@ -40,18 +40,6 @@ double sum_m(const Route& route, std::size_t from = 0) {
 RoutePoint point_before(const Route& route, const DriveMark& mark, std::size_t k) {
   if (mark.next == k) return {place_of(mark), mark.task, {}};
   return route[k - 1];
-}
-
-// What is left of a route at a mark.
-Route tail_of(const Route& route, const DriveMark& mark) {
-  Route tail = {{place_of(mark), mark.task, {}}};
-  tail.insert(tail.end(), route.begin() + static_cast<std::ptrdiff_t>(mark.next), route.end());
-  if (tail.size() > 1) {
-    auto& through = tail[1].through;
-    through.erase(through.begin(),
-                  through.begin() + static_cast<std::ptrdiff_t>(std::min(mark.seen, through.size())));
-  }
-  return tail;
 }
 
 // How far a drive had come where so much of its route was left, from that mark on.
@@ -85,10 +73,12 @@ std::optional<DrivenRoute> Shortener::round(const ShortenRound& asked) {
   stop_ = asked.stop;
   driver_.set_stop(stop_);
   std::optional<DrivenRoute> best;
-  if (asked.best == nullptr || asked.other_routes) {
-    look_for_others(asked, best);
+  if (asked.best != nullptr) best = *asked.best;
+  if (!best || asked.other_routes) {
+    const std::uint64_t until = work() + kRoundWork;
+    for (std::size_t n = 0; n < kMostOthers && (n == 0 || work() < until) && !stop_.over(); ++n)
+      look_for_others(asked, best);
   } else {
-    best = *asked.best;
     vary(*best);
   }
   was_cut_ = stop_.over();
@@ -102,33 +92,61 @@ void Shortener::look_for_others(const ShortenRound& asked, std::optional<DrivenR
   const TrainModel& model = ground_.model();
   RouteSearch* const ways = routes(asked.clearance);
   if (ways == nullptr) return;
+  const bool is_whole = !best || asked.plain || chance() < kFromStart;
   const Point here{asked.start[kTrainX], asked.start[kTrainY]};
-  const DriveMark stand =
-      driver_.stand(asked.start, states_.next(states_.start(), ground_.places().label(here)));
+  DriveMark from = driver_.stand(asked.start, states_.next(states_.start(), ground_.places().label(here)));
+  std::size_t mark = 0;
+  if (!is_whole) {
+    const auto& marks = best->drive.marks;
+    mark = std::min(marks.size() - 1, static_cast<std::size_t>(chance() * static_cast<double>(marks.size())));
+    from = marks[mark];
+    if (states_.accepting(from.task)) return;
+  }
   const double noise = asked.plain ? 0.0 : 0.15 * chance();
   const double turn_m = tightest_m(model) * (asked.plain ? 1.0 : chance());
   const double room = asked.plain ? 1.0 : 0.6 + 0.8 * chance();
-  Route route = ways->route(route_query(model, stand, turn_m, room, noise, dice_(), stop_));
+  Route route = ways->route(route_query(model, from, turn_m, room, noise, dice_(), stop_));
   if (route.size() < 2) return;
   if (!asked.plain && chance() < (model.trailers == 0 ? 0.9 : 0.5)) {
     const RouteOptions& kept = ways->graph().options();
     const double spare_m = model.trailers == 0 ? 0.0 : chance() * (kept.wanted_m - kept.margin_m);
     route = ways->tightened(std::move(route), kept.margin_m + spare_m, stop_);
   }
-  DriveMark first = stand;
-  first.left_m = sum_m(route);
-  double most_m = asked.best != nullptr ? asked.best->length_m() : 1e9;
+  const double before_m = is_whole ? 0.0 : from.length_m;
+  const double most_m = (best ? best->length_m() : kFar_m) - before_m;
+  DriveStyle style;
+  auto drive = best_along(route, from, most_m, style);
+  if (!drive) return;
+  if (is_whole) {
+    from.left_m = sum_m(route);
+    drive->marks.insert(drive->marks.begin(), from);
+    best = DrivenRoute{asked.start, std::move(route), style, *std::move(drive)};
+    return;
+  }
+  std::size_t offset = 0;
+  Route whole = with_other_end(best->route, from, route, offset);
+  best = DrivenRoute{asked.start, std::move(whole), style, joined(best->drive, mark, *drive, offset, 0)};
+  // What was left before was left of another route.
+  const double differs_m = sum_m(route) - from.left_m;
+  for (std::size_t k = 0; k <= mark; ++k) best->drive.marks[k].left_m += differs_m;
+}
+
+// In some styles, the first one plain.
+std::optional<Drive> Shortener::best_along(const Route& route, const DriveMark& from, double most_m,
+                                           DriveStyle& style) {
+  std::optional<Drive> best;
   const std::uint64_t until = work() + 2 * kRoundWork;
   for (std::size_t n = 0; n < kStyles && (n == 0 || work() < until) && !stop_.over(); ++n) {
-    const DriveStyle style = n == 0 ? plain_style(model) : style_by_chance(model, dice_);
+    const DriveStyle tried = n == 0 ? plain_style(ground_.model()) : style_by_chance(ground_.model(), dice_);
     ++drives_;
-    Drive drive = driver_.along(route, stand, style,
-                                [&](const DriveMark& mark) { return mark.length_m >= most_m; });
+    Drive drive =
+        driver_.along(route, from, tried, [&](const DriveMark& mark) { return mark.length_m >= most_m; });
     if (drive.end != DriveEnd::Done || drive.marks.back().length_m >= most_m) continue;
     most_m = drive.marks.back().length_m;
-    drive.marks.insert(drive.marks.begin(), first);
-    best = DrivenRoute{asked.start, route, style, std::move(drive)};
+    style = tried;
+    best = std::move(drive);
   }
+  return best;
 }
 
 void Shortener::vary(DrivenRoute& best) {
@@ -146,7 +164,8 @@ std::optional<Shortener::Change> Shortener::changed(const DrivenRoute& from) {
   const std::size_t count = from.route.size();
   if (count < 2) return std::nullopt;
   const double kind = chance();
-  const std::size_t k = 1 + std::min(count - 2, static_cast<std::size_t>(chance() * static_cast<double>(count - 1)));
+  const std::size_t k =
+      1 + std::min(count - 2, static_cast<std::size_t>(chance() * static_cast<double>(count - 1)));
   Change change{from.route, mark_before(from, k), 0, 0.0};
   const DriveMark& mark = from.drive.marks[change.mark];
   if (kind < kSame) {
@@ -171,16 +190,18 @@ bool Shortener::move(Change& change, const RoutePoint& before, std::size_t k) {
   if (ways == nullptr) return false;
   const double far_m = kLeastMove_m * std::pow(kMostMove_m / kLeastMove_m, chance());
   const double along_m = far_m * bell();
-  const Point to = route[k].at + Point{along_m, far_m * bell()};
-  const auto here = ways->reached(before, to);
-  if (!here || here->state != route[k].state) return false;
-  if (k + 1 < route.size()) {
-    const auto next = ways->reached(*here, route[k + 1].at);
-    if (!next || next->state != route[k + 1].state) return false;
-    route[k + 1] = *next;
+  const Point by{along_m, far_m * bell()};
+  // Now and then with its neighbour: how a place is come to and how it is left belong together.
+  const std::size_t last = std::min(route.size() - 1, chance() < kWithNext ? k + 1 : k);
+  RoutePoint from = before;
+  for (std::size_t at = k; at <= std::min(last + 1, route.size() - 1); ++at) {
+    const double share = at > last ? 0.0 : at == k ? 1.0 : 2.0 * chance() - 1.0;
+    const auto here = ways->reached(from, route[at].at + share * by);
+    if (!here || here->state != route[at].state) return false;
+    route[at] = *here;
+    from = route[at];
   }
-  route[k] = *here;
-  change.shared = route.size() - k - 1;
+  change.shared = route.size() - last - 1;
   return true;
 }
 
@@ -244,21 +265,9 @@ std::optional<DrivenRoute> Shortener::driven(const DrivenRoute& from, const Chan
   const Drive drive = driver_.along(tail, mark, style, is_behind);
   if (drive.end != DriveEnd::Done || mark.length_m + drive.marks.back().length_m >= most_m)
     return std::nullopt;
-  DrivenRoute made{from.start, change.route, style, {}};
-  made.drive.end = DriveEnd::Done;
-  const auto& pieces = from.drive.pieces;
-  made.drive.pieces.assign(pieces.begin(), pieces.begin() + static_cast<std::ptrdiff_t>(mark.pieces));
-  made.drive.pieces.insert(made.drive.pieces.end(), drive.pieces.begin(), drive.pieces.end());
-  const auto& marks = from.drive.marks;
-  made.drive.marks.assign(marks.begin(), marks.begin() + static_cast<std::ptrdiff_t>(change.mark) + 1);
-  for (DriveMark& each : made.drive.marks) each.left_m += change.longer_m;
-  for (DriveMark each : drive.marks) {
-    each.pieces += mark.pieces;
-    each.length_m += mark.length_m;
-    if (each.next == 1) each.seen += mark.seen;
-    each.next += mark.next - 1;
-    made.drive.marks.push_back(each);
-  }
+  DrivenRoute made{from.start, change.route, style,
+                   joined(from.drive, change.mark, drive, mark.next - 1, mark.seen)};
+  for (std::size_t k = 0; k <= change.mark; ++k) made.drive.marks[k].left_m += change.longer_m;
   return made;
 }
 

@@ -19,30 +19,18 @@
 #include <optional>
 #include <random>
 
-#include "supervisor/ltl/search/driver.h"
+#include "supervisor/ltl/search/driven_route.h"
 #include "supervisor/ltl/search/search_ground.h"
 
 namespace stepwright::ltl {
-
-// A plan with the route that it follows. Marks of the drive name points of that route; the first mark is the
-// start.
-struct DrivenRoute {
-  TrainState start{};
-  Route route;
-  DriveStyle style;
-  Drive drive;
-
-  double length_m() const { return drive.marks.back().length_m; }
-  TrainPlan plan() const { return {start, drive.pieces, drive.marks.back().state, length_m()}; }
-};
 
 struct ShortenRound {
   TrainState start{};
   std::uint64_t seed = 1;
   const DrivenRoute* best = nullptr;        // begins at `start`; null: other routes are looked for
-  bool other_routes = false;                // also where there is a best one
+  bool other_routes = false;                // from somewhere on the best one, too
   Clearance clearance = Clearance::Wanted;  // of other routes
-  bool plain = false;                       // of them the cheapest one, as it is driven plainly
+  bool plain = false;                       // the cheapest route of all from the start
   Stop stop{};
 };
 
@@ -67,6 +55,8 @@ class Shortener {
 
   RouteSearch* routes(Clearance clearance);
   void look_for_others(const ShortenRound& asked, std::optional<DrivenRoute>& best);
+  std::optional<Drive> best_along(const Route& route, const DriveMark& from, double most_m,
+                                  DriveStyle& style);
   void vary(DrivenRoute& best);
   std::optional<Change> changed(const DrivenRoute& from);
   bool move(Change& change, const RoutePoint& before, std::size_t k);

@@ -101,7 +101,7 @@ std::size_t TrainSearch::choose() {
 }
 
 // The marks of a drive as a branch; the last node of it.
-std::size_t TrainSearch::add(std::size_t parent, const Drive& drive) {
+std::size_t TrainSearch::add(std::size_t parent, const Drive& drive, std::shared_ptr<const Route> route) {
   std::size_t used = 0;
   double driven = 0.0;
   for (const DriveMark& mark : drive.marks) {
@@ -111,6 +111,7 @@ std::size_t TrainSearch::add(std::size_t parent, const Drive& drive) {
     node.parent = static_cast<std::uint32_t>(parent);
     node.pieces.assign(drive.pieces.begin() + static_cast<std::ptrdiff_t>(used),
                        drive.pieces.begin() + static_cast<std::ptrdiff_t>(mark.pieces));
+    node.route = route;
     node.length_m = nodes_[parent].length_m + mark.length_m - driven;
     node.left_m = mark.left_m;
     used = mark.pieces;
@@ -139,16 +140,68 @@ void TrainSearch::blame(std::size_t parent, std::size_t first_new, const Drive& 
   }
 }
 
+// From the root, which is left out.
+std::vector<std::size_t> TrainSearch::way_to(std::size_t node) const {
+  std::vector<std::size_t> order;
+  for (std::size_t at = node; at != 0; at = nodes_[at].parent) order.push_back(at);
+  std::ranges::reverse(order);
+  return order;
+}
+
 TrainPlan TrainSearch::plan_to(std::size_t node) const {
   TrainPlan plan;
   plan.start = nodes_[0].at.state;
   plan.end = nodes_[node].at.state;
   plan.length_m = nodes_[node].length_m;
-  std::vector<std::size_t> order;
-  for (std::size_t at = node; at != 0; at = nodes_[at].parent) order.push_back(at);
-  for (auto at = order.rbegin(); at != order.rend(); ++at)
-    plan.pieces.insert(plan.pieces.end(), nodes_[*at].pieces.begin(), nodes_[*at].pieces.end());
+  for (const std::size_t at : way_to(node))
+    plan.pieces.insert(plan.pieces.end(), nodes_[at].pieces.begin(), nodes_[at].pieces.end());
   return plan;
+}
+
+// Branch by branch: where a branch leaves another one, its route goes on from there. What comes before a
+// control by chance follows no route.
+DrivenRoute TrainSearch::driven_to(std::size_t node) const {
+  DrivenRoute driven;
+  driven.start = nodes_[0].at.state;
+  driven.style = style_of_last_;
+  Drive& drive = driven.drive;
+  drive.end = DriveEnd::Done;
+  const auto begin_at = [&](const Node& at) {
+    DriveMark mark = at.at;
+    mark.pieces = drive.pieces.size();
+    mark.length_m = at.length_m;
+    mark.next = 1;
+    mark.seen = 0;
+    driven.route = {{place_of(mark), mark.task, {}}};
+    drive.marks = {mark};
+  };
+  begin_at(nodes_[0]);
+  std::shared_ptr<const Route> along;
+  std::size_t offset = 0;
+  for (const std::size_t at : way_to(node)) {
+    const Node& here = nodes_[at];
+    drive.pieces.insert(drive.pieces.end(), here.pieces.begin(), here.pieces.end());
+    if (here.route == nullptr) {
+      along = nullptr;
+      begin_at(here);
+      continue;
+    }
+    if (here.route != along) {
+      if (driven.route.size() == 1) {
+        driven.route = *here.route;
+        offset = 0;
+      } else {
+        driven.route = with_other_end(driven.route, drive.marks.back(), *here.route, offset);
+      }
+      along = here.route;
+    }
+    DriveMark mark = here.at;
+    mark.pieces = drive.pieces.size();
+    mark.length_m = here.length_m;
+    mark.next += offset;
+    drive.marks.push_back(mark);
+  }
+  return driven;
 }
 
 Route TrainSearch::route_from(const Node& node, RouteSearch& ways, double noise) {
@@ -168,7 +221,7 @@ bool TrainSearch::explore(std::size_t from) {
   const TrainControl control{reverse ? -push : push, model.most_lock_rate_rad_s * turn};
   Drive drive = driver_.hold(nodes_[from].at, control, 0.2 + 2.5 * chance());
   for (DriveMark& mark : drive.marks) mark.left_m = nodes_[from].left_m + mark.length_m;
-  add(from, drive);
+  add(from, drive, nullptr);
   return drive.end == DriveEnd::Done;
 }
 
@@ -176,22 +229,24 @@ bool TrainSearch::explore(std::size_t from) {
 bool TrainSearch::drive_from(std::size_t from, bool by_chance) {
   RouteSearch* const ways = routes(by_chance ? static_cast<Clearance>(chance() * 2.99) : Clearance::Wanted);
   if (ways == nullptr) return false;
-  const Route route = route_from(nodes_[from], *ways, by_chance ? 0.6 * chance() : 0.0);
-  if (route.empty()) {
+  const auto route =
+      std::make_shared<const Route>(route_from(nodes_[from], *ways, by_chance ? 0.6 * chance() : 0.0));
+  if (route->empty()) {
     nodes_[from].fails += 1.0;
     return false;
   }
   // Of the root, which has no way to it.
-  if (std::isinf(nodes_[from].left_m)) nodes_[from].left_m = way_m(route);
+  if (std::isinf(nodes_[from].left_m)) nodes_[from].left_m = way_m(*route);
   ++answer_.drives;
-  const Drive drive = driver_.along(route, nodes_[from].at, style(by_chance));
+  style_of_last_ = style(by_chance);
+  const Drive drive = driver_.along(*route, nodes_[from].at, style_of_last_);
   const std::size_t first_new = nodes_.size();
   // Hardly moved: what it would add fails as it does.
   const bool is_short = drive.end != DriveEnd::Done && drive.marks.back().length_m < kShort_m;
   if (is_short)
     nodes_[from].fails += kShortFails;
   else
-    add(from, drive);
+    add(from, drive, route);
   if (drive.end == DriveEnd::Done) return true;
   blame(from, first_new, drive);
   return false;
@@ -215,7 +270,10 @@ bool TrainSearch::one_round() {
 void TrainSearch::end_with(SearchEnd end) {
   has_end_ = true;
   answer_.end = end;
-  if (end == SearchEnd::Found) answer_.plan = plan_to(nodes_.size() - 1);
+  if (end == SearchEnd::Found) {
+    answer_.plan = plan_to(nodes_.size() - 1);
+    answer_.driven = driven_to(nodes_.size() - 1);
+  }
   answer_.nodes = most_nodes_;
   answer_.steps = driver_.steps() - steps_before_;
 }

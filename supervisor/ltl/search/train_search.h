@@ -26,7 +26,7 @@
 #include <random>
 #include <vector>
 
-#include "supervisor/ltl/search/driver.h"
+#include "supervisor/ltl/search/driven_route.h"
 #include "supervisor/ltl/search/search_ground.h"
 
 namespace stepwright::ltl {
@@ -52,11 +52,12 @@ enum class SearchEnd : std::uint8_t {
 struct SearchAnswer {
   SearchEnd end = SearchEnd::Bound;
   std::optional<TrainPlan> plan;
-  std::size_t drives = 0;   // along routes
-  std::size_t nodes = 0;    // of the tree
-  std::uint64_t steps = 0;  // of the integration
-  double prepared_s = 0.0;  // until the first route was asked for
-  double spent_s = 0.0;     // in this search's own parts
+  std::optional<DrivenRoute> driven;  // the plan with the routes that it follows to its end
+  std::size_t drives = 0;             // along routes
+  std::size_t nodes = 0;              // of the tree
+  std::uint64_t steps = 0;            // of the integration
+  double prepared_s = 0.0;            // until the first route was asked for
+  double spent_s = 0.0;               // in this search's own parts
 };
 
 class TrainSearch {
@@ -79,7 +80,8 @@ class TrainSearch {
     DriveMark at;  // state, task and label
     std::uint32_t parent = 0;
     std::vector<TrainPiece> pieces;
-    double length_m = 0.0;  // from the root
+    std::shared_ptr<const Route> route;  // that leads there; null: a control by chance, or the root
+    double length_m = 0.0;               // from the root
     double left_m = 0.0;
     double fails = 0.0;
   };
@@ -88,12 +90,14 @@ class TrainSearch {
   RouteSearch* routes(Clearance clearance);
   DriveStyle style(bool by_chance);
   std::size_t choose();
-  std::size_t add(std::size_t parent, const Drive& drive);
+  std::size_t add(std::size_t parent, const Drive& drive, std::shared_ptr<const Route> route);
   void blame(std::size_t parent, std::size_t first_new, const Drive& drive);
   bool explore(std::size_t from);
   bool drive_from(std::size_t from, bool by_chance);
   bool one_round();
+  std::vector<std::size_t> way_to(std::size_t node) const;
   TrainPlan plan_to(std::size_t node) const;
+  DrivenRoute driven_to(std::size_t node) const;
   std::optional<SearchEnd> begin();
   std::optional<SearchEnd> over() const;
   void end_with(SearchEnd end);
@@ -110,6 +114,7 @@ class TrainSearch {
   std::size_t round_ = 0;
   std::uint64_t steps_before_ = 0;
   std::size_t most_nodes_ = 0;
+  DriveStyle style_of_last_;  // drive along a route
   Stop stop_;
   std::mt19937_64 dice_;
   std::deque<Node> nodes_;

@@ -42,10 +42,11 @@ struct Options {
   const char* json_file = nullptr;
   int seeds = 3;
   double most_s = 4.0;
-  int baseline_seeds = 1;  // of LTLPlanner and of the paper's, which take their time; 0: without them
-  bool full = false;       // all settings of the paper's algorithm
-  std::size_t threads = 0;   // of ours; 0: as many as the machine has, at most 2
+  int baseline_seeds = 1;   // of LTLPlanner and of the paper's, which take their time; 0: without them
+  bool full = false;        // all settings of the paper's algorithm
+  std::size_t threads = 0;  // of ours; 0: as many as the machine has, at most 2
   double shorten_s = 1.0;
+  std::size_t shorten_rounds = std::numeric_limits<std::size_t>::max();  // of that
   bool all_lengths = false;  // shorter plans for every row, not only for phi1 on blocks
   std::string only;          // "blocks/phi1": this task on this scene; empty: all
 };
@@ -188,6 +189,7 @@ nlohmann::json run_row(const Setting& setting, std::size_t trailers, const Optio
     run_ours(setting, problem, how, ours, totals);
     if (is_measured) {
       how.shorten_s = options.shorten_s;
+      how.shorten_rounds = options.shorten_rounds;
       run_ours(setting, problem, how, shortened, totals);
       how.shorten_s = 0.0;
     }
@@ -355,6 +357,8 @@ int main(int argc, char** argv) {
       options.threads = static_cast<std::size_t>(std::max(0, std::atoi(argv[k + 1])));
     else if (is("--shorten"))
       options.shorten_s = std::atof(argv[k + 1]);
+    else if (is("--shorten-rounds"))
+      options.shorten_rounds = static_cast<std::size_t>(std::max(0, std::atoi(argv[k + 1])));
     else if (is("--only"))
       options.only = argv[k + 1];
     else if (is("--baseline-seeds") || is("--ompl-seeds"))
@@ -364,10 +368,10 @@ int main(int argc, char** argv) {
     ++k;
   }
   if (!known || options.seeds < 1 || !(options.most_s > 0.0) || options.baseline_seeds < 0) {
-    std::fprintf(
-        stderr,
-        "usage: bench_ltl [--full] [--json FILE] [--seeds N] [--time SECONDS] [--baseline-seeds N] [--threads "
-        "N] [--shorten SECONDS] [--all-lengths] [--only SCENE/TASK]\n");
+    std::fprintf(stderr,
+                 "usage: bench_ltl [--full] [--json FILE] [--seeds N] [--time SECONDS] [--baseline-seeds N] "
+                 "[--threads "
+                 "N] [--shorten SECONDS] [--shorten-rounds N] [--all-lengths] [--only SCENE/TASK]\n");
     return stepwright::result::to_int(stepwright::result::ExitCode::Usage);
   }
   return stepwright::bench::run(options);

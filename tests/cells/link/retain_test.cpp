@@ -148,12 +148,14 @@ TEST(RetainProcess, WhenTheBootProgramLacksAMonitorOfTheCell_ThenItIsRefusedAndA
   EXPECT_TRUE(runtime.wait_for("C0558")) << runtime.output();
   const auto client = cell.attach(service::Role::Controller);
   const host::RuntimeStatus said = status(*client);
-  EXPECT_NE(said.detail.find("the program does not have the monitor 'few'"), std::string::npos) << said.detail;
+  EXPECT_NE(said.detail.find("the program does not have the monitor 'few'"), std::string::npos)
+      << said.detail;
   EXPECT_NE(said.detail.find("line.swb"), std::string::npos) << said.detail;
   EXPECT_EQ(said.scan, 0u);
   const driver::Watcher few{.name = "monitor_few",
-                            .text = "PROGRAM monitor_few\nVAR Failed : BOOL; END_VAR\nFailed := MAIN.here > "
-                                    "100000;\nEND_PROGRAM\n",
+                            .text =
+                                "PROGRAM monitor_few\nVAR Failed : BOOL; END_VAR\nFailed := MAIN.here > "
+                                "100000;\nEND_PROGRAM\n",
                             .outside_reads = 1};
   ASSERT_TRUE(ok(client->download(counting_program("", std::span(&few, 1)), kPatience)));
   ASSERT_TRUE(ok(client->call(service::Start{}, kPatience)));

@@ -291,9 +291,8 @@ TEST_F(TuggerCell, WhenTheHallIsARosMap_ThenItsBlockedCellsAreWalls) {
   ASSERT_TRUE(made) << result::to_string(made.error());
   ASSERT_EQ(made->walls.size(), 1u);
   const auto corner = body2d::Vec2{30.0, 20.0};
-  EXPECT_TRUE(std::ranges::any_of(made->walls[0].ring, [&](body2d::Vec2 at) {
-    return at.x == corner.x && at.y == corner.y;
-  }));
+  EXPECT_TRUE(std::ranges::any_of(made->walls[0].ring,
+                                  [&](body2d::Vec2 at) { return at.x == corner.x && at.y == corner.y; }));
   ASSERT_EQ(made->obstacles.size(), 1u) << "blocked cells as one rectangle";
   EXPECT_EQ(made->obstacles[0].ring.front().x, 10.0);
   EXPECT_EQ(made->obstacles[0].ring.front().y, 8.0);
@@ -320,9 +319,10 @@ TEST_F(TuggerCell, WhenTheMapIsWrong_ThenItSaysWhere) {
   expect_map("image: [", "F0102");
   expect_map("image: hall.pgm\nresolution: -1\norigin: [0, 0, 0]\n", "F0103");
   std::ofstream(folder_.path() / "hall.pgm") << "P5 no image";
-  expect_map("image: hall.pgm\nresolution: 0.5\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.65\n"
-             "free_thresh: 0.196\n",
-             "F0104");
+  expect_map(
+      "image: hall.pgm\nresolution: 0.5\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.65\n"
+      "free_thresh: 0.196\n",
+      "F0104");
 }
 
 TEST_F(TuggerCell, WhenALinkStandsInAWall_ThenTheStartIsNamed) {

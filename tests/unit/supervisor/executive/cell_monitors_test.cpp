@@ -96,8 +96,7 @@ TEST(ExecutiveCellMonitors, WhenThePlantIsOnlyLookedAt_ThenMonitorsAreThereThatR
     EXPECT_TRUE(has(*look, "never_far"));
     EXPECT_FALSE(has(*look, "few_alarms"));
   }
-  const auto plan =
-      planning->prepare({.start = {.planning = pddl::to_named(planning->task().initial())}});
+  const auto plan = planning->prepare({.start = {.planning = pddl::to_named(planning->task().initial())}});
   ASSERT_TRUE(plan) << result::to_string(plan.error());
   EXPECT_TRUE(has(plan->prepared, "never_far"));
   EXPECT_TRUE(has(plan->prepared, "few_alarms"));

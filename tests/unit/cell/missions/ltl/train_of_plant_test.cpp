@@ -54,8 +54,8 @@ TEST(TrainOfPlant, WhenTheProblemNamesNoFigure_ThenItIsThePlants) {
 
 TEST(TrainOfPlant, WhenThePlantCanDoLess_ThenThatIsTheLimit) {
   config::PlantConfig plant = tugger();
-  plant.tugger.drive = {.top_speed_m_s = 0.8, .time_constant_s = 0.5, .acceleration_m_s2 = 0.4,
-                        .braking_m_s2 = 1.0};
+  plant.tugger.drive = {
+      .top_speed_m_s = 0.8, .time_constant_s = 0.5, .acceleration_m_s2 = 0.4, .braking_m_s2 = 1.0};
   plant.tugger.steering = {.full_lock_rad = 0.6, .time_constant_s = 0.2, .rate_rad_s = 0.4};
   ltl::TrainModel train{.trailers = 3};
   keep_within(plant, train);

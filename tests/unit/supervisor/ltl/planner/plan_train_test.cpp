@@ -200,8 +200,7 @@ TEST(PlanTrain, WhenItWorksOnOneThreadOrOnTwo_ThenThePlanIsTheSame) {
 
 TEST(PlanTrain, WhenItShortensOnOneThreadOrOnTwo_ThenThePlanIsTheSame) {
   const Problem problem = hall(2, "visit press then visit rack");
-  PlanOptions options{
-      .most_s = kGenerous_s, .shorten_s = kGenerous_s, .shorten_rounds = 5, .threads = 1};
+  PlanOptions options{.most_s = kGenerous_s, .shorten_s = kGenerous_s, .shorten_rounds = 5, .threads = 1};
   const auto one = plan_train(problem, options);
   options.threads = 2;
   const auto two = plan_train(problem, options);

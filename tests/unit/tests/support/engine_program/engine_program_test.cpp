@@ -30,8 +30,10 @@ TEST(EngineProgram, WhenItScans_ThenBothEnginesCountAlikeAndATrapEndsIt) {
 }
 
 TEST(EngineProgram, WhenAWatcherComesAlong_ThenItScansBehindTheProgram) {
-  const driver::Watcher watcher{.name = "watch", .text = "PROGRAM watch\nVAR seen : INT; END_VAR\nseen := "
-                                                         "main.count;\nEND_PROGRAM\n",
+  const driver::Watcher watcher{.name = "watch",
+                                .text =
+                                    "PROGRAM watch\nVAR seen : INT; END_VAR\nseen := "
+                                    "main.count;\nEND_PROGRAM\n",
                                 .outside_reads = 1};
   EngineProgram program(compile_st(kCounter, std::span(&watcher, 1)), EngineKind::Vm);
   program.memory()[program.variable("main.on").address] = std::byte{1};
