@@ -1,7 +1,7 @@
 #pragma once
 
-// Shorter plans for a train: other routes, pulled tight and driven in other styles, and then what was found
-// so far with a point of its route moved, added or left out, as long as the drive along it gets shorter. What
+// Shorter plans for a train: other routes, from the start or from anywhere on the plan so far, pulled tight
+// and driven in other styles; and that plan with a point of its route moved, added or left out. What
 // counts is the way that is driven, not that of the route; a drive is done anew from shortly before the point
 // that moved, and given up where it turns out to be no shorter.
 //
