@@ -27,12 +27,13 @@ class Line {
     if (search_ == nullptr) search_ = means_.search();
     if (!asked_) search_->ask(query());
     asked_ = true;
-    if (!search_->go_on(kSliceRounds)) return State::Going;
+    const bool is_very_first = !std::exchange(has_begun_, true) && found_.line == 0;
+    if (!search_->go_on(is_very_first ? 1 : kSliceRounds)) return State::Going;
     asked_ = false;
     found_.search = search_->answer();
     ++found_.tries;
     if (!found_.search.plan) return State::Over;
-    found_.judgement = means_.judge(*found_.search.plan);
+    found_.judgement = means_.judge(*found_.search.plan, enough_);
     if (found_.judgement.accepted()) return State::Found;
     return found_.tries < options_.most_tries ? State::Going : State::Over;
   }
@@ -57,6 +58,7 @@ class Line {
   const Deadline& deadline_;
   std::unique_ptr<TrainSearch> search_;
   bool asked_ = false;
+  bool has_begun_ = false;
   std::atomic<bool> enough_{false};
   FirstPlan found_;
 };
@@ -101,13 +103,16 @@ class Race {
         lines_{Line(0, means, options, deadline), Line(1, means, options, deadline)} {}
 
   FirstPlan run() {
-    if (threads_ > 1)
-      on_lanes(threads_, [this](std::size_t line) {
-        for (std::uint64_t slice = 0; one(line, slice); ++slice) {
+    // Most often the cheapest route is the plan: the second line begins where it is not.
+    const bool goes_on = one(0, 0);
+    if (threads_ > 1 && order_.best() == Order::kNone)
+      on_lanes(threads_, [this, goes_on](std::size_t line) {
+        if (line == 0 && !goes_on) return;
+        for (std::uint64_t slice = line == 0 ? 1 : 0; one(line, slice); ++slice) {
         }
       });
-    else
-      take_turns();
+    else if (order_.best() == Order::kNone)
+      take_turns(goes_on);
     const std::uint64_t best = order_.best();
     const bool is_found = best != Order::kNone && lines_[best % kLanes].found().found();
     if (is_found) return std::move(lines_[best % kLanes].found());
@@ -136,10 +141,10 @@ class Race {
     return false;
   }
 
-  void take_turns() {
-    std::array<bool, kLanes> goes_on{true, true};
+  void take_turns(bool first_goes_on) {
+    std::array<bool, kLanes> goes_on{first_goes_on, true};
     for (std::uint64_t slice = 0; goes_on[0] || goes_on[1]; ++slice)
-      for (std::size_t line = 0; line < kLanes; ++line)
+      for (std::size_t line = slice == 0 ? 1 : 0; line < kLanes; ++line)
         if (goes_on[line]) goes_on[line] = one(line, slice);
   }
 

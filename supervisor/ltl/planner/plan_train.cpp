@@ -57,15 +57,16 @@ class Planner {
   result::Result<PlanAnswer> plan() {
     // Both threads make what both lines begin with.
     (void)ground_.graph(Clearance::Wanted, deadline_.stop(), threads_);
-    FirstPlan first = first_plan({[this] { return std::make_unique<TrainSearch>(ground_, task_.states()); },
-                                  [this](const TrainPlan& plan) { return judged(plan); }},
-                                 {.start = start_,
-                                  .seed = options_.seed,
-                                  .most_rounds = options_.most_rounds,
-                                  .most_tries = options_.most_tries,
-                                  .threads = threads_,
-                                  .cancel = options_.cancel},
-                                 deadline_);
+    FirstPlan first = first_plan(
+        {[this] { return std::make_unique<TrainSearch>(ground_, task_.states()); },
+         [this](const TrainPlan& plan, const std::atomic<bool>& enough) { return judged(plan, &enough); }},
+        {.start = start_,
+         .seed = options_.seed,
+         .most_rounds = options_.most_rounds,
+         .most_tries = options_.most_tries,
+         .threads = threads_,
+         .cancel = options_.cancel},
+        deadline_);
     if (!first.found()) return failed(first);
     PlanAnswer answer;
     answer.plan = *first.search.plan;
@@ -81,9 +82,12 @@ class Planner {
 
  private:
   // What was found in time has a second more to be judged.
-  PlanJudgement judged(const TrainPlan& plan) const {
+  PlanJudgement judged(const TrainPlan& plan, const std::atomic<bool>* enough = nullptr) const {
     const auto until = Clock::now() + std::chrono::seconds(1);
-    const auto stop = [&] { return deadline_.is_cancelled() || (deadline_.over() && Clock::now() > until); };
+    const auto stop = [&] {
+      return deadline_.is_cancelled() || (enough != nullptr && enough->load()) ||
+             (deadline_.over() && Clock::now() > until);
+    };
     return judge_plan(problem_.floor, problem_.train, start_, task_.formula, plan,
                       {.read = problem_.read, .stop = stop});
   }
