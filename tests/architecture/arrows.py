@@ -103,6 +103,8 @@ ARROWS = {
     "supervisor/ltl/planner": ["supervisor/ltl/search", "supervisor/ltl/referee", "runtime/ground/markup"],
     "supervisor/ltl/program": ["supervisor/ltl/planner", "supervisor/ltl/monitor", "supervisor/vehicle", "ladder/graphic"],
     "supervisor/ltl/mission": ["supervisor/ltl/program", "supervisor/run", "ladder/driver", "runtime/bytecode/reader"],
+    "supervisor/motion/spatial": [],
+    "supervisor/motion/robot": ["supervisor/motion/spatial", "runtime/ground/result"],
     "supervisor/geometry": [],
     "supervisor/vehicle": ["supervisor/geometry", "ladder/graphic"],
     "supervisor/map": ["supervisor/geometry", "runtime/ground/result"],
