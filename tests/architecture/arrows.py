@@ -105,6 +105,7 @@ ARROWS = {
     "supervisor/ltl/mission": ["supervisor/ltl/program", "supervisor/run", "ladder/driver", "runtime/bytecode/reader"],
     "supervisor/motion/spatial": [],
     "supervisor/motion/robot": ["supervisor/motion/spatial", "runtime/ground/result"],
+    "supervisor/motion/kinematics": ["supervisor/motion/robot"],
     "supervisor/geometry": [],
     "supervisor/vehicle": ["supervisor/geometry", "ladder/graphic"],
     "supervisor/map": ["supervisor/geometry", "runtime/ground/result"],
