@@ -1,6 +1,7 @@
 # Third-party packages, found once for the whole tree. Every one comes from Debian (scripts/install-packages).
 
 find_package(asmjit REQUIRED)
+find_package(assimp 5.2 REQUIRED)
 find_package(box2d REQUIRED)
 find_package(Boost 1.74 REQUIRED)
 find_package(CLI11 REQUIRED)

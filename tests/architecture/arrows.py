@@ -106,6 +106,8 @@ ARROWS = {
     "supervisor/motion/spatial": [],
     "supervisor/motion/robot": ["supervisor/motion/spatial", "runtime/ground/result"],
     "supervisor/motion/kinematics": ["supervisor/motion/robot"],
+    "supervisor/motion/mesh": ["supervisor/motion/robot"],
+    "supervisor/motion/spheres": ["supervisor/motion/mesh"],
     "supervisor/geometry": [],
     "supervisor/vehicle": ["supervisor/geometry", "ladder/graphic"],
     "supervisor/map": ["supervisor/geometry", "runtime/ground/result"],
