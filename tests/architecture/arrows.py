@@ -108,6 +108,8 @@ ARROWS = {
     "supervisor/motion/kinematics": ["supervisor/motion/robot"],
     "supervisor/motion/mesh": ["supervisor/motion/robot"],
     "supervisor/motion/spheres": ["supervisor/motion/mesh"],
+    "supervisor/motion/collision": ["supervisor/motion/kinematics", "supervisor/motion/spheres"],
+    "supervisor/motion/recheck": ["supervisor/motion/collision"],
     "supervisor/geometry": [],
     "supervisor/vehicle": ["supervisor/geometry", "ladder/graphic"],
     "supervisor/map": ["supervisor/geometry", "runtime/ground/result"],
