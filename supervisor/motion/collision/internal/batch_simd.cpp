@@ -9,7 +9,6 @@
 #include <hwy/aligned_allocator.h>
 #include <hwy/highway.h>
 
-#include <algorithm>
 #include <array>
 
 #include "supervisor/motion/collision/internal/program.h"
@@ -67,17 +66,17 @@ HWY_INLINE V square(V x, V y, V z) {
 
 class Batch {
  public:
+  // Vectors one after the other: places of bodies, columns of configurations, centres of links, of spheres.
   explicit Batch(const Program& program)
       : program_(program),
         lanes_(hn::Lanes(Tag())),
-        places_(hwy::AllocateAligned<float>((program.steps.size() + 1) * kPlaceVectors * lanes_)),
-        columns_(hwy::AllocateAligned<float>(std::max<std::size_t>(program.columns, 1) * lanes_)),
-        centres_(hwy::AllocateAligned<float>(std::max<std::size_t>(program.balls.size(), 1) * 3 * lanes_)),
-        has_centres_(program.parts.size()) {
+        columns_at_((program.steps.size() + 1) * kPlaceVectors),
+        middles_at_(columns_at_ + program.columns),
+        centres_at_(middles_at_ + 3 * program.moving_parts),
+        vectors_(hwy::AllocateAligned<float>((centres_at_ + 3 * program.moving_balls) * lanes_)),
+        has_centres_(program.moving_parts) {
     const std::array<float, kPlaceVectors> still{1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0};
-    for (std::size_t k = 0; k < kPlaceVectors; ++k) hn::Store(set(still[k]), Tag(), &places_[k * lanes_]);
-    std::fill(has_centres_.begin(), has_centres_.end(), 0);
-    for (std::size_t k = program.moving_parts; k < program.parts.size(); ++k) centres_of(k);  // these stay
+    for (std::size_t k = 0; k < kPlaceVectors; ++k) store(set(still[k]), k);
   }
 
   std::size_t lanes() const { return lanes_; }
@@ -86,8 +85,10 @@ class Batch {
   HWY_INLINE bool check(const double* rows, std::size_t count, bool any, std::uint8_t* collides) {
     load(rows, count);
     place();
-    std::fill(has_centres_.begin(), has_centres_.begin() + static_cast<std::ptrdiff_t>(program_.moving_parts),
-              0);
+    for (std::size_t k = 0; k < program_.moving_parts; ++k) {
+      has_centres_[k] = 0;
+      store(carried(program_.parts[k].body, program_.parts[k].bound.centre), middles_at_ + 3 * k);
+    }
     const M unused = hn::Not(hn::FirstN(Tag(), count));
     const M none = hn::FirstN(Tag(), 0);
     M hit = none;
@@ -113,23 +114,32 @@ class Batch {
   }
 
  private:
+  HWY_INLINE V vector(std::size_t which) const { return hn::Load(Tag(), &vectors_[which * lanes_]); }
+  HWY_INLINE V3 three(std::size_t first) const {
+    return {vector(first), vector(first + 1), vector(first + 2)};
+  }
+  HWY_INLINE void store(V value, std::size_t which) { hn::Store(value, Tag(), &vectors_[which * lanes_]); }
+  HWY_INLINE void store(const V3& values, std::size_t first) {
+    for (std::size_t i = 0; i < 3; ++i) store(values[i], first + i);
+  }
+
   HWY_INLINE void load(const double* rows, std::size_t count) {
     for (std::size_t column = 0; column < program_.columns; ++column)
       for (std::size_t lane = 0; lane < lanes_; ++lane)
-        columns_[column * lanes_ + lane] =
-            static_cast<float>(rows[std::min(lane, count - 1) * program_.columns + column]);
+        vectors_[(columns_at_ + column) * lanes_ + lane] =
+            static_cast<float>(rows[(lane < count ? lane : count - 1) * program_.columns + column]);
   }
 
   HWY_INLINE V of_place(std::size_t body, std::size_t which) const {
-    return hn::Load(Tag(), &places_[(body * kPlaceVectors + which) * lanes_]);
+    return vector(body * kPlaceVectors + which);
   }
 
   HWY_INLINE void place() {
     for (std::size_t k = 0; k < program_.steps.size(); ++k) {
       const BodyStep& step = program_.steps[k];
-      float* const at = &places_[(k + 1) * kPlaceVectors * lanes_];
-      const V value = hn::Add(hn::Mul(hn::Load(Tag(), &columns_[step.column * lanes_]), set(step.multiplier)),
-                              set(step.offset));
+      const std::size_t at = (k + 1) * kPlaceVectors;
+      const V value =
+          hn::Add(hn::Mul(vector(columns_at_ + step.column), set(step.multiplier)), set(step.offset));
       std::array<V, 9> turned;
       V3 origin{set(step.origin[0]), set(step.origin[1]), set(step.origin[2])};
       if (step.slides) {
@@ -147,10 +157,8 @@ class Batch {
         const V a = of_place(step.parent, 3 * row), b = of_place(step.parent, 3 * row + 1),
                 c = of_place(step.parent, 3 * row + 2);
         for (std::size_t i = 0; i < 3; ++i)
-          hn::Store(sum_of(a, b, c, V3{turned[i], turned[3 + i], turned[6 + i]}), Tag(),
-                    at + (3 * row + i) * lanes_);
-        hn::Store(hn::Add(sum_of(a, b, c, origin), of_place(step.parent, 9 + row)), Tag(),
-                  at + (9 + row) * lanes_);
+          store(sum_of(a, b, c, V3{turned[i], turned[3 + i], turned[6 + i]}), at + 3 * row + i);
+        store(hn::Add(sum_of(a, b, c, origin), of_place(step.parent, 9 + row)), at + 9 + row);
       }
     }
   }
@@ -165,18 +173,21 @@ class Batch {
   }
 
   HWY_INLINE void centres_of(std::size_t part) {
-    if (has_centres_[part] != 0) return;
+    if (part >= program_.moving_parts || has_centres_[part] != 0) return;
     has_centres_[part] = 1;
     const Part& of = program_.parts[part];
-    for (std::size_t k = of.first; k < of.end; ++k) {
-      const V3 at = carried(of.body, program_.balls[k].centre);
-      for (std::size_t i = 0; i < 3; ++i) hn::Store(at[i], Tag(), &centres_[(3 * k + i) * lanes_]);
-    }
+    for (std::size_t k = of.first; k < of.end; ++k)
+      store(carried(of.body, program_.balls[k].centre), centres_at_ + 3 * k);
   }
+
+  // Where something is in all lanes: computed, or standing still.
+  static HWY_INLINE V3 still(const std::array<float, 3>& at) { return {set(at[0]), set(at[1]), set(at[2])}; }
   HWY_INLINE V3 centre(std::size_t ball) const {
-    return {hn::Load(Tag(), &centres_[3 * ball * lanes_]),
-            hn::Load(Tag(), &centres_[(3 * ball + 1) * lanes_]),
-            hn::Load(Tag(), &centres_[(3 * ball + 2) * lanes_])};
+    return ball < program_.moving_balls ? three(centres_at_ + 3 * ball) : still(program_.balls[ball].centre);
+  }
+  HWY_INLINE V3 middle_of(std::size_t part) const {
+    return part < program_.moving_parts ? three(middles_at_ + 3 * part)
+                                        : still(program_.parts[part].bound.centre);
   }
 
   HWY_INLINE M near(const Solid& solid, const V3& at, float radius) const {
@@ -203,7 +214,7 @@ class Batch {
 
   HWY_INLINE void meet_world(std::size_t which, M& hit) {
     const Part& part = program_.parts[which];
-    const V3 middle = carried(part.body, part.bound.centre);
+    const V3 middle = middle_of(which);
     for (const std::uint32_t each : part.obstacles) {
       const Solid& solid = program_.solids[each];
       const M close = near(solid, middle, part.bound.radius);
@@ -221,8 +232,8 @@ class Batch {
   // True if the links were looked at closely.
   HWY_INLINE bool meet(std::size_t which_a, std::size_t which_b, M& hit) {
     const Part &a = program_.parts[which_a], &b = program_.parts[which_b];
-    const V3 middle = carried(b.body, b.bound.centre);
-    const M close = touch(carried(a.body, a.bound.centre), middle, a.bound.radius + b.bound.radius);
+    const V3 middle = middle_of(which_b);
+    const M close = touch(middle_of(which_a), middle, a.bound.radius + b.bound.radius);
     if (hn::AllFalse(Tag(), close)) return false;
     centres_of(which_a);
     centres_of(which_b);
@@ -239,7 +250,8 @@ class Batch {
 
   const Program& program_;
   std::size_t lanes_;
-  hwy::AlignedFreeUniquePtr<float[]> places_, columns_, centres_;
+  std::size_t columns_at_, middles_at_, centres_at_;
+  hwy::AlignedFreeUniquePtr<float[]> vectors_;
   std::vector<std::uint8_t> has_centres_;
 };
 
@@ -247,7 +259,7 @@ void check_batches(const Program& program, const double* rows, std::size_t count
                    std::uint8_t* collides) {
   Batch batch(program);
   for (std::size_t k = 0; k < count; k += batch.lanes()) {
-    const std::size_t here = std::min(batch.lanes(), count - k);
+    const std::size_t here = count - k < batch.lanes() ? count - k : batch.lanes();
     if (batch.check(rows + k * program.columns, here, any, collides + k) && any) return;
   }
 }

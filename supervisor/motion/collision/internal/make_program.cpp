@@ -118,8 +118,11 @@ class ProgramMaker {
       for (const Sphere& each : spheres.links[link].spheres)
         program_.balls.push_back(ball(each, carried.place));
       part.end = program_.balls.size();
+      if (carried.body > 0) {
+        ++program_.moving_parts;
+        program_.moving_balls = part.end;
+      }
       program_.parts.push_back(std::move(part));
-      program_.moving_parts += carried.body > 0;
       links_.push_back(link);
     }
   }

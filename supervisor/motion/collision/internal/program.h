@@ -50,6 +50,7 @@ struct Program {
   std::vector<Ball> balls;
   std::vector<Part> parts;  // those that move first, the farthest from the root first of all
   std::size_t moving_parts = 0;
+  std::size_t moving_balls = 0;  // those of the parts that move: the first ones
   std::vector<Solid> solids;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;  // of parts to check with each other
 };
