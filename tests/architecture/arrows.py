@@ -111,6 +111,7 @@ ARROWS = {
     "supervisor/motion/collision": ["supervisor/motion/kinematics", "supervisor/motion/spheres"],
     "supervisor/motion/recheck": ["supervisor/motion/collision"],
     "supervisor/motion/path": ["supervisor/motion/collision"],
+    "supervisor/motion/moveit": ["supervisor/motion/collision"],
     "supervisor/geometry": [],
     "supervisor/vehicle": ["supervisor/geometry", "ladder/graphic"],
     "supervisor/map": ["supervisor/geometry", "runtime/ground/result"],

@@ -1,6 +1,8 @@
-// The ground of motion planning, measured (figures.h).
+// The ground of motion planning, measured (figures.h), and problems of others planned (problems.h).
 //
 //   bench_motion [--json FILE] [--robot FOLDER]
+//   bench_motion --problems FOLDER --urdf FILE --srdf FILE [--package BEGINNING=FOLDER] [--protrusion M]
+//   [--json FILE]
 
 #include <cstdio>
 #include <exception>
@@ -9,6 +11,7 @@
 #include <string>
 
 #include "tests/bench/motion/figures.h"
+#include "tests/bench/motion/problems.h"
 
 namespace stepwright::bench {
 namespace {
@@ -50,29 +53,66 @@ int run(const std::string& json_file, const std::string& folder) {
   return file.flush() ? 0 : 1;
 }
 
+int run_problems(const ProblemFolders& folders, const std::string& json_file) {
+  const ProblemFigures found = plan_problems(folders);
+  const std::size_t valid = found.problems - found.ends_collide_exactly;
+  std::printf(
+      "%zu problems, %zu valid, %zu solved; ends collide by spheres alone %zu, tries ended %zu; %zu "
+      "spheres\n",
+      found.problems, valid, found.solved, found.ends_collide_by_spheres, found.exhausted, found.spheres);
+  std::printf("planned and shortened: median %.2f ms, p95 %.2f ms\n", found.median_ms, found.p95_ms);
+  std::printf("rechecked as a whole by FCL: %zu collide, %zu too close; median %.1f ms\n",
+              found.recheck_collides, found.recheck_too_close, found.recheck_median_ms);
+  const nlohmann::json out = {{"motion_problems", found.problems},
+                              {"motion_valid", valid},
+                              {"motion_solved", found.solved},
+                              {"motion_median_ms", found.median_ms},
+                              {"motion_p95_ms", found.p95_ms},
+                              {"motion_recheck_collisions", found.recheck_collides},
+                              {"motion_recheck_too_close", found.recheck_too_close}};
+  if (json_file.empty()) return 0;
+  std::ofstream file(json_file);
+  file << out.dump(2) << "\n";
+  return file.flush() ? 0 : 1;
+}
+
 }  // namespace
 }  // namespace stepwright::bench
 
 int main(int argc, char** argv) {
   std::string json_file, folder = "tests/cells/robot_cell";
+  stepwright::bench::ProblemFolders problems;
   bool sound = argc % 2 == 1;
-  for (int k = 1; k + 1 < argc; k += 2) {
-    const std::string option = argv[k];
-    if (option == "--json")
-      json_file = argv[k + 1];
-    else if (option == "--robot")
-      folder = argv[k + 1];
-    else
-      sound = false;
-  }
-  if (!sound) {
-    std::fprintf(stderr, "usage: bench_motion [--json FILE] [--robot FOLDER]\n");
-    return 2;
-  }
   try {
-    return stepwright::bench::run(json_file, folder);
+    for (int k = 1; k + 1 < argc; k += 2) {
+      const std::string option = argv[k], value = argv[k + 1];
+      if (option == "--json")
+        json_file = value;
+      else if (option == "--robot")
+        folder = value;
+      else if (option == "--problems")
+        problems.problems = value;
+      else if (option == "--urdf")
+        problems.urdf = value;
+      else if (option == "--srdf")
+        problems.srdf = value;
+      else if (option == "--protrusion")
+        problems.protrusion_m = std::stod(value);
+      else if (const auto equals = value.find('='); option == "--package" && equals != std::string::npos)
+        problems.packages.emplace_back(value.substr(0, equals), value.substr(equals + 1));
+      else
+        sound = false;
+    }
+    if (sound)
+      return problems.problems.empty() ? stepwright::bench::run(json_file, folder)
+                                       : stepwright::bench::run_problems(problems, json_file);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "bench_motion: %s\n", error.what());
     return 1;
   }
+  std::fprintf(stderr,
+               "usage: bench_motion [--json FILE] [--robot FOLDER]\n"
+               "       bench_motion --problems FOLDER --urdf FILE --srdf FILE [--package BEGINNING=FOLDER]\n"
+               "                    [--protrusion M] [--json FILE]\n");
+  return 2;
 }

@@ -2,27 +2,16 @@
 
 #include <fstream>
 #include <iterator>
-#include <stdexcept>
 
 #include "supervisor/motion/robot/srdf_reader.h"
 #include "supervisor/motion/robot/urdf_reader.h"
 
 namespace stepwright::bench {
 
-namespace {
-
-std::string text_of(const std::string& path) {
+std::string text_of(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
 }
-
-template <typename T>
-T taken(result::Result<T> read) {
-  if (!read) throw std::runtime_error(to_string(read.error()));
-  return std::move(*read);
-}
-
-}  // namespace
 
 MotionScene motion_scene(const std::string& folder) {
   using namespace motion;
