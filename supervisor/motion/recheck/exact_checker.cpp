@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "supervisor/motion/kinematics/link_frames.h"
@@ -18,6 +19,7 @@ struct Placed {
   ExactSolid solid;
   int link = -1;
   std::string name;
+  Shape shape{};  // of an obstacle
 };
 
 // A joint that moves two bodies of a pair against each other, and by how much at most per unit of its
@@ -37,17 +39,20 @@ struct CheckedPair {
 class ExactChecker::Scene {
  public:
   Scene(const Robot& robot, const Bodies& bodies, const Semantics* semantics, const World& world,
-        std::span<const int> coordinates, std::span<const double> rest)
+        std::span<const int> coordinates, std::span<const double> rest, const SphereModel* spheres)
       : robot_(robot),
         kinematics_(robot),
         coordinates_(coordinates.begin(), coordinates.end()),
-        rest_(rest.begin(), rest.end()) {
+        rest_(rest.begin(), rest.end()),
+        spheres_(spheres ? *spheres : SphereModel{}) {
     for (std::size_t link = 0; link < bodies.size(); ++link)
       for (const Body& each : bodies[link])
-        placed_.push_back({ExactSolid(each), static_cast<int>(link), robot.links[link].name});
+        placed_.push_back({ExactSolid(each), static_cast<int>(link), robot.links[link].name, {}});
     const std::size_t of_robot = placed_.size();
+    for (const LinkSpheres& link : spheres_.links)
+      first_sphere_.push_back(first_sphere_.back() + link.spheres.size());
     for (const Obstacle& each : world.obstacles)
-      placed_.push_back({ExactSolid({each.shape, nullptr}), -1, each.name});
+      placed_.push_back({ExactSolid({each.shape, nullptr}), -1, each.name, each.shape});
     for (std::size_t a = 0; a < of_robot; ++a)
       for (std::size_t b = a + 1; b < placed_.size(); ++b) add_pair(a, b, semantics);
   }
@@ -55,10 +60,10 @@ class ExactChecker::Scene {
   std::size_t columns() const { return coordinates_.size(); }
 
   std::optional<Contact> contact(std::span<const double> configuration) const {
-    const auto frames = place(configuration);
+    const Placement placement = place(configuration);
     for (const CheckedPair& pair : pairs_) {
-      if (gap_around(pair, frames) > 0.0) continue;
-      if (meet(placed_[pair.a].solid, at(pair.a, frames), placed_[pair.b].solid, at(pair.b, frames)))
+      if (gap_around(pair, placement) > 0.0 || gap_of_spheres(pair, placement, 0.0) > 0.0) continue;
+      if (meet(placed_[pair.a].solid, at(pair.a, placement), placed_[pair.b].solid, at(pair.b, placement)))
         return named(pair);
     }
     return std::nullopt;
@@ -75,7 +80,11 @@ class ExactChecker::Scene {
   }
 
  private:
-  using Frames = std::vector<Transform>;
+  // Where links are, and the centres of their spheres, link after link.
+  struct Placement {
+    std::vector<Transform> links;
+    std::vector<Vector3> centres;
+  };
 
   // Whether a joint is above a link.
   bool carries(std::size_t joint, int link) const {
@@ -123,29 +132,57 @@ class ExactChecker::Scene {
     pairs_.push_back(std::move(pair));
   }
 
-  Frames place(std::span<const double> configuration) const {
+  Placement place(std::span<const double> configuration) const {
     std::vector<double> all = rest_;
     for (std::size_t k = 0; k < coordinates_.size(); ++k)
       all[static_cast<std::size_t>(coordinates_[k])] = configuration[k];
-    Frames frames(robot_.links.size());
-    kinematics_.place(all, frames);
-    return frames;
+    Placement placed{std::vector<Transform>(robot_.links.size()), {}};
+    kinematics_.place(all, placed.links);
+    placed.centres.reserve(first_sphere_.back());
+    for (std::size_t link = 0; link < spheres_.links.size(); ++link)
+      for (const Sphere& each : spheres_.links[link].spheres)
+        placed.centres.push_back(placed.links[link] * each.centre_m);
+    return placed;
   }
 
-  Transform at(std::size_t which, const Frames& frames) const {
+  Transform at(std::size_t which, const Placement& placement) const {
     const Placed& placed = placed_[which];
     return placed.link < 0 ? placed.solid.place()
-                           : frames[static_cast<std::size_t>(placed.link)] * placed.solid.place();
+                           : placement.links[static_cast<std::size_t>(placed.link)] * placed.solid.place();
   }
 
   // The distance of the spheres around them, below zero where they overlap.
-  double gap_around(const CheckedPair& pair, const Frames& frames) const {
+  double gap_around(const CheckedPair& pair, const Placement& placement) const {
     const auto centre = [&](const Placed& placed) {
-      return placed.link < 0 ? placed.solid.around().centre_m
-                             : frames[static_cast<std::size_t>(placed.link)] * placed.solid.around().centre_m;
+      return placed.link < 0
+                 ? placed.solid.around().centre_m
+                 : placement.links[static_cast<std::size_t>(placed.link)] * placed.solid.around().centre_m;
     };
     const Placed &a = placed_[pair.a], &b = placed_[pair.b];
     return distance(centre(a), centre(b)) - a.solid.around().radius_m - b.solid.around().radius_m;
+  }
+
+  // Of the spheres of their links, which contain them: not more than the distance of the bodies. Far below
+  // zero where there are none. Ends below `enough`.
+  double gap_of_spheres(const CheckedPair& pair, const Placement& placement, double enough) const {
+    if (placement.centres.empty()) return -1.0;
+    const Placed &a = placed_[pair.a], &b = placed_[pair.b];
+    const auto link_a = static_cast<std::size_t>(a.link);
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = first_sphere_[link_a]; i < first_sphere_[link_a + 1]; ++i) {
+      const Vector3 centre = placement.centres[i];
+      const double radius = spheres_.links[link_a].spheres[i - first_sphere_[link_a]].radius_m;
+      if (b.link < 0) {
+        least = std::min(least, distance_to(b.shape, centre) - radius);
+      } else {
+        const auto link_b = static_cast<std::size_t>(b.link);
+        for (std::size_t k = first_sphere_[link_b]; k < first_sphere_[link_b + 1]; ++k)
+          least = std::min(least, distance(centre, placement.centres[k]) - radius -
+                                      spheres_.links[link_b].spheres[k - first_sphere_[link_b]].radius_m);
+      }
+      if (least <= enough) break;
+    }
+    return least;
   }
 
   Contact named(const CheckedPair& pair) const { return {placed_[pair.a].name, placed_[pair.b].name}; }
@@ -161,19 +198,24 @@ class ExactChecker::Scene {
   MotionVerdict check_part(std::span<const double> from, std::span<const double> to, double begin, double end,
                            const std::vector<std::size_t>& open) const {
     const double middle = 0.5 * (begin + end), half = 0.5 * (end - begin);
-    const auto frames = place(between(from, to, middle));
+    const Placement placement = place(between(from, to, middle));
     std::vector<std::size_t> left;
     for (const std::size_t each : open) {
       const CheckedPair& pair = pairs_[each];
       double nearer_m = 0.0;
       for (const Lever& lever : pair.levers)
         nearer_m += half * std::abs(to[lever.column] - from[lever.column]) * lever.most_m;
-      if (gap_around(pair, frames) > nearer_m) continue;
-      const double apart_m = distance_below(placed_[pair.a].solid, at(pair.a, frames), placed_[pair.b].solid,
-                                            at(pair.b, frames));
+      if (gap_around(pair, placement) > nearer_m || gap_of_spheres(pair, placement, nearer_m) > nearer_m)
+        continue;
+      if (nearer_m > kCoarse_m && !placement.centres.empty()) {  // a smaller part is sooner decided
+        left.push_back(each);
+        continue;
+      }
+      const double apart_m = distance_below(placed_[pair.a].solid, at(pair.a, placement),
+                                            placed_[pair.b].solid, at(pair.b, placement));
       if (apart_m > nearer_m) continue;
       if (apart_m <= 0.0 &&
-          meet(placed_[pair.a].solid, at(pair.a, frames), placed_[pair.b].solid, at(pair.b, frames)))
+          meet(placed_[pair.a].solid, at(pair.a, placement), placed_[pair.b].solid, at(pair.b, placement)))
         return {MotionVerdict::Kind::Collides, middle, named(pair)};
       if (nearer_m < kTooClose_m) return {MotionVerdict::Kind::TooClose, middle, named(pair)};
       left.push_back(each);
@@ -183,10 +225,14 @@ class ExactChecker::Scene {
     return first.kind != MotionVerdict::Kind::Free ? first : check_part(from, to, middle, end, left);
   }
 
+  static constexpr double kCoarse_m = 0.02;
+
   const Robot robot_;
   LinkFrames kinematics_;
   std::vector<int> coordinates_;
   std::vector<double> rest_;
+  SphereModel spheres_;
+  std::vector<std::size_t> first_sphere_{0};  // of each link, in Placement::centres
   std::vector<Placed> placed_;
   std::vector<CheckedPair> pairs_;
 };
@@ -194,9 +240,10 @@ class ExactChecker::Scene {
 result::Result<ExactChecker> ExactChecker::make(const Robot& robot, const Bodies& bodies,
                                                 const Semantics* semantics, const World& world,
                                                 std::span<const int> coordinates,
-                                                std::span<const double> rest) {
+                                                std::span<const double> rest, const SphereModel* spheres) {
   if (auto sound = check_world(world); !sound) return result::forward(sound);
-  return ExactChecker(std::make_unique<const Scene>(robot, bodies, semantics, world, coordinates, rest));
+  return ExactChecker(
+      std::make_unique<const Scene>(robot, bodies, semantics, world, coordinates, rest, spheres));
 }
 
 ExactChecker::ExactChecker(std::unique_ptr<const Scene> scene) : scene_(std::move(scene)) {}

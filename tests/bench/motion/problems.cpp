@@ -61,7 +61,7 @@ class Problems {
     }
     ++figures_.problems;
     const auto exact =
-        taken(ExactChecker::make(robot_, bodies_, &semantics_, scene.world, coordinates, rest));
+        taken(ExactChecker::make(robot_, bodies_, &semantics_, scene.world, coordinates, rest, &spheres_));
     if (exact.contact(from) || exact.contact(to)) {
       ++figures_.ends_collide_exactly;
       return;

@@ -8,9 +8,9 @@
 
 namespace stepwright::motion::tests {
 
-inline ExactChecker exact_of(const Scene& scene) {
+inline ExactChecker exact_of(const Scene& scene, bool with_spheres = false) {
   auto made = ExactChecker::make(scene.robot, scene.bodies, &scene.semantics, scene.world, scene.coordinates,
-                                 scene.rest);
+                                 scene.rest, with_spheres ? &scene.spheres : nullptr);
   EXPECT_TRUE(made) << to_string(made.error());
   return std::move(*made);
 }
