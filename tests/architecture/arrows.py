@@ -110,7 +110,7 @@ ARROWS = {
     "supervisor/motion/spheres": ["supervisor/motion/mesh"],
     "supervisor/motion/collision": ["supervisor/motion/kinematics", "supervisor/motion/spheres"],
     "supervisor/motion/recheck": ["supervisor/motion/collision"],
-    "supervisor/motion/path": ["supervisor/motion/collision"],
+    "supervisor/motion/path": ["supervisor/motion/recheck"],
     "supervisor/motion/moveit": ["supervisor/motion/collision"],
     "supervisor/geometry": [],
     "supervisor/vehicle": ["supervisor/geometry", "ladder/graphic"],

@@ -6,9 +6,7 @@
 #include <stdexcept>
 
 #include "supervisor/motion/moveit/moveit_request.h"
-#include "supervisor/motion/path/plan_path.h"
-#include "supervisor/motion/path/shorten.h"
-#include "supervisor/motion/recheck/exact_checker.h"
+#include "supervisor/motion/path/certain_path.h"
 #include "supervisor/motion/robot/srdf_reader.h"
 #include "supervisor/motion/robot/urdf_reader.h"
 #include "tests/bench/motion/scene.h"
@@ -66,48 +64,46 @@ class Problems {
       ++figures_.ends_collide_exactly;
       return;
     }
-    PathAnswer answer;
-    JointPath path;
+    const auto space = joint_space(robot_, coordinates);
+    CertainPath answer;
     const double spent = milliseconds([&] {
       const auto checker =
           taken(CollisionChecker::make(robot_, spheres_, &semantics_, scene.world, coordinates, rest));
-      answer = plan_path(checker, joint_space(robot_, coordinates), from, {to});
-      if (!answer.path.empty()) path = shorten(checker, answer.path);
+      const PathAnswer raw = plan_path(checker, space, from, {to});
+      if (!raw.path.empty()) shorten(checker, raw.path);
     });
+    const double with_recheck = milliseconds([&] {
+      const auto checker =
+          taken(CollisionChecker::make(robot_, spheres_, &semantics_, scene.world, coordinates, rest));
+      answer = plan_certain_path(checker, exact, space, from, {to});
+    });
+    if (answer.refused) ++figures_.refused_once;
     if (answer.ending == PathAnswer::Ending::Exhausted)
       ++figures_.exhausted;
     else if (answer.ending != PathAnswer::Ending::Found)
       ++figures_.ends_collide_by_spheres;
-    if (path.empty()) return;
+    if (answer.path.empty()) return;
     ++figures_.solved;
     planning_ms_.push_back(spent);
-    recheck_ms_.push_back(milliseconds([&] { recheck(exact, path); }));
+    certain_ms_.push_back(with_recheck);
+    if (first_refused(exact, answer.path)) ++figures_.recheck_refuses;
   }
 
   ProblemFigures figures() {
     figures_.median_ms = quantile(planning_ms_, 0.5);
     figures_.p95_ms = quantile(planning_ms_, 0.95);
-    figures_.recheck_median_ms = quantile(recheck_ms_, 0.5);
+    figures_.certain_median_ms = quantile(certain_ms_, 0.5);
+    figures_.certain_p95_ms = quantile(certain_ms_, 0.95);
     return figures_;
   }
 
  private:
-  void recheck(const ExactChecker& exact, const JointPath& path) {
-    for (std::size_t k = 1; k < path.size(); ++k) {
-      const MotionVerdict verdict = exact.check_motion(path[k - 1], path[k]);
-      if (verdict.kind == MotionVerdict::Kind::Free) continue;
-      (verdict.kind == MotionVerdict::Kind::Collides ? figures_.recheck_collides
-                                                     : figures_.recheck_too_close) += 1;
-      return;
-    }
-  }
-
   Robot robot_;
   Semantics semantics_;
   Bodies bodies_;
   SphereModel spheres_;
   ProblemFigures figures_;
-  std::vector<double> planning_ms_, recheck_ms_;
+  std::vector<double> planning_ms_, certain_ms_;
 };
 
 }  // namespace

@@ -26,8 +26,9 @@ struct ProblemFigures {
   std::size_t exhausted = 0;
   std::size_t spheres = 0;
   double median_ms = 0.0, p95_ms = 0.0;  // of the processor: planning and shortening of those solved
-  std::size_t recheck_collides = 0, recheck_too_close = 0;
-  double recheck_median_ms = 0.0;
+  std::size_t refused_once = 0;          // the first path was refused by FCL, and others were planned
+  double certain_median_ms = 0.0, certain_p95_ms = 0.0;  // the same with the recheck and what came after it
+  std::size_t recheck_refuses = 0;                       // of the paths returned, asked again
 };
 
 // Throws std::runtime_error where a file is wrong.
