@@ -29,10 +29,10 @@ JointSpace joint_space(const Robot& robot, std::span<const int> coordinates);
 
 struct PathOptions {
   std::uint64_t seed = 1;
-  double range = 1.0;  // longest step of a tree, in the measure of joint_distance
-  double step = 0.02;  // between places that are checked, in each coordinate
-  std::size_t most_nodes = 50'000;
-  std::size_t most_tries = 200'000;
+  double range = 1.0;               // longest step of a tree, in the measure of joint_distance
+  double step = 0.02;               // between places that are checked, in each coordinate
+  std::size_t most_nodes = 20'000;  // both together; the nearest one is looked for among all
+  std::size_t most_tries = 20'000;
 };
 
 struct PathAnswer {
