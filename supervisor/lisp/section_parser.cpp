@@ -1,8 +1,8 @@
-#include "supervisor/pddl/syntax/section_parser.h"
+#include "supervisor/lisp/section_parser.h"
 
-#include "supervisor/pddl/definition/name_hints.h"
+#include "supervisor/lisp/name_hints.h"
 
-namespace stepwright::pddl {
+namespace stepwright::lisp {
 
 bool SectionParser::define(const std::string& kind, std::string& name, Place& at) {
   if (!tokens_.expect(TokenKind::Open, "'(define'")) return false;
@@ -55,4 +55,13 @@ bool SectionParser::requirements(std::vector<RequirementFlag>& list) {
   return tokens_.at(TokenKind::Close) || tokens_.unexpected("a requirement such as ':typing'");
 }
 
-}  // namespace stepwright::pddl
+bool SectionParser::length() {
+  while (tokens_.accept(TokenKind::Open)) {
+    if (!tokens_.expect(TokenKind::Keyword, "':serial' or ':parallel'")) return false;
+    if (!tokens_.expect(TokenKind::Number, "a number") || !tokens_.expect(TokenKind::Close, "')'"))
+      return false;
+  }
+  return true;
+}
+
+}  // namespace stepwright::lisp

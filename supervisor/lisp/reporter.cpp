@@ -1,9 +1,9 @@
-#include "supervisor/pddl/syntax/reporter.h"
+#include "supervisor/lisp/reporter.h"
 
 #include <algorithm>
 #include <tuple>
 
-namespace stepwright::pddl {
+namespace stepwright::lisp {
 
 namespace {
 
@@ -60,4 +60,4 @@ result::Diagnostics Reporter::take() {
   return std::move(diagnostics_);
 }
 
-}  // namespace stepwright::pddl
+}  // namespace stepwright::lisp

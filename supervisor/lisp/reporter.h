@@ -4,14 +4,13 @@
 //
 // Thread rule: one reading, one reporter.
 
-#include <set>
 #include <string>
 #include <vector>
 
 #include "runtime/ground/result/diagnostic.h"
-#include "supervisor/pddl/definition/ast.h"
+#include "supervisor/lisp/place.h"
 
-namespace stepwright::pddl {
+namespace stepwright::lisp {
 
 class Reporter {
  public:
@@ -41,4 +40,4 @@ class Reporter {
   std::size_t unsaid_ = 0;  // errors and warnings beyond kMost
 };
 
-}  // namespace stepwright::pddl
+}  // namespace stepwright::lisp

@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "supervisor/pddl/syntax/lexer.h"
+#include "supervisor/lisp/lexer.h"
 
-namespace stepwright::pddl {
+namespace stepwright::lisp {
 
 class TokenStream {
  public:
@@ -34,6 +34,9 @@ class TokenStream {
   // The number of parentheses open now.
   std::size_t depth() const { return depth_; }
 
+  // Reports P0006 where more parentheses are open than recursion may follow.
+  bool too_deep();
+
   // Skips to just behind the parenthesis that closes depth `depth` + 1.
   void recover(std::size_t depth);
 
@@ -47,4 +50,4 @@ class TokenStream {
   Reporter& reporter_;
 };
 
-}  // namespace stepwright::pddl
+}  // namespace stepwright::lisp

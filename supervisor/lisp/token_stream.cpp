@@ -1,8 +1,8 @@
-#include "supervisor/pddl/syntax/token_stream.h"
+#include "supervisor/lisp/token_stream.h"
 
 #include <algorithm>
 
-namespace stepwright::pddl {
+namespace stepwright::lisp {
 
 TokenStream::TokenStream(std::vector<Token> tokens, Reporter& reporter)
     : tokens_(std::move(tokens)), reporter_(reporter) {}
@@ -58,8 +58,17 @@ bool TokenStream::unexpected(std::string_view expected, std::string hint) {
   return false;
 }
 
+bool TokenStream::too_deep() {
+  // Deeper than any real file, shallow enough for a stack of 2 MB.
+  constexpr std::size_t kMaxDepth = 1200;
+  if (depth_ < kMaxDepth) return false;
+  reporter_.error("P0006", peek().at, "nested too deeply",
+                  "at most " + std::to_string(kMaxDepth) + " parentheses may be open");
+  return true;
+}
+
 void TokenStream::recover(std::size_t depth) {
   while (depth_ > depth && !at(TokenKind::End)) take();
 }
 
-}  // namespace stepwright::pddl
+}  // namespace stepwright::lisp

@@ -1,21 +1,26 @@
 #pragma once
 
-// Base of the parsers of PDDL files: "(define (domain name) (:section ...) ...)".
+// Base of the parsers of PDDL and HDDL files: "(define (domain name) (:section ...) ...)".
 //
 // Thread rule: one parse, one object.
 
 #include <functional>
 #include <set>
+#include <string>
+#include <vector>
 
-#include "supervisor/pddl/syntax/formula_parser.h"
-#include "supervisor/pddl/syntax/parser.h"
+#include "supervisor/lisp/token_stream.h"
 
-namespace stepwright::pddl {
+namespace stepwright::lisp {
+
+struct RequirementFlag {
+  std::string name;
+  Place at;
+};
 
 class SectionParser {
  public:
-  SectionParser(std::vector<Token> tokens, Reporter& reporter)
-      : tokens_(std::move(tokens), reporter), formulas_(tokens_) {}
+  SectionParser(std::vector<Token> tokens, Reporter& reporter) : tokens_(std::move(tokens), reporter) {}
 
  protected:
   // Handles what follows a section's keyword; false after an error, which ends the section only.
@@ -35,11 +40,13 @@ class SectionParser {
 
   bool requirements(std::vector<RequirementFlag>& list);
 
+  // "(:length (:serial 5) (:parallel 3))" of PDDL 1.2: what its author knew of plans binds none.
+  bool length();
+
   TokenStream tokens_;
-  FormulaParser formulas_;
 
  private:
   std::set<std::string> seen_;
 };
 
-}  // namespace stepwright::pddl
+}  // namespace stepwright::lisp

@@ -1,10 +1,10 @@
-#include "supervisor/pddl/definition/name_hints.h"
+#include "supervisor/lisp/name_hints.h"
 
 #include <algorithm>
 
 #include "runtime/ground/result/closest.h"
 
-namespace stepwright::pddl {
+namespace stepwright::lisp {
 namespace {
 
 constexpr std::size_t kLongestName = 200;
@@ -24,4 +24,4 @@ std::vector<std::string> names_of(const std::map<std::string, int>& ids) {
   return names;
 }
 
-}  // namespace stepwright::pddl
+}  // namespace stepwright::lisp
