@@ -32,6 +32,7 @@ constexpr std::array kCommands = {
     Command{"plan", "stepwright-plan", "find a plan for a PDDL problem"},
     Command{"validate", "stepwright-plan", "check a plan step by step"},
     Command{"fleet", "stepwright-fleet", "plan vehicles on one floor: loads, paths, envelopes, schedule"},
+    Command{"htn", "stepwright-htn", "decompose the tasks of an HDDL problem into actions"},
     Command{"ltl", "stepwright-ltl",
             "temporal logic: plan drives, judge traces, write automata and monitors"},
     Command{"translate", "stepwright-translate",
