@@ -106,6 +106,38 @@ TEST(TwoArms, WhenATrayIsTooSmall_ThenThatIsProvedAndTold) {
   EXPECT_THAT(solved.outcome.reason, HasSubstr("no room in tray"));
 }
 
+std::string without(std::string text, const std::string& part) {
+  const std::size_t at = text.find(part);
+  EXPECT_NE(at, std::string::npos) << part;
+  return at == std::string::npos ? text : text.erase(at, part.size());
+}
+
+TEST(Bar, WhenFiveDrinksAreAskedFor_ThenShotsAreSparedForMixing) {
+  const lisp::Source domain = file("bar"), problem = file("evening");
+  const auto read = read_task(domain, problem);
+  ASSERT_TRUE(read) << result::to_string(read.error());
+  Search search(read->task);
+  const SearchOutcome outcome = search.next();
+  ASSERT_TRUE(outcome.plan);
+  const Validation judged = validate(domain, problem, *outcome.plan);
+  EXPECT_TRUE(judged.valid) << judged.reason;
+  EXPECT_EQ(outcome.plan->steps.size(), 59u);
+  EXPECT_EQ(outcome.plan->cost, 16.0);
+  EXPECT_LT(search.statistics().decompositions, 40u);
+}
+
+TEST(Bar, WhenThereAreTooFewShots_ThenThatIsProved) {
+  const lisp::Source domain = file("bar");
+  lisp::Source problem = file("evening");
+  for (const char* part : {" s5 s6", "(on-table s5) (on-table s6)", "(empty s5) (empty s6)"})
+    problem.text = without(problem.text, part);
+  const auto read = read_task(domain, problem);
+  ASSERT_TRUE(read) << result::to_string(read.error());
+  Search search(read->task);
+  EXPECT_EQ(search.next().kind, OutcomeKind::Infeasible);
+  EXPECT_GT(search.statistics().known_nodes, 100u);
+}
+
 // Four decisions one after the other; the last action asks.
 constexpr const char* kDecisions = R"((define (domain d)
   (:predicates (chosen ?a ?x) (fits))
