@@ -78,12 +78,21 @@ TEST(RandomHtn, WhenSolved_ThenABruteForceFindsTheSame) {
   EXPECT_GT(enumerated, kRounds / 10);
 }
 
-// A quarter of all prefixes are bad, and so is what is longer than five.
-bool is_good(const Sequence& prefix) {
+std::uint64_t hash_of(const Sequence& prefix) {
   std::uint64_t hash = 7;
   for (const std::string& action : prefix)
     for (const char c : action + ",") hash = scramble(hash ^ static_cast<unsigned char>(c));
-  return prefix.size() < 6 && hash % 4 != 0;
+  return hash;
+}
+
+// A quarter of all prefixes are bad, and so is what is longer than five.
+bool is_good(const Sequence& prefix) {
+  return prefix.size() < 6 && hash_of(prefix) % 4 != 0;
+}
+
+// Half of the bad ones only seem so for want of time.
+bool is_good_in_time(const Sequence& prefix) {
+  return is_good(prefix) || (prefix.size() < 6 && hash_of(prefix) % 8 == 0);
 }
 
 // Finds a bad prefix only when one more action is to follow it, or at the end.
@@ -91,6 +100,7 @@ class LateJudge : public SemanticAttachment {
  public:
   explicit LateJudge(const PlanningTask& task) : task_(task) {}
 
+  void take_time() { hurried_ = false; }
   void push(const ExternalCall& action) override {
     std::string text = task_.actions[static_cast<std::size_t>(action.symbol)].name;
     for (const int object : action.objects)
@@ -112,8 +122,8 @@ class LateJudge : public SemanticAttachment {
     Sequence prefix = prefix_;
     if (acting_) prefix.pop_back();
     acting_ = false;
-    if (prefix.empty() || is_good(prefix)) return std::nullopt;
-    return Refusal{prefix.size() - 1, true, ""};
+    if (prefix.empty() || (hurried_ ? is_good(prefix) : is_good_in_time(prefix))) return std::nullopt;
+    return Refusal{prefix.size() - 1, !is_good_in_time(prefix), ""};
   }
   std::optional<Refusal> change(const ExternalCall&, bool) override { return std::nullopt; }
   std::optional<Fingerprint> fingerprint() const override {
@@ -125,7 +135,17 @@ class LateJudge : public SemanticAttachment {
   Sequence prefix_;
   std::vector<Fingerprint> prints_;
   bool acting_ = false;  // an action was pushed and has not asked yet
+  bool hurried_ = true;
 };
+
+std::set<Sequence> all_plans(Search& search, model::OutcomeKind& end) {
+  std::set<Sequence> found;
+  SearchOutcome outcome = search.next();
+  for (; outcome.kind == model::OutcomeKind::Solved; outcome = search.next())
+    found.insert(sequence_of(*outcome.plan));
+  end = outcome.kind;
+  return found;
+}
 
 TEST(RandomHtn, WhenPrefixesAreRefusedLate_ThenTheSearchGoesBackAndMissesNothing) {
   std::mt19937 random(20261129);
@@ -157,6 +177,41 @@ TEST(RandomHtn, WhenPrefixesAreRefusedLate_ThenTheSearchGoesBackAndMissesNothing
   EXPECT_GT(compared, kRounds / 5);
   EXPECT_GT(with_plans, kRounds / 50);
   EXPECT_GT(backjumps, 100u);
+}
+
+TEST(RandomHtn, WhenRefusalsWereNotProven_ThenTheSearchFindsTheRestWhenItBeginsAnew) {
+  std::mt19937 random(20261201);
+  int compared = 0, exhausted = 0, more = 0;
+  for (int round = 0; round < kRounds / 4; ++round) {
+    RandomHtn htn = random_htn(random);
+    htn.external = true;
+    const Enumeration hurried = enumerate(htn, kMostPending, kMostSteps, is_good);
+    const Enumeration in_time = enumerate(htn, kMostPending, kMostSteps, is_good_in_time);
+    if (!in_time.complete || in_time.plans.size() > kMostPlans) continue;
+    const Texts texts = texts_of(htn);
+    const auto read = read_task(texts.domain, texts.problem, {"outside"});
+    ASSERT_TRUE(read) << result::to_string(read.error());
+    LateJudge judge(read->task);
+    Search search(read->task, bounded(), &judge);
+    model::OutcomeKind end{};
+    std::set<Sequence> found = all_plans(search, end);
+    ASSERT_EQ(found, hurried.plans) << round;
+    // Without a proof nobody may say that there is no further plan.
+    if (in_time.plans != hurried.plans) {
+      ASSERT_EQ(end, model::OutcomeKind::Exhausted) << round;
+    }
+    exhausted += end == model::OutcomeKind::Exhausted ? 1 : 0;
+    judge.take_time();
+    search.retry_unproven();
+    const std::set<Sequence> later = all_plans(search, end);
+    more += later.empty() ? 0 : 1;
+    found.insert(later.begin(), later.end());
+    ASSERT_EQ(found, in_time.plans) << round << texts.domain.text << texts.problem.text;
+    ++compared;
+  }
+  EXPECT_GT(compared, kRounds / 10);
+  EXPECT_GT(exhausted, kRounds / 100);
+  EXPECT_GT(more, kRounds / 200);
 }
 
 // The caller refuses complete plans, without an attachment.
