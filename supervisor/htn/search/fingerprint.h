@@ -5,6 +5,7 @@
 //
 // Thread rule: plain values and pure functions.
 
+#include <cstddef>
 #include <cstdint>
 
 namespace stepwright::htn {

@@ -16,7 +16,9 @@
 //   search.reject(3, true);                       // no plan begins with its first four actions
 //   outcome = search.next();                      // the next one
 
+#include <atomic>
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -59,7 +61,8 @@ struct SearchOutcome {
 
 class Search {
  public:
-  // `task` and `attachment` must outlive the search; the attachment begins with the initial state.
+  // `task` and `attachment` must outlive the search; the attachment begins with the initial state. Without one
+  // the literals of external predicates are taken to hold.
   explicit Search(const PlanningTask& task, SearchOptions options = {},
                   SemanticAttachment* attachment = nullptr);
   Search(const Search&) = delete;

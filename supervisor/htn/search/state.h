@@ -8,6 +8,7 @@
 //   state.set(fact, true);
 //   state.undo(before);
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <span>
