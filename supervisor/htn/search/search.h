@@ -61,8 +61,8 @@ struct SearchOutcome {
 
 class Search {
  public:
-  // `task` and `attachment` must outlive the search; the attachment begins with the initial state. Without one
-  // the literals of external predicates are taken to hold.
+  // `task` and `attachment` must outlive the search; the attachment begins with the initial state. Without
+  // one the literals of external predicates are taken to hold.
   explicit Search(const PlanningTask& task, SearchOptions options = {},
                   SemanticAttachment* attachment = nullptr);
   Search(const Search&) = delete;
