@@ -34,6 +34,8 @@ constexpr std::array kCommands = {
     Command{"fleet", "stepwright-fleet", "plan vehicles on one floor: loads, paths, envelopes, schedule"},
     Command{"ltl", "stepwright-ltl",
             "temporal logic: plan drives, judge traces, write automata and monitors"},
+    Command{"reach", "stepwright-reach",
+            "what a sequence of picks and places leaves to poses, or why it cannot be done"},
     Command{"translate", "stepwright-translate",
             "turn a plan into SFC, Ladder, PLCopen XML or Omron mnemonics"},
     Command{"compile", "stepwright-compile", "compile ST and PLCopen sources to a bytecode image"},
