@@ -193,7 +193,7 @@ nlohmann::json experiment(int number, const TwoArms& arms, const Options& option
   std::ranges::stable_sort(by_hardness, std::ranges::greater{},
                            [&](std::size_t k) { return dfs.runs[k].configurations; });
   by_hardness.resize(std::max<std::size_t>(1, by_hardness.size() / 10));
-  std::vector<double> saf_all, saf_hard, dfs_hard, saf_configurations, dfs_configurations;
+  std::vector<double> saf_all, saf_hard, dfs_hard, dfs_paths, saf_configurations, dfs_configurations;
   for (std::size_t k = 0; k < problems.size(); ++k) {
     saf_all.push_back(saf.runs[k].time_us / ours[k].time_us);
     if (ours[k].solved && saf.runs[k].solved) saf_configurations.push_back(saf.runs[k].configurations);
@@ -204,6 +204,9 @@ nlohmann::json experiment(int number, const TwoArms& arms, const Options& option
   for (const std::size_t k : by_hardness) {
     saf_hard.push_back(saf.runs[k].time_us / ours[k].time_us);
     dfs_hard.push_back(dfs.runs[k].time_us / ours[k].time_us);
+    // As if a path were planned for each configuration, in the paper's 0.1 s.
+    const auto with_paths = [](const Run& run) { return run.time_us + 1e5 * run.configurations; };
+    dfs_paths.push_back(with_paths(dfs.runs[k]) / with_paths(ours[k]));
   }
   int saf_solved = 0, dfs_solved = 0;
   for (const Run& run : saf.runs) saf_solved += run.solved;
@@ -211,10 +214,13 @@ nlohmann::json experiment(int number, const TwoArms& arms, const Options& option
   std::printf(
       "  SAF solved %d, at most %.0f configurations, %.1f times our time (median), hardest tenth %.1f\n",
       saf_solved, percentile(saf_configurations, 1.0), median(saf_all), median(saf_hard));
-  std::printf("  DFS solved %d, at most %.0f configurations; hardest tenth %.1f times our time\n", dfs_solved,
-              percentile(dfs_configurations, 1.0), median(dfs_hard));
+  std::printf(
+      "  DFS solved %d, at most %.0f configurations; hardest tenth %.1f times our time, with paths of 0.1 s "
+      "%.0f "
+      "times\n",
+      dfs_solved, percentile(dfs_configurations, 1.0), median(dfs_hard), median(dfs_paths));
   totals.saf_ratios.push_back(median(saf_all));
-  totals.dfs_ratios.push_back(median(dfs_hard));
+  totals.dfs_ratios.push_back(median(dfs_paths));
   json.update({{"saf", saf.name},
                {"saf_solved", saf_solved},
                {"saf_median_us", saf.median_us()},
@@ -225,7 +231,8 @@ nlohmann::json experiment(int number, const TwoArms& arms, const Options& option
                {"dfs_solved", dfs_solved},
                {"dfs_median_us", dfs.median_us()},
                {"dfs_max_configurations", percentile(dfs_configurations, 1.0)},
-               {"ratio_to_dfs_hardest_tenth", median(dfs_hard)}});
+               {"ratio_to_dfs_hardest_tenth", median(dfs_hard)},
+               {"ratio_to_dfs_hardest_tenth_with_paths", median(dfs_paths)}});
   return json;
 }
 
