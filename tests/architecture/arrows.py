@@ -109,7 +109,7 @@ ARROWS = {
     "supervisor/tamp/intervals/network": ["supervisor/tamp/intervals/sequence"],
     "supervisor/tamp/intervals/cause": ["supervisor/tamp/intervals/network"],
     "supervisor/tamp/intervals/search": ["supervisor/tamp/intervals/cause"],
-    "supervisor/tamp/intervals/file": ["supervisor/tamp/intervals/sequence", "runtime/ground/settings"],
+    "supervisor/tamp/intervals/file": ["supervisor/tamp/intervals/arm", "supervisor/tamp/intervals/sequence", "runtime/ground/settings"],
     "supervisor/tamp/intervals/drawing": ["supervisor/tamp/intervals/network", "runtime/ground/markup"],
     "supervisor/motion/spatial": [],
     "supervisor/motion/robot": ["supervisor/motion/spatial", "runtime/ground/result"],

@@ -1,12 +1,18 @@
 #include "supervisor/tamp/intervals/file/sequence_file.h"
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include "runtime/ground/result/closest.h"
 #include "runtime/ground/settings/toml_document.h"
+#include "supervisor/motion/robot/urdf_reader.h"
+#include "supervisor/tamp/intervals/arm/srs_reach.h"
+#include "supervisor/tamp/intervals/reach/column_arm.h"
 
 namespace stepwright::tamp {
 namespace {
@@ -19,10 +25,15 @@ constexpr Range kCoordinate{-9.0, 9.0}, kTurns{-360.0, 360.0}, kLength{0.0, 5.0}
 // A table of more cells than this takes longer to make than people wait.
 constexpr double kMostCells = 4e6;
 constexpr std::size_t kMostActions = 200;
+constexpr std::size_t kMostBytes = 8u << 20;  // of a URDF
 
 class SequenceReader {
  public:
-  explicit SequenceReader(const TomlTable& root) : root_(root) {}
+  SequenceReader(const TomlTable& root, std::filesystem::path folder)
+      : root_(root), folder_(std::move(folder)) {}
+
+  // Of files that this one names.
+  const result::Diagnostics& wrong() const { return wrong_; }
 
   SequenceFile read() {
     for (const TomlTable& table : root_.tables("arm")) read_arm(table);
@@ -47,6 +58,23 @@ class SequenceReader {
 
   void read_arm(const TomlTable& table) {
     const std::string name = new_name(table, arms_);
+    std::optional<ReachTable> reach = table.has("urdf") ? urdf_reach(table) : column_reach(table);
+    // Whatever is wrong with it has been said; the rest of the file is read.
+    if (!reach) reach = reach_table({}, 0.5);
+    file_.reaches.push_back(std::make_unique<const ReachTable>(*std::move(reach)));
+    file_.cell.arms.push_back({name, file_.reaches.back().get()});
+  }
+
+  // The width of cells, if there are not too many of them.
+  std::optional<double> cell_width(const TomlTable& table, double most_m) {
+    const double cell_m = table.number("cell_m", 0.04, {0.005, 1.0});
+    const double across = 2.0 * most_m / cell_m + 3.0;
+    if (across * across * across <= kMostCells) return cell_m;
+    table.report("cell_m", "its table of reach has too many cells", "larger cells, or a shorter arm");
+    return std::nullopt;
+  }
+
+  std::optional<ReachTable> column_reach(const TomlTable& table) {
     ColumnArm arm;
     arm.x_m = table.number("x_m", 0.0, kCoordinate);
     arm.y_m = table.number("y_m", 0.0, kCoordinate);
@@ -57,19 +85,58 @@ class SequenceReader {
     arm.lean_rad = kDegree * table.number("lean_deg", 0.0, kTurns);
     arm.turn_rad = kDegree * table.number("turn_deg", 90.0, {0.0, 360.0});
     arm.flip_rad = kDegree * table.number("flip_deg", 0.0, {0.0, 360.0});
-    double cell_m = table.number("cell_m", 0.04, {0.005, 1.0});
+    const auto cell_m = cell_width(table, arm.most_m);
     if (arm.least_m > arm.easy_m || arm.easy_m >= arm.most_m) {
       table.report("most_m", "least_m, easy_m and most_m do not ascend");
-      arm = {};
+      return std::nullopt;
     }
-    const double across = 2.0 * arm.most_m / cell_m + 3.0;
-    if (across * across * across > kMostCells) {
-      table.report("cell_m", "its table of reach has too many cells", "larger cells, or a shorter arm");
-      cell_m = 0.5 * arm.most_m;
+    if (!cell_m) return std::nullopt;
+    return reach_table(arm, *cell_m);
+  }
+
+  std::optional<ReachTable> urdf_reach(const TomlTable& table) {
+    const std::string name = table.required_text("urdf"), base = table.required_text("base"),
+                      tip = table.required_text("tip");
+    const Point3 at{nanometres_of(table.number("x_m", 0.0, kCoordinate)),
+                    nanometres_of(table.number("y_m", 0.0, kCoordinate)),
+                    nanometres_of(table.number("z_m", 0.0, kCoordinate))};
+    const auto path = (folder_ / name).string();
+    std::ifstream in(path, std::ios::binary);
+    std::string text(kMostBytes + 1, '\0');
+    in.read(text.data(), static_cast<std::streamsize>(text.size()));
+    text.resize(static_cast<std::size_t>(in.gcount()));
+    if (text.empty() || text.size() > kMostBytes) {
+      table.report("urdf", "'" + path + "' cannot be read, is empty or too large");
+      return std::nullopt;
     }
-    file_.models.push_back(arm);
-    file_.reaches.push_back(std::make_unique<const ReachTable>(reach_table(arm, cell_m)));
-    file_.cell.arms.push_back({name, file_.reaches.back().get()});
+    const auto robot = motion::read_urdf(text, path);
+    if (!robot) return take(robot.error());
+    const auto chain =
+        motion::Chain::between(*robot, link(table, *robot, "base", base), link(table, *robot, "tip", tip));
+    if (!chain) return take(chain.error());
+    const auto reach = SrsReach::make(*chain);
+    if (!reach) {
+      table.report(
+          "tip", "no bounds are made of this arm",
+          "seven joints, the first three and the last three of which meet; the tip's z axis is the last one",
+          "0105");
+      return std::nullopt;
+    }
+    const auto cell_m = cell_width(table, reach->most_m());
+    if (!cell_m) return std::nullopt;
+    return reach->table(*cell_m, at);
+  }
+
+  static int link(const TomlTable& table, const motion::Robot& robot, const char* key,
+                  const std::string& name) {
+    const int found = robot.link(name);
+    if (found < 0 && !name.empty()) table.report(key, "the robot has no link '" + name + "'", "", "0103");
+    return std::max(found, 0);
+  }
+
+  std::optional<ReachTable> take(const result::Diagnostics& wrong) {
+    wrong_.insert(wrong_.end(), wrong.begin(), wrong.end());
+    return std::nullopt;
   }
 
   void read_grasp(const TomlTable& table) {
@@ -160,7 +227,9 @@ class SequenceReader {
   }
 
   const TomlTable& root_;
+  std::filesystem::path folder_;
   SequenceFile file_;
+  result::Diagnostics wrong_;
   std::vector<std::string> arms_, grasps_, regions_, objects_, places_;
 };
 
@@ -170,8 +239,10 @@ result::Result<SequenceFile> load_sequence(const std::filesystem::path& file) {
   auto document = settings::TomlDocument::load(file, "I");
   if (!document) return result::forward(document);
   const TomlTable root = (*document)->root();
-  SequenceFile read = SequenceReader(root).read();
+  SequenceReader reader(root, file.parent_path());
+  SequenceFile read = reader.read();
   result::Diagnostics problems = (*document)->finish();
+  problems.insert(problems.end(), reader.wrong().begin(), reader.wrong().end());
   if (result::has_errors(problems)) return tl::unexpected(std::move(problems));
   if (auto sound = validate(read.cell, read.sequence, file.string()); !sound) return result::forward(sound);
   return read;

@@ -96,6 +96,32 @@ TEST_F(ReachCommand, WhenTheFileIsWrong_ThenEveryMistakeHasItsPlace) {
   EXPECT_EQ(run(file("")), 0) << "nothing to do is done";
 }
 
+TEST_F(ReachCommand, WhenAnArmIsThatOfAUrdf_ThenItsReachCounts) {
+  ASSERT_EQ(run(std::string(kCells) + "own_arms.toml"), 0) << errors;
+  EXPECT_THAT(output, HasSubstr("2 right places can on shelf\n    x 0.3500 .. 0.5500 m"));
+  std::ostringstream in;
+  in << std::ifstream(std::string(kCells) + "own_arms.toml").rdbuf();
+  const auto changed = [&](const std::string& from, const std::string& to) {
+    std::string other = in.str();
+    const std::string folder = "../robot_cell/";
+    other.replace(other.find(folder), folder.size(), STEPWRIGHT_SOURCE_DIR "/tests/cells/robot_cell/");
+    const std::size_t at = other.find(from);
+    return write("changed.toml", at == std::string::npos ? "" : other.replace(at, from.size(), to));
+  };
+  EXPECT_EQ(run(changed("x_m = 0.45", "x_m = 1.45")), 3) << "a shelf that is too far";
+  EXPECT_THAT(output, HasSubstr("shelf is "));
+  EXPECT_THAT(output, HasSubstr(" mm too far towards +x for the right arm"));
+  EXPECT_EQ(run(changed("right_tcp", "right_hand_tip")), 1);
+  EXPECT_THAT(errors, HasSubstr("I0103: the robot has no link 'right_hand_tip'"));
+  EXPECT_EQ(run(changed("right_tcp", "right_flange")), 0) << errors;
+  EXPECT_EQ(run(changed("right_tcp", "right_wrist")), 1);
+  EXPECT_THAT(errors, HasSubstr("I0105: no bounds are made of this arm"));
+  EXPECT_EQ(run(changed("two_arms.urdf", "two_arms.srdf")), 1);
+  EXPECT_THAT(errors, HasSubstr("A010"));
+  EXPECT_EQ(run(changed("two_arms.urdf", "none.urdf")), 1);
+  EXPECT_THAT(errors, HasSubstr("none.urdf' cannot be read"));
+}
+
 TEST_F(ReachCommand, WhenObjectsAreStackedAndLieBeyondOthers_ThenTheyAreRead) {
   const std::string second = "[[object]]\nname = \"can\"\nx_m = 0.4\ny_m = 0.0\nz_m = 0.1\nheight_m = 0.12\n";
   const auto action = [](const std::string& rest) { return "[[action]]\narm = \"right\"\n" + rest; };
