@@ -28,6 +28,9 @@ struct Real {
   friend Real operator+(Real a, Real b) { return Real::widened(a.low + b.low, a.high + b.high); }
   friend Real operator-(Real a, Real b) { return Real::widened(a.low - b.high, a.high - b.low); }
   friend Real operator-(Real a) { return {-a.high, -a.low}; }
+  friend Real operator*(double k, Real a) {
+    return k >= 0.0 ? Real::widened(k * a.low, k * a.high) : Real::widened(k * a.high, k * a.low);
+  }
   friend Real operator*(Real a, Real b) {
     const double p = a.low * b.low, q = a.low * b.high, r = a.high * b.low, s = a.high * b.high;
     return Real::widened(std::min(std::min(p, q), std::min(r, s)), std::max(std::max(p, q), std::max(r, s)));

@@ -16,13 +16,13 @@ constexpr double kStraight = 1e-9;
 constexpr double kLimitSlack = 1e-6;
 constexpr double kWhereSlack_m = 1e-7;
 // A part of the swivel that holds is halved so often, to bound the angle more closely.
-constexpr int kHalvings = 3;
+constexpr int kHalvings = 2;
 
 RealVector fixed(Vector3 a) {
   return {{Real(a.x), Real(a.y), Real(a.z)}};
 }
 Real dot_of(const RealVector& a, Vector3 b) {
-  return dot_of(a, fixed(b));
+  return b.x * a[0] + b.y * a[1] + b.z * a[2];
 }
 
 }  // namespace
@@ -83,19 +83,13 @@ bool SrsReach::within(std::size_t joint, Real angle) const {
   return angle.low + turn <= high;
 }
 
-std::array<bool, 2> SrsReach::first_two_hold(const Axes& axes, std::size_t first,
-                                             const RealVector& third_turned) const {
-  const Real between = arc_cosine_of(dot_of(third_turned, axes.first)), skew(axes.skew_rad);
+std::array<bool, 2> SrsReach::first_two_hold(std::size_t first, double skew_rad, Real with_first,
+                                             Real with_second, Real with_side) const {
+  const Real between = arc_cosine_of(with_first), skew(skew_rad);
   const std::array second{within(first + 1, between - skew), within(first + 1, -between - skew)};
   if (!second[0] && !second[1]) return second;
-  const Real turned = angle_of(dot_of(third_turned, axes.second), dot_of(third_turned, axes.first_side));
+  const Real turned = angle_of(with_second, with_side);
   return {second[0] && within(first, turned), second[1] && within(first, turned + Real(kPi))};
-}
-
-std::array<bool, 2> SrsReach::third_holds(const Axes& axes, std::size_t joint,
-                                          const RealVector& first_back) const {
-  const Real turned = angle_of(dot_of(first_back, axes.second), -dot_of(first_back, axes.third_side));
-  return {within(joint, turned), within(joint, turned + Real(kPi))};
 }
 
 // sin and cos of the last joint go as f . Rz(angle) a for two directions a of the tool, f being the wrist's
@@ -117,37 +111,33 @@ void SrsReach::add_tool(Real bearing, bool flipped, ArcSet& found) const {
 void SrsReach::add_swivel(const Posture& posture, Real swivel, int depth, ArcSet& found) const {
   if (found.is_full()) return;
   const Real c = cosine_of(swivel), s = sine_of(swivel);
-  // The upper arm's frame in the base.
+  // The upper arm's frame in the base: its elbow's axis, and across.
   const RealVector axis = within_unit(c * posture.side + s * posture.up);
   const RealVector across = within_unit(c * posture.up - s * posture.side);
-  const RealVector elbow_axis = fixed(elbow_axis_);
-  const auto turned = [&](const RealVector& a) {
-    return within_unit(dot_of(a, posture.along) * posture.line + dot_of(a, elbow_axis) * axis +
-                       dot_of(a, posture.across) * across);
+  const auto parts = [&](Vector3 of_base) {
+    return Parts{dot_of(posture.line, of_base), dot_of(axis, of_base), dot_of(across, of_base)};
   };
-  const auto back = [&](const RealVector& a) {
-    return within_unit(dot_of(a, posture.line) * posture.along + dot_of(a, axis) * elbow_axis +
-                       dot_of(a, across) * posture.across);
-  };
-  const auto held = first_two_hold(shoulder_, 0, turned(fixed(shoulder_.third)));
+  const Parts first = parts(shoulder_.first);
+  const auto held = first_two_hold(0, shoulder_.skew_rad, dot_of(posture.shoulder_third, first),
+                                   dot_of(posture.shoulder_third, parts(shoulder_.second)),
+                                   dot_of(posture.shoulder_third, parts(shoulder_.first_side)));
   if (!held[0] && !held[1]) return;
-  const auto held_third = third_holds(shoulder_, 2, back(fixed(shoulder_.first)));
-  if (!(held[0] && held_third[0]) && !(held[1] && held_third[1])) return;
-  // Where the tool's axis points, as the forearm sees it, and the forearm's own axis as the base sees it.
-  const Real bend_c = cosine_of(posture.elbow), bend_s = sine_of(posture.elbow);
-  const RealVector down = back(fixed({0.0, 0.0, outward_ ? -1.0 : 1.0}));
-  const RealVector seen = within_unit((dot_of(down, elbow_axis) * (Real(1.0) - bend_c)) * elbow_axis +
-                                      bend_c * down - bend_s * cross_of(elbow_axis, down));
-  const auto seen_well = first_two_hold(wrist_, 4, seen);
-  if (!seen_well[0] && !seen_well[1]) return;
-  const RealVector fore_axis = fixed(wrist_.first);
-  const RealVector bent = within_unit((dot_of(fore_axis, elbow_axis) * (Real(1.0) - bend_c)) * elbow_axis +
-                                      bend_c * fore_axis + bend_s * cross_of(elbow_axis, fore_axis));
-  const RealVector fore = turned(bent);
-  const Real bearing = angle_of(fore[1], fore[0]);
+  const Real third = angle_of(dot_of(posture.shoulder_second, first), -dot_of(posture.shoulder_side, first));
+  if (!(held[0] && within(2, third)) && !(held[1] && within(2, third + Real(kPi)))) return;
+  // Where the tool's axis points, as the forearm sees it.
+  const double down = outward_ ? -1.0 : 1.0;
+  const Parts tool{down * posture.line[2], down * axis[2], down * across[2]};
+  const auto seen = first_two_hold(4, wrist_.skew_rad, dot_of(posture.wrist_first, tool),
+                                   dot_of(posture.wrist_second, tool), dot_of(posture.wrist_side, tool));
+  if (!seen[0] && !seen[1]) return;
+  // The wrist's first axis in the base.
+  const auto level = [&](std::size_t k) {
+    return dot_of(posture.wrist_first, Parts{posture.line[k], axis[k], across[k]});
+  };
+  const Real bearing = angle_of(level(1), level(0));
   ArcSet more;
   for (const bool flipped : {false, true})
-    if (seen_well[flipped ? 1 : 0]) add_tool(bearing, flipped, more);
+    if (seen[flipped ? 1 : 0]) add_tool(bearing, flipped, more);
   bool is_new = false;
   for (const Arc arc : more.arcs()) is_new = is_new || !found.contains(arc);
   if (!is_new) return;
@@ -167,7 +157,6 @@ void SrsReach::add_elbow(const RealVector& to_wrist, Real distance, double side,
   const Real elbow = Real(std::atan2(distance_[2], distance_[1])) + (side > 0.0 ? off : -off);
   if (!within(3, elbow)) return;
   Posture posture;
-  posture.elbow = elbow;
   posture.line = within_unit(inverse_of(distance) * to_wrist);
   // A direction that is not near to the line's.
   const Vector3 middle{posture.line[0].middle(), posture.line[1].middle(), posture.line[2].middle()};
@@ -181,10 +170,25 @@ void SrsReach::add_elbow(const RealVector& to_wrist, Real distance, double side,
   const Real bend_c = cosine_of(elbow), bend_s = sine_of(elbow);
   const RealVector lower = bend_c * fixed(lower_m_) + bend_s * fixed(cross(elbow_axis_, lower_m_));
   const RealVector reach = fixed(upper_m_) + lower;
-  const Real along = angle_of(dot_of(reach, plane_y_), dot_of(reach, plane_x_));
-  const Real along_c = cosine_of(along), along_s = sine_of(along);
-  posture.along = within_unit(along_c * fixed(plane_x_) + along_s * fixed(plane_y_));
-  posture.across = within_unit(along_s * fixed(plane_x_) - along_c * fixed(plane_y_));
+  const Real towards = angle_of(dot_of(reach, plane_y_), dot_of(reach, plane_x_));
+  const Real along_c = cosine_of(towards), along_s = sine_of(towards);
+  const RealVector along = within_unit(along_c * fixed(plane_x_) + along_s * fixed(plane_y_));
+  const RealVector across = within_unit(along_s * fixed(plane_x_) - along_c * fixed(plane_y_));
+  const auto parts = [&](Vector3 a) {
+    return Parts{dot_of(along, a), Real(dot(a, elbow_axis_)), dot_of(across, a)};
+  };
+  posture.shoulder_third = parts(shoulder_.third);
+  posture.shoulder_second = parts(shoulder_.second);
+  posture.shoulder_side = parts(shoulder_.third_side);
+  // Directions of the forearm, after the elbow has bent.
+  const auto bent = [&](Vector3 a) {
+    const double still = dot(a, elbow_axis_);
+    const RealVector turned = bend_c * fixed(without(a, elbow_axis_)) + bend_s * fixed(cross(elbow_axis_, a));
+    return Parts{dot_of(along, turned), Real(still), dot_of(across, turned)};
+  };
+  posture.wrist_first = bent(wrist_.first);
+  posture.wrist_second = bent(wrist_.second);
+  posture.wrist_side = bent(wrist_.first_side);
   for (int part = 0; part < parts_ && !found.is_full(); ++part) {
     const double from = -kPi + 2.0 * kPi * part / parts_, to = -kPi + 2.0 * kPi * (part + 1) / parts_;
     add_swivel(posture, {from - 1e-12, to + 1e-12}, kHalvings, found);

@@ -44,21 +44,28 @@ class SrsReach {
     motion::Vector3 first_side, third_side;  // second x first, second x third
     double skew_rad = 0.0;                   // from the first to the third, about the second
   };
-  // The arm at a place of the wrist and a bend of the elbow: all but the swivel. `along`, `axis`, `across`
-  // are those of the upper arm's frame in the base: the line from shoulder to wrist, and two at right angles.
+  // A direction in the upper arm's frame: along the line from shoulder to wrist, along the elbow's axis, and
+  // across both; or of the base, the same of the upper arm's frame as it stands there.
+  struct Parts {
+    Real along, axis, across;
+  };
+  friend Real dot_of(const Parts& a, const Parts& b) {
+    return a.along * b.along + a.axis * b.axis + a.across * b.across;
+  }
+  // The arm at a place of the wrist and a bend of the elbow: all but the swivel.
   struct Posture {
-    RealVector line, side, up;  // of the base
-    Real elbow;
-    RealVector along, across;  // of the upper arm at zero; the third is the elbow's axis
+    RealVector line, side, up;             // of the base: from shoulder to wrist, and two at right angles
+    Parts shoulder_third;                  // of the upper arm
+    Parts shoulder_second, shoulder_side;  // likewise: the second axis, and second x third
+    Parts wrist_first, wrist_second, wrist_side;  // likewise, with the elbow bent
   };
 
   static std::optional<Axes> axes_of(motion::Vector3 first, motion::Vector3 second, motion::Vector3 third);
   bool within(std::size_t joint, Real angle) const;
-  // Whether joints can do it, unflipped and flipped: `third_turned` is where the third axis is to point, and
-  // `first_back` the first one as the third sees it.
-  std::array<bool, 2> first_two_hold(const Axes& axes, std::size_t first,
-                                     const RealVector& third_turned) const;
-  std::array<bool, 2> third_holds(const Axes& axes, std::size_t joint, const RealVector& first_back) const;
+  // Whether joints can do it, unflipped and flipped: of the direction to which the third axis is to point,
+  // its parts along the first axis, the second, and second x first.
+  std::array<bool, 2> first_two_hold(std::size_t first, double skew_rad, Real with_first, Real with_second,
+                                     Real with_side) const;
   void add_elbow(const RealVector& to_wrist, Real distance, double side, ArcSet& found) const;
   void add_swivel(const Posture& posture, Real swivel, int depth, ArcSet& found) const;
   void add_tool(Real bearing, bool flipped, ArcSet& found) const;
