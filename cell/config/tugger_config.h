@@ -5,6 +5,8 @@
 //   [plant]
 //   kind = "tugger"
 //   scene = "hall.geojson"    # polygons: border, obstacles, places (supervisor/doc/ltl.md)
+//   map = "map.yaml"          # of ROS: what is not free is a wall. The scene, where there is one, has places
+//                             # and obstacles, and no border then
 //   trailers = 5              # coupled at the start; 0 to 15
 //   most_trailers = 8         # that can ever be coupled; default: as many as `trailers`
 //   scanner_m = 2.5           # how far in front of the tractor it sees blockages
@@ -18,6 +20,27 @@
 //   length_m = 0.9            # of each link
 //   width_m = 0.5
 //   spacing_m = 1.0           # from the middle of a link to that of the next one
+//   [plant.drive]             # what the drive can do; defaults as here
+//   top_speed_m_s = 2.0       # forward and in reverse
+//   time_constant_s = 0.3     # of its controller
+//   acceleration_m_s2 = 1.0   # with `most_trailers` trailers; with fewer the train is faster
+//   braking_m_s2 = 2.0        # of the controller, likewise
+//   spring_brake_m_s2 = 2.5   # that holds while the drive is not enabled
+//   tractor_kg = 300.0
+//   trailer_kg = 150.0        # each
+//   [plant.steering]
+//   full_lock_rad = 1.0
+//   time_constant_s = 0.15
+//   rate_rad_s = 1.0
+//   [plant.slip]              # how the ground is left
+//   drive_slip = 0.01         # part of the wheels' speed that the tractor does not make
+//   understeer_s2_m2 = 0.01   # curvature / (1 + k v^2)
+//   hitch_slip_s2_m2 = 0.005  # trailers run wider by k v^2
+//   [plant.noise]             # standard deviations; none at all with uncertainty = false
+//   position_m = 0.01
+//   heading_rad = 0.002
+//   speed_m_s = 0.01
+//   hitch_rad = 0.002
 //   [[plant.blockages]]       # stand in the way while the fault block_1, block_2, ... holds
 //   x_m = 30.0
 //   y_m = 5.0
@@ -42,13 +65,48 @@ struct TrainConfig {
   double spacing_m = 1.0;
 };
 
+// Defaults are those of plant_models/assemblies/tugger_parameters.h, which says what each one is.
+struct TuggerDriveConfig {
+  double top_speed_m_s = 2.0;
+  double time_constant_s = 0.3;
+  double acceleration_m_s2 = 1.0;
+  double braking_m_s2 = 2.0;
+  double spring_brake_m_s2 = 2.5;
+  double tractor_kg = 300.0;
+  double trailer_kg = 150.0;
+};
+
+struct TuggerSteeringConfig {
+  double full_lock_rad = 1.0;
+  double time_constant_s = 0.15;
+  double rate_rad_s = 1.0;
+};
+
+struct TuggerSlipConfig {
+  double drive_slip = 0.01;
+  double understeer_s2_m2 = 0.01;
+  double hitch_slip_s2_m2 = 0.005;
+};
+
+struct TuggerNoiseConfig {
+  double position_m = 0.01;
+  double heading_rad = 0.002;
+  double speed_m_s = 0.01;
+  double hitch_rad = 0.002;
+};
+
 struct TuggerPlantConfig {
-  std::filesystem::path scene;
+  std::filesystem::path scene;  // empty: of a map without places
+  std::filesystem::path map;    // empty: the scene has the border
   std::size_t trailers = 5;
   std::size_t most_trailers = 5;
   double scanner_m = 2.5;
   PlaceConfig start;
   TrainConfig train;
+  TuggerDriveConfig drive;
+  TuggerSteeringConfig steering;
+  TuggerSlipConfig slip;
+  TuggerNoiseConfig noise;
   std::vector<BlockageConfig> blockages;
 };
 

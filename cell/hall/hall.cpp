@@ -4,7 +4,9 @@
 #include <utility>
 
 #include "runtime/ground/process/files.h"
+#include "supervisor/ltl/scene/map_floor.h"
 #include "supervisor/ltl/scene/scene_reader.h"
+#include "supervisor/map/map_file.h"
 
 namespace stepwright::cell_hall {
 namespace {
@@ -19,21 +21,43 @@ assemblies::FloorPolygon polygon_of(const ltl::Area& area) {
   return polygon;
 }
 
-result::Result<ltl::Floor> read_floor(const std::filesystem::path& scene) {
-  auto text = process::read_file(scene.string());
+// Of the map the walls, and of the scene what stands and lies on its floor; or all of it of the scene.
+result::Result<ltl::Floor> read_floor(const config::TuggerPlantConfig& tugger) {
+  ltl::Floor floor;
+  if (!tugger.map.empty()) {
+    auto map = fleet::read_map(tugger.map);
+    if (!map) return result::forward(map);
+    floor = ltl::floor_of(*map, tugger.map.string());
+    if (tugger.scene.empty()) return floor;
+  }
+  auto text = process::read_file(tugger.scene.string());
   if (!text) return result::forward(text);
-  return ltl::read_scene(*text, scene.string());
+  return ltl::read_scene(*text, tugger.scene.string(), std::move(floor),
+                         tugger.map.empty() ? ltl::Border::InTheScene : ltl::Border::FromElsewhere);
+}
+
+void set_figures(const config::TuggerPlantConfig& tugger, assemblies::TuggerParameters& parameters) {
+  parameters.links = {tugger.train.wheelbase_m, tugger.train.hitch_m, tugger.train.length_m,
+                      tugger.train.width_m, tugger.train.spacing_m};
+  const config::TuggerDriveConfig& drive = tugger.drive;
+  parameters.drive = {drive.top_speed_m_s, drive.time_constant_s,   drive.acceleration_m_s2,
+                      drive.braking_m_s2,  drive.spring_brake_m_s2, drive.tractor_kg,
+                      drive.trailer_kg};
+  parameters.steering = {tugger.steering.full_lock_rad, tugger.steering.time_constant_s,
+                         tugger.steering.rate_rad_s};
+  parameters.slip = {tugger.slip.drive_slip, tugger.slip.understeer_s2_m2, tugger.slip.hitch_slip_s2_m2};
+  parameters.noise = {tugger.noise.position_m, tugger.noise.heading_rad, tugger.noise.speed_m_s,
+                      tugger.noise.hitch_rad};
 }
 
 }  // namespace
 
 result::Result<assemblies::TuggerParameters> hall_parameters(const config::PlantConfig& plant) {
   const config::TuggerPlantConfig& tugger = plant.tugger;
-  auto floor = read_floor(tugger.scene);
+  auto floor = read_floor(tugger);
   if (!floor) return result::forward(floor);
   assemblies::TuggerParameters parameters;
-  parameters.links = {tugger.train.wheelbase_m, tugger.train.hitch_m, tugger.train.length_m,
-                      tugger.train.width_m, tugger.train.spacing_m};
+  set_figures(tugger, parameters);
   parameters.trailers = tugger.trailers;
   parameters.most_trailers = tugger.most_trailers;
   parameters.start = pose_of(tugger.start);

@@ -169,14 +169,6 @@ class Maker {
 
 }  // namespace
 
-std::string program_name(const std::string& monitor) {
-  return "monitor_" + monitor;
-}
-
-std::string failed_tag(const std::string& monitor) {
-  return program_name(monitor) + ".Failed";
-}
-
 result::Result<std::vector<CellMonitor>> cell_monitors(const config::CellConfig& config) {
   std::vector<CellMonitor> monitors;
   result::Diagnostics problems;

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "cell/config/cell_config.h"
+#include "cell/monitor_check/monitor_names.h"
 #include "ladder/driver/watcher.h"
 #include "runtime/ground/result/result.h"
 
@@ -34,10 +35,6 @@ struct CellMonitor {
   result::Location where;
   driver::Watcher program;
 };
-
-// "monitor_NAME", and its tag that is TRUE once the formula is FALSE.
-std::string program_name(const std::string& monitor);
-std::string failed_tag(const std::string& monitor);
 
 // What is wrong with formulas, at their places (L0001 to L0031; L0014: no run that ends decides it); C0556: a
 // proposition that is no tag has no meaning; C0557: a meaning of no proposition. All problems are told.

@@ -42,8 +42,8 @@ result::Result<std::optional<FoundProgram>> find_boot_program(const config::Boot
                       "[runtime] program of the cell's configuration names it");
 }
 
-BootProgram::BootProgram(config::BootSection config, host::HostRuntime& runtime)
-    : config_(std::move(config)), runtime_(runtime) {
+BootProgram::BootProgram(config::BootSection config, host::HostRuntime& runtime, Refusal refusal)
+    : config_(std::move(config)), runtime_(runtime), refusal_(std::move(refusal)) {
   if (config_.keep.empty()) return;
   try {
     thread_ = std::thread([this] { keep_on(); });
@@ -129,6 +129,10 @@ result::Result<void> BootProgram::load_and_start() {
   if (!found) return result::forward(found);
   if (!*found) return {};
   const std::filesystem::path file = (*found)->file;
+  if (auto refused = refusal_ ? refusal_((*found)->container) : result::Diagnostics{}; !refused.empty()) {
+    for (result::Diagnostic& each : refused) each.message += " (" + file.string() + ")";
+    return tl::unexpected(std::move(refused));
+  }
   std::string digest = service::to_hex(service::sha256((*found)->container));
   auto loaded = runtime_.load(0, std::move((*found)->container), digest);
   if (loaded) loaded = complete(1);

@@ -1,8 +1,8 @@
 #pragma once
 
 // The program that a runtime has without a download: the one that was downloaded last, if it is kept, or else
-// the one that the configuration names. What is wrong with it is said, in the status too; the runtime comes
-// up and waits for a download.
+// the one that the configuration names. What is wrong with it, and that it is not one for this cell, is said,
+// in the status too; the runtime comes up and waits for a download.
 //
 // Threads: the service's. What is kept is written by a thread of its own, as the disk may take its time; what
 // the disk refuses is tried again. Invariant: the kept file is always one whole program.
@@ -14,6 +14,7 @@
 #include <condition_variable>
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <span>
@@ -41,7 +42,10 @@ struct FoundProgram {
 
 class BootProgram final : private service::ProgramPersistence {
  public:
-  BootProgram(config::BootSection config, host::HostRuntime& runtime);
+  // Why a program is not for this cell, before it is loaded; nothing: it is. Empty: every one is.
+  using Refusal = std::function<result::Diagnostics(std::span<const std::byte>)>;
+
+  BootProgram(config::BootSection config, host::HostRuntime& runtime, Refusal refusal = {});
   // Returns when the program is kept.
   ~BootProgram() override;
   BootProgram(const BootProgram&) = delete;
@@ -51,7 +55,7 @@ class BootProgram final : private service::ProgramPersistence {
   service::ProgramPersistence* persistence() { return config_.keep.empty() ? nullptr : this; }
 
   // Loads and starts the program, as far as it is asked for. Returns why not, with its place: R0024 and R0026
-  // of the file, those of the verifier, R0025 of what it retains.
+  // of the file, those of the verifier, R0025 of what it retains; those of the refusal.
   result::Diagnostics run();
 
  private:
@@ -65,6 +69,7 @@ class BootProgram final : private service::ProgramPersistence {
 
   config::BootSection config_;
   host::HostRuntime& runtime_;
+  const Refusal refusal_;
   std::string booted_;  // digest of what was loaded at the start, until another program comes
 
   host::Notifier decided_;

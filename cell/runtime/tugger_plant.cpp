@@ -13,9 +13,10 @@ result::Result<assemblies::TuggerParameters> tugger_parameters(const config::Pla
   if (!parameters) return result::forward(parameters);
   auto train = assemblies::TuggerTrain::create(*parameters);
   if (!train) {
-    // Figures have passed the configuration's ranges: it is about outlines of the scene.
+    // Figures have passed the configuration's ranges: it is about outlines of the scene, or of the map.
+    const std::filesystem::path& hall = plant.tugger.scene.empty() ? plant.tugger.map : plant.tugger.scene;
     for (result::Diagnostic& problem : train.error()) {
-      if (problem.where.file.empty()) problem.where.file = plant.tugger.scene.string();
+      if (problem.where.file.empty()) problem.where.file = hall.string();
     }
     return result::forward(train);
   }

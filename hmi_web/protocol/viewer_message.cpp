@@ -86,10 +86,11 @@ void read_ranges(const json& list, Members& members, std::vector<TagRange>& rang
 void read_also(const json& list, Members& members, Show& show) {
   if (!list.is_array()) return members.fail("also is a list");
   for (const json& each : list) {
-    bool* wanted = each == "plan"     ? &show.plan
-                   : each == "routes" ? &show.routes
-                   : each == "trend"  ? &show.trend
-                                      : nullptr;
+    bool* wanted = each == "plan"       ? &show.plan
+                   : each == "routes"   ? &show.routes
+                   : each == "pictures" ? &show.pictures
+                   : each == "trend"    ? &show.trend
+                                        : nullptr;
     if (wanted == nullptr || *wanted) return members.fail("also has a word that is not known, or one twice");
     *wanted = true;
   }
@@ -116,6 +117,7 @@ ViewerState read_has(const json& object, std::string& wrong) {
   has.program = members.whole("program");
   has.plan = members.whole("plan");
   has.routes = members.whole("routes");
+  has.pictures = members.whole("pictures");
   has.alarms = members.whole("alarms");
   has.forces = members.whole("forces");
   has.trend_run = members.whole("trend_run");

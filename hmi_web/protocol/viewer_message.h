@@ -45,6 +45,7 @@ struct Show {
   TagChoice tags;
   bool plan = false;
   bool routes = false;
+  bool pictures = false;
   bool trend = false;
 };
 
@@ -55,6 +56,7 @@ struct ViewerState {
   std::uint64_t program = 0;   // revisions
   std::uint64_t plan = 0;
   std::uint64_t routes = 0;
+  std::uint64_t pictures = 0;
   std::uint64_t alarms = 0;
   std::uint64_t forces = 0;
   std::uint64_t trend_run = 0;

@@ -52,6 +52,7 @@ struct Observation {
   std::uint64_t images_lost = 0;
   std::shared_ptr<const ProgramLayout> layout;  // shared: it stays the same for thousands of observations
   std::optional<std::string> plan;              // the supervisor's newest plan document, JSON text
+  std::optional<std::string> pictures;          // and what is drawn of it
   Tare tare;                                    // empty while no supervisor has identified it
 };
 

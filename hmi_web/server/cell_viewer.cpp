@@ -52,6 +52,7 @@ CellView CellViewer::view(const Observation& observation) {
   view.layout = layout_;
   view.points = point_tags_;
   view.plan = observation.plan;
+  view.pictures = observation.pictures;
   protocol::CellState& state = view.state;
   state.runtime_alive = observation.runtime_alive;
   state.supervisor_alive = observation.supervisor_alive;

@@ -20,6 +20,7 @@ struct CellView {
   std::shared_ptr<const protocol::PointTags> points;  // of that layout; null with it
   protocol::CellState state;
   std::optional<std::string> plan;
+  std::optional<std::string> pictures;
 };
 
 class CellViewer {

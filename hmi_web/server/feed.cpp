@@ -6,6 +6,7 @@
 #include <random>
 #include <utility>
 
+#include "hmi_web/protocol/pictures.h"
 #include "hmi_web/protocol/plan_parts.h"
 
 namespace stepwright::server {
@@ -49,9 +50,10 @@ bool Feed::update(const CellView& view, Time now) {
   const std::lock_guard lock(mutex_);
   const bool program = take_program(view);
   const bool state = take_state(view, program, now);
+  const bool pictures = take_pictures(view);
   const bool plan = take_plan(view);
   const bool trend = take_trend(view.state, now);
-  return program || state || plan || trend;
+  return program || state || pictures || plan || trend;
 }
 
 bool Feed::take_program(const CellView& view) {
@@ -89,6 +91,15 @@ void Feed::take_routes(std::string routes) {
   if (routes.empty() || routes == routes_source_) return;
   routes_source_ = std::move(routes);
   routes_ = shared(protocol::with_revision(routes_source_, ++routes_revision_));
+}
+
+bool Feed::take_pictures(const CellView& view) {
+  if (!view.pictures || *view.pictures == pictures_source_) return false;
+  pictures_source_ = *view.pictures;
+  const auto message = protocol::pictures_message(pictures_source_);
+  if (!message) return false;
+  pictures_ = shared(protocol::with_revision(*message, ++pictures_revision_));
+  return true;
 }
 
 bool Feed::take_trend(const protocol::CellState& state, Time now) {
@@ -133,6 +144,7 @@ void Feed::go_on(Cursor& cursor, const protocol::ViewerState& has) const {
   cursor.program = known(has.program, program_revision_);
   cursor.plan = known(has.plan, plan_revision_);
   cursor.routes = known(has.routes, routes_revision_);
+  cursor.pictures = known(has.pictures, pictures_revision_);
   cursor.alarms = known(has.alarms, alarms_revision_);
   cursor.forces = known(has.forces, forces_revision_);
   const bool kept = has.trend_run == trend_.run() && has.trend_next >= trend_.begin() &&
@@ -169,6 +181,10 @@ MessageText Feed::next(Cursor& cursor) const {
   if (cursor.show.routes && cursor.routes != routes_revision_) {
     cursor.routes = routes_revision_;
     return routes_;
+  }
+  if (cursor.show.pictures && cursor.pictures != pictures_revision_) {
+    cursor.pictures = pictures_revision_;
+    return pictures_;
   }
   if (cursor.show.plan && cursor.plan != plan_revision_) {
     cursor.plan = plan_revision_;

@@ -53,6 +53,7 @@ class Feed {
     std::uint64_t program = 0;
     std::uint64_t state = 0;
     std::uint64_t routes = 0;
+    std::uint64_t pictures = 0;
     std::uint64_t plan = 0;
     std::uint64_t alarms = 0;
     std::uint64_t forces = 0;
@@ -85,6 +86,7 @@ class Feed {
   bool take_state(const CellView& view, bool whole, Time now);
   bool take_plan(const CellView& view);
   void take_routes(std::string routes);
+  bool take_pictures(const CellView& view);
   bool take_trend(const protocol::CellState& state, Time now);
   void go_on(Cursor& cursor, const protocol::ViewerState& has) const;
   bool is_current(const protocol::TagChoice& tags) const;
@@ -112,6 +114,9 @@ class Feed {
   std::string routes_source_;
   MessageText routes_;  // of a fleet; null = never any
   std::uint64_t routes_revision_ = 0;
+  std::string pictures_source_;
+  MessageText pictures_;  // of a plan; null = never any
+  std::uint64_t pictures_revision_ = 0;
   MessageText plan_;
   std::uint64_t plan_revision_ = 0;
   MessageText alarms_;

@@ -3,7 +3,7 @@
 #include <span>
 #include <utility>
 
-#include "cell/monitors/missing_monitors.h"
+#include "cell/monitor_check/missing_monitors.h"
 #include "cell/runtime/boot_program.h"
 #include "cell/runtime/host_options.h"
 #include "programs/check/check_tags.h"

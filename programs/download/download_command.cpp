@@ -14,8 +14,7 @@
 #include <vector>
 
 #include "cell/config/cell_options.h"
-#include "cell/monitors/missing_monitors.h"
-#include "runtime/bytecode/reader/program_info.h"
+#include "cell/monitor_check/missing_monitors.h"
 #include "runtime/bytecode/writer/document_section.h"
 #include "runtime/ground/process/command_line.h"
 #include "runtime/ground/process/diagnostics_json.h"
@@ -120,17 +119,12 @@ void print(DownloadMode mode, const service::Reply& reply) {
     std::printf("  %u forces are gone with their variables\n", reply.change.dropped_forces);
 }
 
-// What is no program is left to the runtime, which says why.
-result::Diagnostics missing_monitors(const config::CellConfig& config, const std::string& image) {
-  if (config.monitors.empty()) return {};
-  const auto info = reader::ProgramInfo::read(std::as_bytes(std::span(image)));
-  return info ? cell_monitors::missing_monitors(config, *info) : result::Diagnostics{};
-}
-
 int download(const config::CellConfig& config, const Arguments& arguments) {
   const auto image = process::read_file(arguments.image);
   if (!image) return refuse(arguments, image.error(), ExitCode::BadInput);
-  if (const auto problems = missing_monitors(config, *image); !problems.empty())
+  // What is no program is left to the runtime, which says why.
+  const auto bytes = std::as_bytes(std::span(*image));
+  if (const auto problems = cell_monitors::missing_monitors(config, bytes); !problems.empty())
     return refuse(arguments, problems, ExitCode::BadInput);
   auto connection = service::Connection::open(config.socket_path(),
                                               {.role = service::Role::Controller, .name = "download"});
@@ -148,7 +142,6 @@ int download(const config::CellConfig& config, const Arguments& arguments) {
   const auto mode = mode_of(arguments, *status);
   if (!mode) return refuse(arguments, mode.error(), ExitCode::BadInput);
   // A controller behind a gateway keeps programs in a small flash, and shows nobody their sources.
-  const auto bytes = std::as_bytes(std::span(*image));
   const std::vector<std::byte> sent =
       config.controller.remote() ? writer::without_document(bytes) : std::vector(bytes.begin(), bytes.end());
   const auto reply = (*connection)->download(sent, *mode, kPatience);

@@ -39,6 +39,7 @@ server::Observation DdsCellSource::observe() {
   seen.runtime_alive = runtime_->runtime_alive();
   seen.supervisor_alive = plans_->supervisor_alive();
   seen.plan = plans_->latest();
+  seen.pictures = plans_->pictures();
   if (seen.plan && *seen.plan != tare_source_) {
     tare_source_ = *seen.plan;
     tare_ = tare_of(tare_source_);

@@ -72,7 +72,8 @@ void print(const Problem& problem, const PlanAnswer& answer, const Figures& figu
   std::printf("found: %.3f s, %zu drives, %zu states", answer.search.spent_s, answer.search.drives,
               answer.search.nodes);
   if (answer.shortened) std::printf("; %.1f m at first", answer.search.plan->length_m);
-  std::printf("; %.3f s in all\n", figures.spent_s);
+  std::printf("; %.3f s in all, %zu thread%s\n", figures.spent_s, answer.threads,
+              answer.threads == 1 ? "" : "s");
 }
 
 json pieces_of(const PlanAnswer& answer) {
@@ -112,6 +113,7 @@ std::string json_of(const Problem& problem, const PlanAnswer& answer, const Plan
       {"duration_s", answer.judgement.duration_s},
       {"end_error", answer.judgement.end_error},
       {"tries", answer.tries},
+      {"threads", answer.threads},
       {"drives", answer.search.drives},
       {"states", answer.search.nodes},
       {"found_s", answer.search.spent_s},
@@ -178,8 +180,10 @@ ExitCode run_plan(const PlanArguments& arguments) {
   const auto problem = ltl::read_planning_problem(*text, arguments.problem);
   if (!problem) return fail(problem.error());
   const auto began = std::chrono::steady_clock::now();
-  const auto answer = ltl::plan_train(
-      *problem, {.seed = arguments.seed, .most_s = arguments.time_s, .shorten_s = arguments.shorten_s});
+  const auto answer = ltl::plan_train(*problem, {.seed = arguments.seed,
+                                                 .most_s = arguments.time_s,
+                                                 .shorten_s = arguments.shorten_s,
+                                                 .threads = arguments.threads});
   if (!answer) return failed(answer.error(), arguments);
   const double spent_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   const Figures figures = figures_of(*problem, spent_s);

@@ -1,7 +1,8 @@
 #pragma once
 
-// `stepwright ltl PROBLEM.json [--json FILE] [--svg FILE] [--seed N] [--time S]`.
+// `stepwright ltl PROBLEM.json [--json FILE] [--svg FILE] [--seed N] [--time S] [--shorten S] [--threads N]`.
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
@@ -16,6 +17,7 @@ struct PlanArguments {
   std::uint64_t seed = 1;
   double time_s = 10.0;  // until the first plan
   double shorten_s = 1.0;
+  std::size_t threads = 0;  // 0: as many as the machine has, at most 2
 };
 
 // NoPlan: even a point cannot do the task. BudgetExhausted: no plan was found in that time.

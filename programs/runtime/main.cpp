@@ -7,12 +7,15 @@
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <csignal>
+#include <cstddef>
 #include <cstdio>
 #include <filesystem>
+#include <span>
 #include <string>
 
 #include "cell/config/cell_options.h"
 #include "cell/config/state_dir.h"
+#include "cell/monitor_check/missing_monitors.h"
 #include "cell/runtime/boot_program.h"
 #include "cell/runtime/cell_io.h"
 #include "cell/runtime/guard_watch.h"
@@ -107,7 +110,9 @@ int run(const config::CellConfig& config) {
   auto runtime = host::HostRuntime::create(*options, (*io)->driver(), (*io)->plant());
   if (!runtime) return fail(runtime.error(), ExitCode::RuntimeFault);
   ProcessMonitor monitor(config, log, init);
-  BootProgram boot(config.boot, **runtime);
+  BootProgram boot(config.boot, **runtime, [&config](std::span<const std::byte> container) {
+    return cell_monitors::missing_monitors(config, container);
+  });
   auto server = service::Server::create(
       {config.socket_path(), config.supervisor_lost_after, STEPWRIGHT_VERSION, &monitor, boot.persistence()},
       **runtime);

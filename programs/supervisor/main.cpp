@@ -146,6 +146,7 @@ int attend(const config::CellConfig& config, bool once, Shared& shared) {
         if (const auto request = (*publisher)->wait_request(kLook))
           answer(**publisher, *request, obey(*mission, request->text), shared.of(config), shared.log);
         if (const auto outlook = mission->new_outlook()) (void)(*publisher)->publish_outlook(*outlook);
+        if (const auto pictures = mission->new_pictures()) (void)(*publisher)->publish_pictures(*pictures);
       });
       if (thrown) shared.log.error("requests", shared.of(config) + "a request failed: " + *thrown);
     }

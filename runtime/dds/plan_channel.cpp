@@ -32,6 +32,7 @@ struct PlanPublisher::State {
         documents(*participant, kDocumentTopic, Profile::Document),
         goal_forms(*participant, kGoalFormTopic, Profile::Document),
         outlooks(*participant, kOutlookTopic, Profile::Document),
+        pictures(*participant, kPicturesTopic, Profile::Document),
         answers(*participant, kAnswerTopic, Profile::Queue),
         requests(*participant, kOperatorTopic, Profile::Queue,
                  {.on_message = [this](OperatorRequest request) { on_request(std::move(request)); }}) {}
@@ -69,6 +70,7 @@ struct PlanPublisher::State {
   Writer<idl::PlanDocumentPubSubType> documents;
   Writer<idl::PlanDocumentPubSubType> goal_forms;
   Writer<idl::PlanDocumentPubSubType> outlooks;
+  Writer<idl::PlanDocumentPubSubType> pictures;
   MessageWriter<service::OperatorAnswer> answers;
   MessageReader<OperatorRequest> requests;
 };
@@ -80,7 +82,8 @@ result::Result<std::unique_ptr<PlanPublisher>> PlanPublisher::create(const Parti
   auto participant = Participant::create(config);
   if (!participant) return result::forward(participant);
   auto state = std::make_unique<State>(std::move(*participant));
-  const bool documents = state->documents.ok() && state->goal_forms.ok() && state->outlooks.ok();
+  const bool documents =
+      state->documents.ok() && state->goal_forms.ok() && state->outlooks.ok() && state->pictures.ok();
   if (!documents || !state->requests.ok() || !state->answers.ok()) {
     return result::fail("D0005", {}, "Fast DDS cannot create the endpoints of the plan channel");
   }
@@ -97,6 +100,10 @@ result::Result<void> PlanPublisher::publish_goal_form(const std::string& json) {
 
 result::Result<void> PlanPublisher::publish_outlook(const std::string& json) {
   return state_->publish(state_->outlooks, json, kMaxGoalDocumentBytes, "an outlook");
+}
+
+result::Result<void> PlanPublisher::publish_pictures(const std::string& json) {
+  return state_->publish(state_->pictures, json, kMaxPicturesBytes, "a document of pictures");
 }
 
 std::optional<OperatorRequest> PlanPublisher::wait_request(std::chrono::milliseconds timeout) {
@@ -130,11 +137,14 @@ struct PlanSubscriber::State {
                    [this](idl::PlanDocument& sample) { keep(sample, goal_form); }),
         outlooks(*participant, kOutlookTopic, Profile::Document,
                  [this](idl::PlanDocument& sample) { keep(sample, outlook); }),
+        picture_reader(*participant, kPicturesTopic, Profile::Document,
+                       [this](idl::PlanDocument& sample) { keep(sample, pictures, kMaxPicturesBytes); }),
         documents(*participant, kDocumentTopic, Profile::Document,
                   [this](idl::PlanDocument& sample) { on_document(sample); }) {}
 
-  void keep(idl::PlanDocument& sample, std::optional<std::string>& place) {
-    if (sample.text().size() > kMaxGoalDocumentBytes) return;
+  void keep(idl::PlanDocument& sample, std::optional<std::string>& place,
+            std::size_t bound = kMaxGoalDocumentBytes) {
+    if (sample.text().size() > bound) return;
     const std::scoped_lock lock(mutex);
     place = std::move(sample.text());
   }
@@ -167,6 +177,7 @@ struct PlanSubscriber::State {
   std::optional<std::string> newest;
   std::optional<std::string> goal_form;
   std::optional<std::string> outlook;
+  std::optional<std::string> pictures;
   std::uint64_t arrivals = 0;
   std::uint64_t waited_for = 0;  // arrivals when wait_newer returned last
   std::uint64_t last_request = 0;
@@ -176,6 +187,7 @@ struct PlanSubscriber::State {
   MessageReader<service::OperatorAnswer> answers;
   Reader<idl::PlanDocumentPubSubType> goal_forms;
   Reader<idl::PlanDocumentPubSubType> outlooks;
+  Reader<idl::PlanDocumentPubSubType> picture_reader;
   Reader<idl::PlanDocumentPubSubType> documents;
 };
 
@@ -186,7 +198,8 @@ result::Result<std::unique_ptr<PlanSubscriber>> PlanSubscriber::create(const Par
   auto participant = Participant::create(config);
   if (!participant) return result::forward(participant);
   auto state = std::make_unique<State>(std::move(*participant));
-  const bool documents = state->documents.ok() && state->goal_forms.ok() && state->outlooks.ok();
+  const bool documents =
+      state->documents.ok() && state->goal_forms.ok() && state->outlooks.ok() && state->picture_reader.ok();
   if (!documents || !state->requests.ok() || !state->answers.ok()) {
     return result::fail("D0005", {}, "Fast DDS cannot create the endpoints of the plan channel");
   }
@@ -206,6 +219,11 @@ std::optional<std::string> PlanSubscriber::goal_form() const {
 std::optional<std::string> PlanSubscriber::outlook() const {
   const std::scoped_lock lock(state_->mutex);
   return state_->outlook;
+}
+
+std::optional<std::string> PlanSubscriber::pictures() const {
+  const std::scoped_lock lock(state_->mutex);
+  return state_->pictures;
 }
 
 std::optional<std::string> PlanSubscriber::wait_newer(std::chrono::milliseconds timeout) {

@@ -1,8 +1,8 @@
 #pragma once
 
-// The supervisor's documents (JSON texts: plan, goal form, outlook) to every viewer, and operator requests
-// (JSON text) from viewers to the supervisor, which answers each. A viewer that joins late gets the newest of
-// each document at once. The channel does not look into the text.
+// The supervisor's documents (JSON texts: plan, goal form, outlook, pictures) to every viewer, and operator
+// requests (JSON text) from viewers to the supervisor, which answers each. A viewer that joins late gets the
+// newest of each document at once. The channel does not look into the text.
 //
 //   auto publisher = PlanPublisher::create({61, "supervisor", "bench"});
 //   (*publisher)->publish(document);
@@ -27,6 +27,7 @@ namespace stepwright::dds {
 // Longer texts are refused with D0004.
 inline constexpr std::size_t kMaxPlanDocumentBytes = 4u << 20;
 inline constexpr std::size_t kMaxGoalDocumentBytes = 1u << 20;  // of the goal form, of the outlook
+inline constexpr std::size_t kMaxPicturesBytes = 800'000;
 using service::kMaxOperatorRequestBytes;
 
 // A supervisor that lives answers in milliseconds.
@@ -44,6 +45,8 @@ class PlanPublisher {
   // The same for what a goal can be made of, and for where a plan would begin (supervisor/doc/goals.md).
   [[nodiscard]] result::Result<void> publish_goal_form(const std::string& json);
   [[nodiscard]] result::Result<void> publish_outlook(const std::string& json);
+  // And for what is drawn of the plan (supervisor/doc/pictures.md).
+  [[nodiscard]] result::Result<void> publish_pictures(const std::string& json);
   // The next request of any viewer, in order of arrival; none after `timeout`.
   std::optional<OperatorRequest> wait_request(std::chrono::milliseconds timeout);
   // Says to whoever asked that the request is accepted, or why not. Fails with D0001 if nobody takes it.
@@ -66,6 +69,7 @@ class PlanSubscriber {
   std::optional<std::string> latest() const;
   std::optional<std::string> goal_form() const;
   std::optional<std::string> outlook() const;
+  std::optional<std::string> pictures() const;
   // Waits until a document newer than the one last returned by this function is there; none after `timeout`.
   std::optional<std::string> wait_newer(std::chrono::milliseconds timeout);
   // True while a supervisor holds the other end, and up to a second longer if it was killed.

@@ -1,13 +1,16 @@
 # Third-party packages, found once for the whole tree. Every one comes from Debian (scripts/install-packages).
 
 find_package(asmjit REQUIRED)
+find_package(assimp 5.2 REQUIRED)
 find_package(box2d REQUIRED)
 find_package(Boost 1.74 REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(Eigen3 3.4 REQUIRED)
 find_package(fastcdr REQUIRED)
 find_package(fastrtps REQUIRED)
+find_package(fcl 0.7 REQUIRED)
 find_package(fmt REQUIRED)
+find_package(hwy 1.0 REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(OpenSSL 3.0 REQUIRED)
 find_package(SUNDIALS REQUIRED COMPONENTS cvode nvecserial sunnonlinsolfixedpoint)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "ladder/driver/compile.h"
@@ -19,15 +20,15 @@ namespace stepwright::executive {
 namespace {
 
 result::Result<void> compile_project(const graphic::Project& project, const HandWritten& programs,
-                                     const PlanningOptions& options, bool watched, PreparedPlan& prepared) {
+                                     const PlanningOptions& options,
+                                     std::span<const driver::Watcher> watchers, PreparedPlan& prepared) {
   auto joined = programs.joined(project);
   if (!joined) return tl::unexpected(std::move(joined.error()));
-  auto output = driver::compile(
-      {.texts = {},
-       .projects = joined->projects(),
-       .document = options.document,
-       .dialect = options.dialect,
-       .watchers = watched ? std::span(options.watchers) : std::span<const driver::Watcher>()});
+  auto output = driver::compile({.texts = {},
+                                 .projects = joined->projects(),
+                                 .document = options.document,
+                                 .dialect = options.dialect,
+                                 .watchers = watchers});
   if (!output) return tl::unexpected(std::move(output.error()));
   prepared.container = std::move(output->container);
   return {};
@@ -94,7 +95,26 @@ result::Result<PlanningService> PlanningService::open(const PlanningOptions& opt
   if (!binding) return result::forward(binding);
   auto programs = HandWritten::load(options.programs, *options.dialect);
   if (!programs) return result::forward(programs);
-  return PlanningService(options, std::move(*task), std::move(*binding), std::move(*programs));
+  PlanningService service(options, std::move(*task), std::move(*binding), std::move(*programs));
+  service.find_resting_watchers();
+  return service;
+}
+
+// One that reads tags of a plan cannot be compiled with a program that has none.
+void PlanningService::find_resting_watchers() {
+  if (options_.watchers.empty()) return;
+  const translate::Translation look =
+      translate::observe_program(binding_, {.interval_us = options_.interval_us});
+  const auto compiles = [&](std::span<const driver::Watcher> watchers) {
+    PreparedPlan tried;
+    return compile_project(look.project, programs_, options_, watchers, tried).has_value();
+  };
+  if (compiles(options_.watchers)) {
+    resting_watchers_ = options_.watchers;
+    return;
+  }
+  for (const driver::Watcher& each : options_.watchers)
+    if (compiles(std::span(&each, 1))) resting_watchers_.push_back(each);
 }
 
 result::Result<pddl::Task> PlanningService::task_for(const StartState& start) const {
@@ -250,7 +270,7 @@ result::Result<void> PlanningService::build(PreparedPlan& prepared, const pddl::
     if (step.kind == translate::StepKind::Action) prepared.episode.actions[*step.action].step = step.name;
   }
   if (auto scheduled = fill_schedule(prepared, binding_, options_.sequential); !scheduled) return scheduled;
-  return compile_project(prepared.translation.project, programs_, options_, true, prepared);
+  return compile_project(prepared.translation.project, programs_, options_, options_.watchers, prepared);
 }
 
 result::Result<PreparedPlan> PlanningService::observer(bool locate, std::chrono::milliseconds settle) const {
@@ -260,7 +280,8 @@ result::Result<PreparedPlan> PlanningService::observer(bool locate, std::chrono:
   options.locate = locate;
   options.interval_us = options_.interval_us;
   prepared.translation = translate::observe_program(binding_, options);
-  if (auto compiled = compile_project(prepared.translation.project, programs_, options_, false, prepared);
+  if (auto compiled =
+          compile_project(prepared.translation.project, programs_, options_, resting_watchers_, prepared);
       !compiled) {
     return tl::unexpected(std::move(compiled.error()));
   }

@@ -46,7 +46,8 @@ struct PlanningOptions {
   std::string report_fluent;  // what the report follows per action, "(transport-cost)"; empty: the metric
   // Extensions of the standard for hand-written programs.
   const source::Dialect* dialect = &source::standard_dialect();
-  // Compiled with every plan; not with what only looks at the plant at rest.
+  // Compiled with every plan; and with what only looks at the plant at rest, but for those that read tags of
+  // a plan.
   std::vector<driver::Watcher> watchers{};
 };
 
@@ -130,6 +131,7 @@ class PlanningService {
 
  private:
   PlanningService(PlanningOptions options, pddl::Task task, translate::Binding binding, HandWritten programs);
+  void find_resting_watchers();
   [[nodiscard]] result::Result<pddl::Task> task_for(const StartState& start) const;
   [[nodiscard]] result::Result<PrepareOutcome> plan_for(const PlanRequest& request,
                                                         const pddl::Task& task) const;
@@ -141,6 +143,7 @@ class PlanningService {
   pddl::Task task_;
   translate::Binding binding_;
   HandWritten programs_;
+  std::vector<driver::Watcher> resting_watchers_{};  // of those of the options
 };
 
 }  // namespace stepwright::executive

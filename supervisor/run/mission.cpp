@@ -119,6 +119,17 @@ void Mission::set_phase(Phase phase, std::string message) {
   publish(/*now=*/true);
 }
 
+void Mission::show(const Pictures& pictures) {
+  std::string text = to_json(pictures);
+  const std::lock_guard lock(pictures_mutex_);
+  pictures_ = std::move(text);
+}
+
+std::optional<std::string> Mission::new_pictures() {
+  const std::lock_guard lock(pictures_mutex_);
+  return std::exchange(pictures_, std::nullopt);
+}
+
 void Mission::open_incident(const Cause& cause) {
   Incident incident;
   incident.time_s = clock_.now_s();

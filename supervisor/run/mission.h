@@ -33,6 +33,7 @@
 #include "runtime/ground/result/result.h"
 #include "supervisor/run/cause.h"
 #include "supervisor/run/controller.h"
+#include "supervisor/run/picture.h"
 #include "supervisor/run/request.h"
 #include "supervisor/run/run_clock.h"
 #include "supervisor/run/run_record.h"
@@ -76,6 +77,9 @@ class Mission {
   // Where a plan would begin and what a what-if has come to, JSON; nothing if that is as it was at the last
   // call. One thread at a time.
   virtual std::optional<std::string> new_outlook() { return std::nullopt; }
+  // What the page draws of the plan (picture.h), JSON; nothing if that is as it was at the last call. One
+  // thread at a time.
+  std::optional<std::string> new_pictures();
 
  protected:
   enum class Stage : std::uint8_t {
@@ -120,6 +124,8 @@ class Mission {
 
   // The record.
   void set_phase(Phase phase, std::string message);
+  // In place of the pictures that were shown before.
+  void show(const Pictures& pictures);
   void open_incident(const Cause& cause);
   // Of the incident that is open: how long that took is measured.
   void decide(Response response);
@@ -214,6 +220,9 @@ class Mission {
   bool act_on(const Decision& decision);
   bool see_held(const host::StepEvent& event, const Hold& hold);
   void brought(std::string digest);
+
+  std::mutex pictures_mutex_;
+  std::optional<std::string> pictures_;  // that nobody has fetched yet; guarded by the mutex
 
   const MissionOptions options_;
   const Observer observer_;

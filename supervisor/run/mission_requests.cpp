@@ -103,9 +103,9 @@ result::Result<void> Mission::accept_start(const std::function<void()>& also) {
 bool Mission::await_operator(const std::string& message) {
   if (!options_.operator_starts) return true;
   std::optional<Cause> cause;
-  do {
+  while (!start_wanted()) {  // another run has been started already
     if (await_wish(Stage::Ready, message, cause) == Wish::Abort) return false;
-  } while (!start_wanted());
+  }
   begin_start();
   return true;
 }

@@ -11,6 +11,7 @@
 
 #include "cell/config/port_reader.h"
 #include "cell/missions/ltl/table/ltl_table.h"
+#include "cell/missions/ltl/train_of_plant.h"
 #include "cell/missions/mission_kinds.h"
 #include "cell/monitors/cell_monitors.h"
 #include "supervisor/ltl/mission/train_mission.h"
@@ -23,11 +24,14 @@ const LtlTable& ltl_table(const config::CellConfig& config) {
   return *table_as<LtlTable>(config.mission.table);
 }
 
-result::Result<ltl::Problem> read_problem(const LtlTable& table) {
+result::Result<ltl::Problem> read_problem(const config::CellConfig& config) {
+  const LtlTable& table = ltl_table(config);
   std::stringstream text;
   text << std::ifstream(table.problem).rdbuf();
-  auto problem = ltl::read_planning_problem(text.str(), table.problem);
-  if (problem && !table.task.empty()) problem->task = table.task;
+  auto problem = ltl::read_planning_problem(text.str(), table.problem, train_of(config.plant));
+  if (!problem) return problem;
+  if (!table.task.empty()) problem->task = table.task;
+  keep_within(config.plant, problem->train);
   return problem;
 }
 
@@ -145,7 +149,7 @@ class LtlPlanner final : public CellPlanner {
 
 result::Result<std::unique_ptr<CellPlanner>> open_ltl(const config::CellConfig& config) {
   const LtlTable& table = ltl_table(config);
-  auto problem = read_problem(table);
+  auto problem = read_problem(config);
   if (!problem) return result::forward(problem);
   auto terminals = terminals_of(config, *problem);
   if (!terminals) return result::forward(terminals);
@@ -154,9 +158,10 @@ result::Result<std::unique_ptr<CellPlanner>> open_ltl(const config::CellConfig& 
                                     .terminals = *std::move(terminals),
                                     .program = {},
                                     .seed = table.seed,
-                                    .most_s = table.time_s};
+                                    .most_s = table.time_s,
+                                    .threads = table.threads};
   options.program.interval_us = config.clock.interval_us;
-  options.program.drive.top_speed_m_s = table.top_speed_m_s;
+  options.program.drive = drive_of(config.plant, table.top_speed_m_s);
   auto monitors = cell_monitors::cell_monitors(config);
   if (!monitors) return result::forward(monitors);
   options.watchers = cell_monitors::watchers_of(*monitors);

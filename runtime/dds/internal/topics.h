@@ -17,6 +17,7 @@ inline constexpr char kBeaconTopic[] = "stepwright/beacon/3";
 inline constexpr char kDocumentTopic[] = "stepwright/plan_document/1";
 inline constexpr char kGoalFormTopic[] = "stepwright/goal_form/1";
 inline constexpr char kOutlookTopic[] = "stepwright/outlook/1";
+inline constexpr char kPicturesTopic[] = "stepwright/pictures/1";
 inline constexpr char kOperatorTopic[] = "stepwright/operator_request/3";
 inline constexpr char kAnswerTopic[] = "stepwright/operator_answer/3";
 

@@ -241,17 +241,21 @@ double PointBound::length_m(Point from, std::uint32_t state) const {
 std::optional<double> point_bound_m(const Problem& problem, const BoundOptions& options) {
   const auto map = make_regions(problem.floor, [&] { return Clock::now() >= options.until; });
   if (!map) return std::nullopt;
-  const auto task =
+  auto task =
       read_task(problem.task, problem.places(), "task",
                 {.most_states = kMostStates, .most_nodes = 400'000, .acceptance = Acceptance::Strong});
   if (!task) return std::nullopt;
+  begin_behind(problem.read, task->automaton);
   const Point from = problem.start.position();
   const std::uint32_t region = map->locate(from);
   if (region == kNoRegion) return std::nullopt;
   const auto bound = PointBound::make(problem.floor, *map, task->automaton, options);
   if (!bound) return std::nullopt;
   const Automaton& automaton = task->automaton;
-  return bound->length_m(from, automaton.next(automaton.initial, map->region(region).label));
+  const Label here = map->region(region).label;
+  // No letter stands twice in a row.
+  const bool is_read = !problem.read.empty() && problem.read.back() == here;
+  return bound->length_m(from, is_read ? automaton.initial : automaton.next(automaton.initial, here));
 }
 
 }  // namespace stepwright::ltl

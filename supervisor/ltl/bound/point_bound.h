@@ -86,7 +86,8 @@ class PointBound {
   std::vector<double> to_go_m_;  // of each state and piece
 };
 
-// Of the problem's point and task; nothing where a bound was met, or where it has no automaton.
+// Of the problem's point and of what is left of its task behind the letters that were read; nothing where a
+// bound was met, or where the task has no automaton.
 std::optional<double> point_bound_m(const Problem& problem, const BoundOptions& options = {});
 
 }  // namespace stepwright::ltl

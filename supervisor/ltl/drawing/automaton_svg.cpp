@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "runtime/ground/markup/xml_text.h"
+#include "supervisor/ltl/drawing/automaton_layout.h"
 #include "supervisor/ltl/drawing/guard_text.h"
 
 namespace stepwright::ltl {
@@ -58,31 +59,20 @@ class Picture {
   }
 
  private:
-  // Columns by a search from the initial state, rows in the order in which states are met, every other
-  // column half a row lower. What is decided stands behind all others.
+  // Every other column half a row lower: arrows that pass it lead between its states.
   void place() {
-    std::vector<std::uint32_t> order = {automaton_.initial}, column(automaton_.size(), 0), rows;
-    std::vector<bool> met(automaton_.size(), false);
-    met[automaton_.initial] = true;
-    std::uint32_t last = 0;
-    for (std::size_t k = 0; k < order.size(); ++k) {
-      std::vector<std::uint32_t> after;
-      automaton_.guards.collect(automaton_.edges[order[k]], after);
-      for (const std::uint32_t each : after) {
-        if (met[each]) continue;
-        met[each] = true;
-        column[each] = column[order[k]] + 1;
-        if (!decided(each)) last = std::max(last, column[each]);
-        order.push_back(each);
-      }
+    AutomatonGraph graph{.after = std::vector<std::vector<std::uint32_t>>(automaton_.size()),
+                         .decided = std::vector<std::uint8_t>(automaton_.size()),
+                         .initial = automaton_.initial};
+    for (std::uint32_t state = 0; state < automaton_.size(); ++state) {
+      graph.decided[state] = static_cast<std::uint8_t>(automaton_.verdicts[state]);
+      if (!decided(state)) automaton_.guards.collect(automaton_.edges[state], graph.after[state]);
     }
-    places_.resize(automaton_.size());
-    for (const std::uint32_t state : order) {
-      const std::uint32_t at = decided(state) && state != automaton_.initial ? last + 1 : column[state];
-      rows.resize(std::max<std::size_t>(rows.size(), at + 1), 0);
-      places_[state] = {kMargin + kColumn * at, kMargin + kRow * (rows[at]++ + 0.5 * (at % 2))};
-      width_ = std::max(width_, places_[state].x + kMargin);
-      height_ = std::max(height_, places_[state].y + kMargin);
+    for (const StatePlace& each : lay_out(graph)) {
+      places_.push_back(
+          {kMargin + kColumn * each.column, kMargin + kRow * (each.row + 0.5 * (each.column % 2))});
+      width_ = std::max(width_, places_.back().x + kMargin);
+      height_ = std::max(height_, places_.back().y + kMargin);
     }
   }
 

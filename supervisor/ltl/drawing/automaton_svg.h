@@ -1,8 +1,8 @@
 #pragma once
 
-// A picture of an automaton: states in columns by the fewest letters that lead to them, two rings around what
-// is TRUE, a cross through what is FALSE; the letters of each edge beside it, in full as its title. It has a
-// size of its own, and colours for light and dark pages.
+// A picture of an automaton: states in columns (automaton_layout.h), two rings around what is TRUE, a cross
+// through what is FALSE; the letters of each edge beside it, in full as its title. It has a size of its own,
+// and colours for light and dark pages.
 //
 // Thread rule: pure function. Example:
 //   write(*automaton_svg(*task_automaton(*formula)));

@@ -20,6 +20,7 @@ json blocked_json(const Area& area) {
 
 const char* own_from(const json& document, TrainJournal& journal) {
   journal.task = document.at("task");
+  journal.watched = document.value("watched", journal.task);
   journal.state = document.at("state");
   for (const json& each : document.at("blocked")) {
     Area area{.name = each.at("name"), .ring = {}, .where = {}};
@@ -37,9 +38,11 @@ const char* own_from(const json& document, TrainJournal& journal) {
 result::Result<void> write_train_journal(const std::filesystem::path& file, const TrainJournal& journal) {
   json blocked = json::array();
   for (const Area& area : journal.blocked) blocked.push_back(blocked_json(area));
-  return run::internal::write_journal(
-      file, kForm, journal,
-      {{"task", journal.task}, {"state", journal.state}, {"blocked", std::move(blocked)}});
+  return run::internal::write_journal(file, kForm, journal,
+                                      {{"task", journal.task},
+                                       {"watched", journal.watched},
+                                       {"state", journal.state},
+                                       {"blocked", std::move(blocked)}});
 }
 
 result::Result<std::optional<TrainJournal>> read_train_journal(const std::filesystem::path& file) {

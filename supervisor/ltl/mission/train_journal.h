@@ -19,6 +19,7 @@ namespace stepwright::ltl {
 
 struct TrainJournal : run::Journal {
   std::string task;
+  std::string watched;  // by the program that runs: another one where a task has been asked for since
   std::uint32_t state = 0;
   std::vector<Area> blocked;
 };

@@ -18,6 +18,7 @@ TrainMission::TrainMission(const TrainPlanning& planning, run::Controller& contr
     : Mission(controller, {options.cell, options.barrier, options.operator_starts}, std::move(observer)),
       planning_(planning),
       options_(std::move(options)),
+      pictures_(planning),
       requests_(options_.requests) {
   take_task(planning.first_task());
 }
@@ -34,9 +35,12 @@ bool TrainMission::begin() {
   if (record_.phase == Phase::Safe) return false;
   if (task_.monitor.verdicts[state_] != Verdict::Undecided) state_ = task_.begins();
   record_.goal = {{task_.text, false}};
+  pictures_.clear();
+  draw();
   set_phase(Phase::Planning, "the train waits for its plan");
-  return await_operator("nothing moves until an operator starts it") && await_runtime() && bring_to_rest() &&
-         plan_rest();
+  if (!await_operator("nothing moves until an operator starts it")) return false;
+  (void)due(clock_.now_s());  // the task that came with a start is the first one that is planned
+  return await_runtime() && bring_to_rest() && plan_rest();
 }
 
 // After a restart of the supervisor: the runtime may drive on, or have gone to its safe state. The train is
@@ -54,6 +58,7 @@ bool TrainMission::resume() {
     return give_up("the journal is of another floor", IncidentKind::ProgramFault);
   record_ = std::move(known.record);
   task_ = *std::move(task);
+  watched_ = known.watched;
   state_ = known.state;
   blocked_ = std::move(known.blocked);
   clock_ = run::RunClock(known.clock);
@@ -68,7 +73,7 @@ bool TrainMission::resume() {
         container ? reader::ProgramInfo::read(*container) : tl::unexpected(result::Diagnostics());
     const auto snapshot = controller_.snapshot();
     const reader::Variable* state = info ? info->find(kTaskState) : nullptr;
-    if (state != nullptr && snapshot && snapshot->program_digest == digest_)
+    if (watched_ == task_.text && state != nullptr && snapshot && snapshot->program_digest == digest_)
       state_ = static_cast<std::uint32_t>(reader::read_number(*state, snapshot->image));
     if (state_ >= task_.monitor.size()) state_ = known.state;
   }
@@ -103,6 +108,7 @@ void TrainMission::write_journal() const {
   journal.clock = clock_.state();
   journal.next_request = requests_.next();
   journal.task = task_.text;
+  journal.watched = watched_;
   journal.state = state_;
   journal.blocked = blocked_;
   // A journal that cannot be written costs a restart its memory, not this run.

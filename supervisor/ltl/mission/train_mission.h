@@ -19,6 +19,7 @@
 #include <string>
 #include <vector>
 
+#include "supervisor/ltl/mission/train_pictures.h"
 #include "supervisor/ltl/mission/train_planning.h"
 #include "supervisor/ltl/mission/train_reading.h"
 #include "supervisor/ltl/mission/train_request.h"
@@ -61,6 +62,7 @@ class TrainMission final : public run::Mission {
   void publish(bool now) override;
   void write_journal() const;
   void take_task(TrainTask task);
+  void draw() { show(pictures_.draw(task_, watched_, blocked_)); }
 
   // train_mission_follow.cpp: watching one plan.
   run::Decision judge_image(std::span<const std::byte> image) override;
@@ -87,6 +89,7 @@ class TrainMission final : public run::Mission {
 
   // train_mission_requests.cpp: what people ask for.
   result::Result<void> take(const run::Request& request) override;
+  result::Result<void> request_start(const run::Request& request);
   std::optional<run::Cause> due(double time_s) override;
   bool apply(const GoalChange& goal, run::Cause& cause);
   bool apply(const BlockChange& block, run::Cause& cause);
@@ -97,12 +100,14 @@ class TrainMission final : public run::Mission {
   const TrainPlanning& planning_;
   const TrainMissionOptions options_;
 
+  TrainPictures pictures_;
   TrainTask task_;
   std::uint32_t state_ = 0;              // of its monitor, as last seen
   std::vector<Area> blocked_;            // what stands on the floor besides
   std::optional<PreparedTrain> driven_;  // the plan
   std::vector<TrainStep> steps_;         // of the program that runs: plan, halt or look
-  std::optional<TrainReader> reader_;    // of that program
+  std::string watched_;                  // the task of that program
+  std::optional<TrainReader> reader_;    // of it, too
   TrainReading reading_;                 // the newest
   bool held_ = false;                    // by an operator or an error
   bool to_hold_ = false;                 // an operator wants it as soon as the train rests

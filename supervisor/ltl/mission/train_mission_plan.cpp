@@ -78,6 +78,8 @@ bool TrainMission::launch(PreparedTrain prepared) {
   decide(Response::Replan);
   if (!bring_to_run([&] { return install(*driven_); })) return false;
   launch_record();
+  pictures_.drive(*driven_, digest_);
+  draw();
   set_phase(Phase::Executing, fmt::format("driving: {}", task_.text));
   return true;
 }
@@ -122,6 +124,7 @@ bool TrainMission::install(const PreparedTrain& prepared) {
   if (!took_over && reader_ && runs()) (void)controller_.stop("the next program cannot take over");
   reader_ = *std::move(reader);
   steps_ = prepared.program.steps;
+  watched_ = prepared.watch.text;
   if (took_over) return await_event(host::EventKind::Changed);
   return download(prepared.container) && start();
 }

@@ -45,12 +45,23 @@ std::optional<TrainChange> change_of(const run::Request& request, const Floor& f
 
 result::Result<void> TrainMission::take(const run::Request& request) {
   const std::string& word = request.word();
-  if (word == "start") return accept_start();
+  if (word == "start") return request_start(request);
   if (word != "hold" && word != "resume" && word != "block" && word != "unblock" && word != "goal")
     return run::not_of_this_mission("start, goal, block, unblock, hold, resume, abort");
   const auto change = change_of(request, planning_.options().problem.floor);
   if (!change) return run::no_request(kExample);
   return over() ? run_is_over() : this->request(*change);
+}
+
+// With another task, if one comes with it.
+result::Result<void> TrainMission::request_start(const run::Request& request) {
+  const auto task = request.text_or("goal", "");
+  if (!task) return run::no_request(kExample);
+  if (!task->empty())
+    if (auto good = planning_.task(*task); !good) return result::forward(good);
+  return accept_start([&] {
+    if (!task->empty()) requests_.add({0.0, GoalChange{*task}});
+  });
 }
 
 result::Result<void> TrainMission::request(const TrainChange& change) {
@@ -70,6 +81,7 @@ std::optional<run::Cause> TrainMission::due(double time_s) {
   for (const TimedTrainRequest& each : requests_.take(time_s))
     replans |= std::visit([&](const auto& change) { return apply(change, cause); }, each.change);
   if (cause.evidence.empty()) return std::nullopt;
+  draw();
   if (replans && !held_) return cause;
   open_incident(cause);
   decide(run::Response::GoOn);

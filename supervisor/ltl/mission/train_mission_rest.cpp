@@ -30,6 +30,7 @@ std::optional<run::Cause> TrainMission::hold(const run::Cause& cause, Phase phas
                                              const std::string& message) {
   held_ = true;
   to_hold_ = false;
+  draw();  // how far it has come, for pages that see nothing of its way now
   const bool goes_on = hold_at_rest({.cause = cause,
                                      .phase = phase,
                                      .message = message,
@@ -44,7 +45,10 @@ std::optional<run::Cause> TrainMission::hold(const run::Cause& cause, Phase phas
 
 void TrainMission::see(std::span<const std::byte> image) {
   reading_ = reader_->read(image);
-  state_ = reading_.state;
+  // A program that watches the task before knows nothing of this one.
+  if (watched_ == task_.text) state_ = reading_.state;
+  // In its first scan a program still shows the arc of the one before.
+  if (steps_[reading_.step].kind != TrainStepKind::Start) pictures_.cover(reading_.arc_m);
 }
 
 // Along its way where it drives on one; with brakes on where it stands, or nobody knows.
@@ -52,7 +56,8 @@ bool TrainMission::bring_to_rest() {
   while (true) {
     const bool drives = reader_ && runs() && driven_ && reading_.error == 0 && !driven_->way.samples.empty();
     const std::uint32_t reset = reading_.error != 0 ? ++resets_ : 0;
-    const auto prepared = drives ? planning_.halt(*driven_, state_) : planning_.observe(task_, state_, reset);
+    const auto prepared =
+        drives ? planning_.halt(*driven_, reading_.state) : planning_.observe(task_, state_, reset);
     if (!prepared) return give_up("the train cannot be brought to rest", prepared.error());
     if (!bring_to_run([&] { return install(*prepared); })) return false;
     switch (await_rest()) {

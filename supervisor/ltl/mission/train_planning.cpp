@@ -56,7 +56,9 @@ result::Result<TrainPlanning> TrainPlanning::open(TrainPlanningOptions options) 
   TrainPlanning planning(std::move(options));
   const Problem& problem = planning.options_.problem;
   if (auto good = validate(problem.train); !good) return result::forward(good);
-  if (auto good = make_regions(problem.floor); !good) return result::forward(good);
+  auto regions = make_regions(problem.floor);
+  if (!regions) return result::forward(regions);
+  planning.regions_ = *std::move(regions);
   auto task = planning.task(problem.task);
   if (!task) return result::forward(task);
   planning.first_ = *std::move(task);
@@ -91,6 +93,7 @@ result::Result<PlanAnswer> TrainPlanning::answer(const TrainRequest& request, Pr
                             .most_s = options_.most_s,
                             .shorten_s = options_.shorten_rounds > 0 ? options_.most_s : 0.0,
                             .shorten_rounds = options_.shorten_rounds,
+                            .threads = options_.threads,
                             .cancel = request.cancel};
   result::Result<PlanAnswer> found = result::fail(kStartDoesNotFit, {}, "the train does not fit");
   for (const double share : kMarginShares) {

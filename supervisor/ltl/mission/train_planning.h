@@ -34,6 +34,7 @@ struct TrainPlanningOptions {
   // After it for a shorter one, by rounds: the same on every machine.
   std::size_t shorten_rounds = 0;
   std::vector<driver::Watcher> watchers{};  // compiled with every program
+  std::size_t threads = 0;                  // of the planner; 0: as many as the machine has
 };
 
 // A task that can be planned, and its monitor.
@@ -74,6 +75,8 @@ class TrainPlanning {
   [[nodiscard]] result::Result<TrainTask> task(const std::string& text) const;
   const TrainTask& first_task() const { return *first_; }
   const TrainPlanningOptions& options() const { return options_; }
+  // The floor without what stands on it besides.
+  const RegionMap& regions() const { return *regions_; }
 
   // Codes of plan_train and train_program.
   [[nodiscard]] result::Result<PreparedTrain> plan(const TrainRequest& request) const;
@@ -90,6 +93,7 @@ class TrainPlanning {
                                              PreparedTrain& prepared) const;
 
   TrainPlanningOptions options_;
+  std::optional<RegionMap> regions_;
   std::optional<TrainTask> first_;
 };
 

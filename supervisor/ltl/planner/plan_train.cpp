@@ -1,11 +1,16 @@
 #include "supervisor/ltl/planner/plan_train.h"
 
 #include <chrono>
-#include <optional>
+#include <memory>
 #include <utility>
 
 #include "supervisor/ltl/guide/impossible.h"
 #include "supervisor/ltl/guide/task.h"
+#include "supervisor/ltl/lanes/lanes.h"
+#include "supervisor/ltl/planner/deadline.h"
+#include "supervisor/ltl/planner/first_plan.h"
+#include "supervisor/ltl/planner/planned_task.h"
+#include "supervisor/ltl/planner/shorter_plans.h"
 
 namespace stepwright::ltl {
 
@@ -13,36 +18,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr const char* kTaskName = "task";  // in place of a file
-// Of an automaton; beyond them, which takes less than a second to find out, the progression is quicker.
-constexpr std::size_t kMostStates = 2'048;
-constexpr std::size_t kMostNodes = 400'000;
+constexpr const char* kTaskName = "task";       // in place of a file
 constexpr std::size_t kMostStages = 2'000'000;  // of a guide that tells whether a point can do it
-
-// A task with its automaton, or without one where it would be too large.
-struct PlannedTask {
-  Formula formula;
-  std::optional<Automaton> automaton;
-  std::vector<Letter> read;  // before: the automaton begins behind it
-
-  TaskStates states() const { return automaton ? TaskStates(*automaton) : TaskStates(formula, read); }
-};
-
-// Acceptance is strong, as the referee reads it.
-result::Result<PlannedTask> read_planned(const Problem& problem) {
-  auto task =
-      read_task(problem.task, problem.places(), kTaskName,
-                {.most_states = kMostStates, .most_nodes = kMostNodes, .acceptance = Acceptance::Strong});
-  if (task) {
-    begin_behind(problem.read, task->automaton);
-    return PlannedTask{std::move(task->formula), std::move(task->automaton), problem.read};
-  }
-  auto formula = parse_formula(problem.task, kTaskName, problem.places());
-  const bool only_too_large = formula && formula->proposition_count() == problem.places().size() &&
-                              !formula->terms.has_release(formula->root);
-  if (!only_too_large) return result::forward(task);
-  return PlannedTask{*std::move(formula), std::nullopt, problem.read};
-}
+constexpr std::size_t kMostJudged = 4;          // of plans that got shorter and shorter
 
 result::Diagnostics blame(const Impossible& why) {
   result::Diagnostics found;
@@ -56,26 +34,11 @@ result::Diagnostics blame(const Impossible& why) {
   return found;
 }
 
-// The time and the flag that end all of it.
-class Deadline {
- public:
-  explicit Deadline(const PlanOptions& options) : options_(options) {}
-
-  double left_s() const {
-    return options_.most_s - std::chrono::duration<double>(Clock::now() - began_).count();
-  }
-  bool is_cancelled() const { return options_.cancel != nullptr && options_.cancel->load(); }
-  bool over() const { return is_cancelled() || !(left_s() > 0.0); }
-  tl::unexpected<result::Diagnostics> failed() const {
-    if (is_cancelled()) return result::fail(kPlanCancelled, {}, "the planning was cancelled");
-    return result::fail(kNoPlan, {}, "no plan was found in the time that there was",
-                        "the floor and the task took all of it: more time, or fewer corners");
-  }
-
- private:
-  const PlanOptions& options_;
-  const Clock::time_point began_ = Clock::now();
-};
+tl::unexpected<result::Diagnostics> no_time_left(const Deadline& deadline) {
+  if (deadline.is_cancelled()) return result::fail(kPlanCancelled, {}, "the planning was cancelled");
+  return result::fail(kNoPlan, {}, "no plan was found in the time that there was",
+                      "the floor and the task took all of it: more time, or fewer corners");
+}
 
 class Planner {
  public:
@@ -86,60 +49,77 @@ class Planner {
         deadline_(deadline),
         task_(task),
         start_(problem.standing()),
+        threads_(threads_of(options.threads)),
         places_(problem.floor.propositions),
-        search_(problem.floor, map, places_, problem.train, task.states(), options.guide) {}
+        ground_(problem.floor, map, places_, problem.train, task.automaton ? &*task.automaton : nullptr,
+                options.guide) {}
 
   result::Result<PlanAnswer> plan() {
+    // Both threads make what both lines begin with.
+    (void)ground_.graph(Clearance::Wanted, deadline_.stop(), threads_);
+    FirstPlan first = first_plan(
+        {[this] { return std::make_unique<TrainSearch>(ground_, task_.states()); },
+         [this](const TrainPlan& plan, const std::atomic<bool>& enough) { return judged(plan, &enough); }},
+        {.start = start_,
+         .seed = options_.seed,
+         .most_rounds = options_.most_rounds,
+         .most_tries = options_.most_tries,
+         .threads = threads_,
+         .cancel = options_.cancel},
+        deadline_);
+    if (!first.found()) return failed(first);
     PlanAnswer answer;
+    answer.plan = *first.search.plan;
+    answer.judgement = std::move(first.judgement);
+    answer.search = std::move(first.search);
+    answer.tries = first.tries;
+    answer.threads = threads_;
     answer.states = task_.automaton ? task_.automaton->size() : 0;
-    for (std::size_t k = 0; k < options_.most_tries; ++k) {
-      answer.tries = k + 1;
-      answer.search = search_.first(query(k));
-      if (!answer.search.plan) break;
-      answer.plan = *answer.search.plan;
-      answer.judgement = judged(answer.plan);
-      if (!answer.judgement.accepted()) continue;
-      if (options_.shorten_s > 0.0) shorten(answer);
-      return answer;
-    }
-    return failed(answer);
+    if (options_.shorten_s > 0.0) shorten(answer);
+    answer.search.driven.reset();
+    return answer;
   }
 
  private:
-  SearchQuery query(std::size_t attempt) const {
-    return {.start = start_,
-            .seed = options_.seed + 0x9E37'79B9u * attempt,
-            .most_s = deadline_.left_s(),
-            .most_rounds = options_.most_rounds,
-            .by_chance = attempt > 0,
-            .cancel = options_.cancel};
-  }
-
   // What was found in time has a second more to be judged.
-  PlanJudgement judged(const TrainPlan& plan) const {
+  PlanJudgement judged(const TrainPlan& plan, const std::atomic<bool>* enough = nullptr) const {
     const auto until = Clock::now() + std::chrono::seconds(1);
-    const auto stop = [&] { return deadline_.is_cancelled() || (deadline_.over() && Clock::now() > until); };
+    const auto stop = [&] {
+      return deadline_.is_cancelled() || (enough != nullptr && enough->load()) ||
+             (deadline_.over() && Clock::now() > until);
+    };
     return judge_plan(problem_.floor, problem_.train, start_, task_.formula, plan,
                       {.read = problem_.read, .stop = stop});
   }
 
-  void shorten(PlanAnswer& answer) {
-    SearchQuery more = query(0);
-    more.most_s = options_.shorten_s;
-    more.most_rounds = options_.shorten_rounds;
-    const SearchAnswer found = search_.shorter(more, answer.plan.length_m);
-    if (!found.plan) return;
-    PlanJudgement judgement = judged(*found.plan);
-    if (!judgement.accepted()) return;
-    answer.plan = *found.plan;
-    answer.judgement = std::move(judgement);
-    answer.shortened = true;
+  // The shortest one that the referee accepts.
+  void shorten(PlanAnswer& answer) const {
+    if (answer.plan.pieces.empty()) return;
+    std::vector<TrainPlan> plans =
+        shorter_plans(ground_, [this] { return task_.states(); },
+                      {.start = start_,
+                       .than_m = answer.plan.length_m,
+                       .first = answer.search.driven ? &*answer.search.driven : nullptr,
+                       .seed = options_.seed,
+                       .most_s = options_.shorten_s,
+                       .most_rounds = options_.shorten_rounds,
+                       .threads = threads_,
+                       .cancel = options_.cancel});
+    for (std::size_t n = 0; n < kMostJudged && n < plans.size(); ++n) {
+      TrainPlan& plan = plans[plans.size() - 1 - n];
+      PlanJudgement judgement = judged(plan);
+      if (!judgement.accepted()) continue;
+      answer.plan = std::move(plan);
+      answer.judgement = std::move(judgement);
+      answer.shortened = true;
+      return;
+    }
   }
 
-  result::Result<PlanAnswer> failed(const PlanAnswer& answer) const {
+  static result::Result<PlanAnswer> failed(const FirstPlan& none) {
     const result::Location nowhere;
-    const std::string refused = answer.judgement.reason;
-    switch (answer.search.end) {
+    const std::string refused = none.judgement.reason;
+    switch (none.search.end) {
       case SearchEnd::BadStart:
         return result::fail(kStartDoesNotFit, nowhere, "the train does not fit where it begins",
                             "no link may be nearer than 2.5 cm to a wall, or meet another one");
@@ -163,21 +143,22 @@ class Planner {
   const Deadline& deadline_;
   const PlannedTask& task_;
   const TrainState start_;
-  Places places_;
-  TrainSearch search_;
+  const std::size_t threads_;
+  const Places places_;
+  const SearchGround ground_;
 };
 
 }  // namespace
 
 result::Result<PlanAnswer> plan_train(const Problem& problem, const PlanOptions& options) {
   if (auto sound = validate(problem.train); !sound) return result::forward(sound);
-  const Deadline deadline(options);
+  const Deadline deadline(options.most_s, options.cancel);
   auto map = make_regions(problem.floor, [&] { return deadline.over(); });
-  if (!map && map.error().front().code == kStoppedRegions) return deadline.failed();
+  if (!map && map.error().front().code == kStoppedRegions) return no_time_left(deadline);
   if (!map) return result::forward(map);
   auto task = read_planned(problem);
   if (!task) return result::forward(task);
-  if (deadline.over()) return deadline.failed();
+  if (deadline.over()) return no_time_left(deadline);
   const std::uint32_t here = map->locate(problem.start.position());
   const bool is_asked = task->automaton && map->regions().size() * task->automaton->size() <= kMostStages;
   if (is_asked && here != kNoRegion) {

@@ -4,7 +4,11 @@
 // progression), why it cannot be done if it cannot, the search, and the referee, without whose consent no
 // plan is returned. Of a plan that the referee refuses nothing remains but another try.
 //
-// Pure functions; any thread, several problems at once. Example:
+// Determinism: the same problem and seed have the same plan, on one thread and on two, unless a time was over
+// meanwhile; with rounds in place of times on every machine. A time for shorter plans cuts whole rounds.
+//
+// Pure functions; any thread, several problems at once; with `threads` above 1 one more works along until
+// they return. Example:
 //   auto answer = plan_train(*problem, {.seed = 7, .most_s = 10.0});
 //   if (!answer) print(to_string(answer.error()));
 //   else for (const TrainPiece& piece : answer->plan.pieces) ...
@@ -29,11 +33,12 @@ inline constexpr const char* kPlanCancelled = "L0415";
 struct PlanOptions {
   std::uint64_t seed = 1;
   double most_s = 10.0;                                               // until the first plan, judged
-  std::size_t most_rounds = std::numeric_limits<std::size_t>::max();  // of a search
-  std::size_t most_tries = 8;                                         // searches, where the referee refuses
-  double shorten_s = 0.0;                                             // for a shorter plan afterwards
+  std::size_t most_rounds = std::numeric_limits<std::size_t>::max();  // of each of two lines of searches
+  std::size_t most_tries = 8;  // searches of each, where the referee refuses
+  double shorten_s = 0.0;      // for a shorter plan afterwards
   std::size_t shorten_rounds = std::numeric_limits<std::size_t>::max();
   SearchGuide guide = SearchGuide::OnTheRegions;
+  std::size_t threads = 0;                    // 1 or 2; 0: as many of them as the machine has
   const std::atomic<bool>* cancel = nullptr;  // not owned; may be null
 };
 
@@ -42,6 +47,7 @@ struct PlanAnswer {
   PlanJudgement judgement;  // accepted
   SearchAnswer search;      // that found the first plan
   std::size_t tries = 1;    // searches until the referee agreed
+  std::size_t threads = 1;  // that worked on it
   bool shortened = false;   // the plan is a shorter one than the first
   std::size_t states = 0;   // of the task's automaton; 0: it was planned step by step
 };

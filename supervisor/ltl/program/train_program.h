@@ -28,6 +28,9 @@ inline constexpr const char* kTaskChart = "progress";
 inline constexpr const char* kTaskState = "task_state";
 inline constexpr const char* kTaskVerdict = "task_verdict";
 
+// Of the places' switches: legal and different from each other.
+std::vector<std::string> place_names(const std::vector<std::string>& places);
+
 enum class TrainProgramKind : std::uint8_t {
   Drive,    // along the way
   Halt,     // to rest on the way that an earlier program drives

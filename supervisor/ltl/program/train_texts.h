@@ -11,9 +11,6 @@
 
 namespace stepwright::ltl {
 
-// Names of the places' switches: legal and different from each other.
-std::vector<std::string> place_names(const std::vector<std::string>& places);
-
 std::vector<graphic::Variable> train_globals(const TrainProgramInput& input, const TrainTerminals& terminals,
                                              const TrainProgramOptions& options);
 

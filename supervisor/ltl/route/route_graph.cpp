@@ -1,10 +1,13 @@
 #include "supervisor/ltl/route/route_graph.h"
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <cmath>
 #include <utility>
 
 #include "supervisor/geometry/outline.h"
+#include "supervisor/ltl/lanes/lanes.h"
 
 namespace stepwright::ltl {
 
@@ -41,6 +44,7 @@ RouteGraph::RouteGraph(const Floor& floor, const Places& places, const Walls& wa
   thin_out(0, options_.most_corners);
   add_places();
   connect();
+  options_.stop = {};  // its flags are somebody else's
 }
 
 void RouteGraph::add(Point at, double margin_m) {
@@ -148,24 +152,46 @@ std::optional<RouteGraph::Way> RouteGraph::way(Point from, Point to, Words& word
   return found;
 }
 
+std::vector<RouteGraph::Pair> RouteGraph::pairs_of(std::uint32_t from, Words& words) const {
+  std::vector<Pair> pairs;
+  for (std::uint32_t to = from + 1; to < points_.size() && !options_.stop.over(); ++to) {
+    auto there = way(points_[from], points_[to], words);
+    if (!there) continue;
+    Way back = *there;
+    there->to = to;
+    back.to = from;
+    const bool reads = there->word != 0 || there->near != 0 || labels_[from] != 0;
+    if (reads && !read(back, points_[to], points_[from], words)) continue;
+    pairs.push_back({*there, back});
+  }
+  return pairs;
+}
+
+// Words are numbered in the order of the points, whoever has found them.
 void RouteGraph::connect() {
   const auto count = static_cast<std::uint32_t>(points_.size());
-  std::vector<std::vector<Way>> from(count);
-  for (std::uint32_t a = 0; a < count; ++a) {
-    for (std::uint32_t b = a + 1; b < count && std::chrono::steady_clock::now() < options_.until; ++b) {
-      auto there = way(points_[a], points_[b], words_);
-      if (!there) continue;
-      Way back = *there;
-      there->to = b;
-      back.to = a;
-      const bool reads = there->word != 0 || there->near != 0 || labels_[a] != 0;
-      if (reads && !read(back, points_[b], points_[a], words_)) continue;
-      from[a].push_back(*there);
-      from[b].push_back(back);
+  std::vector<std::vector<Pair>> rows(count);
+  std::vector<std::size_t> by(count);
+  std::array<Words, kLanes> words;
+  std::atomic<std::uint32_t> next{0};
+  on_lanes(options_.threads, [&](std::size_t lane) {
+    for (std::uint32_t from = next++; from < count; from = next++) {
+      rows[from] = pairs_of(from, words[lane]);
+      by[from] = lane;
+    }
+  });
+  std::vector<std::vector<Way>> ways(count);
+  for (std::uint32_t from = 0; from < count; ++from) {
+    const auto& read = words[by[from]].all;
+    for (Pair& pair : rows[from]) {
+      pair.there.word = words_.number(read[pair.there.word]);
+      pair.back.word = words_.number(read[pair.back.word]);
+      ways[from].push_back(pair.there);
+      ways[pair.there.to].push_back(pair.back);
     }
   }
   first_.push_back(0);
-  for (const auto& each : from) {
+  for (const auto& each : ways) {
     ways_.insert(ways_.end(), each.begin(), each.end());
     first_.push_back(static_cast<std::uint32_t>(ways_.size()));
   }

@@ -12,13 +12,13 @@
 // Immutable; any thread may read. Places and walls must outlive it. Example:
 //   const RouteGraph graph(floor, places, walls, {.margin_m = 0.5});
 
-#include <chrono>
 #include <cstdint>
 #include <map>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "supervisor/ltl/route/stop.h"
 #include "supervisor/ltl/scene/places.h"
 #include "supervisor/ltl/train/walls.h"
 
@@ -32,8 +32,9 @@ struct RouteOptions {
   double spread_m = 2.0;  // between such points
   std::size_t most_corners = 1500;
   std::size_t most_inner = 1500;  // points within and beside propositions
+  std::size_t threads = 1;        // that look for ways, 1 or 2; they find the same ones
   // The graph is left as it is by then, without the ways that were not looked at.
-  std::chrono::steady_clock::time_point until = std::chrono::steady_clock::time_point::max();
+  Stop stop{};
 };
 
 class RouteGraph {
@@ -83,6 +84,11 @@ class RouteGraph {
   void thin_out(std::size_t from, std::size_t most);
   void add_side(std::span<const geometry::Point> ring, geometry::Point from, geometry::Point to);
   void add_places();
+  // The ways from a point to those behind it, and those back.
+  struct Pair {
+    Way there, back;
+  };
+  std::vector<Pair> pairs_of(std::uint32_t from, Words& words) const;
   void connect();
   bool read(Way& way, geometry::Point from, geometry::Point to, Words& words) const;
 

@@ -36,8 +36,9 @@ RouteSearch::RouteSearch(const RouteGraph& graph, TaskStates states, const Route
 std::uint32_t RouteSearch::after(std::uint32_t row, const RouteGraph::Way& way,
                                  const RouteGraph::Words& words) {
   if (way.word == 0) return row_[row].state;
-  const bool is_known = way.word < row_[row].after.size();
-  if (is_known && row_[row].after[way.word] != kUnknown) return row_[row].after[way.word];
+  std::vector<std::uint32_t>& known = row_[row].known->after;
+  const bool is_known = way.word < known.size();
+  if (is_known && known[way.word] != kUnknown) return known[way.word];
   std::uint32_t state = row_[row].state;
   for (const Label letter : words.word(way.word)) {
     state = states_.next(state, letter);
@@ -47,13 +48,13 @@ std::uint32_t RouteSearch::after(std::uint32_t row, const RouteGraph::Way& way,
       break;
     }
   }
-  if (is_known) row_[row].after[way.word] = state;
+  if (is_known) known[way.word] = state;
   return state;
 }
 
 bool RouteSearch::close(std::uint32_t row, Label near) {
   if (near == 0) return false;
-  const auto [known, is_new] = row_[row].broken_by.try_emplace(near, false);
+  const auto [known, is_new] = row_[row].known->broken_by.try_emplace(near, false);
   if (is_new) known->second = states_.rejecting(states_.next(row_[row].state, near));
   return known->second;
 }
@@ -61,9 +62,12 @@ bool RouteSearch::close(std::uint32_t row, Label near) {
 std::uint32_t RouteSearch::row(std::uint32_t state) {
   const auto [found, is_new] = rows_.try_emplace(state, static_cast<std::uint32_t>(rows_.size()));
   if (is_new) {
-    const double left_m = guide_.place_m > 0.0 ? guide_.place_m * states_.left(state) : 0.0;
-    row_.push_back(
-        {state, left_m, std::vector<std::uint32_t>(is_sparse_ ? 0 : graph_.words(), kUnknown), {}});
+    const auto [known, is_unknown] = known_.try_emplace(state);
+    if (is_unknown) {
+      known->second.left_m = guide_.place_m > 0.0 ? guide_.place_m * states_.left(state) : 0.0;
+      known->second.after.assign(is_sparse_ ? 0 : graph_.words(), kUnknown);
+    }
+    row_.push_back({state, &known->second});
   }
   const std::size_t needed = row_.size() * graph_.points().size();
   if (!is_sparse_ && dense_.size() < needed) dense_.resize(needed);
@@ -71,7 +75,7 @@ std::uint32_t RouteSearch::row(std::uint32_t state) {
 }
 
 double RouteSearch::to_go_m(std::uint32_t point, std::uint32_t row) const {
-  if (guide_.guide == nullptr || regions_[point] == kNoRegion) return row_[row].left_m;
+  if (guide_.guide == nullptr || regions_[point] == kNoRegion) return row_[row].known->left_m;
   return kTrust * guide_.guide->to_go_m(regions_[point], row_[row].state);
 }
 
@@ -117,11 +121,10 @@ Route RouteSearch::route(const RouteQuery& query) {
   dense_.clear();
   sparse_.clear();
   open_ = {};
-  // States of earlier questions take their place in the product: too many of them are forgotten.
-  if (row_.size() * count > query.most_nodes / 2 || is_sparse_) {
-    rows_.clear();
-    row_.clear();
-  }
+  rows_.clear();
+  row_.clear();
+  // Too many states of earlier questions are forgotten.
+  if (known_.size() * count > query.most_nodes / 2 || is_sparse_) known_.clear();
   if (states_.accepting(query.state)) return {{query.at, query.state, {}}};
   if (states_.rejecting(query.state)) return {};
   RouteGraph::Words own;
@@ -141,7 +144,7 @@ Route RouteSearch::route(const RouteQuery& query) {
     open_.pop();
     if (node(index).done) continue;
     node(index).done = true;
-    if (++expanded_ % kLookEvery == 0 && std::chrono::steady_clock::now() >= query.until) return {};
+    if (++expanded_ % kLookEvery == 0 && query.stop.over()) return {};
     const std::uint32_t at_row = index / count, at = index % count;
     if (states_.accepting(row_[at_row].state)) return path(index, query, own);
     const std::uint32_t before = node(index).before;

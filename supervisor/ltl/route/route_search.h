@@ -5,12 +5,11 @@
 // needs for them; as what a turn costs depends on the way to it, the result is near to the cheapest. The
 // guide, where there is one, tells which way is worth trying first (A*).
 //
-// Thread rule: one thread at a time. Graph and guide must outlive it. The same questions in the same order
-// have the same answers. Example:
+// Thread rule: one thread at a time; several may share graph and guide, which must outlive them. A question
+// has the same answer whatever was asked before. Example:
 //   RouteSearch search(graph, states, {&map, &guide});
 //   auto route = search.route({.at = {0, 0}, .heading_rad = 0.0, .state = states.start()});
 
-#include <chrono>
 #include <limits>
 #include <optional>
 #include <queue>
@@ -46,7 +45,7 @@ struct RouteQuery {
   double noise = 0.0;  // ways cost up to so much more or less, as a share, by chance
   std::uint64_t seed = 0;
   std::size_t most_nodes = 4'000'000;  // of the product
-  std::chrono::steady_clock::time_point until = std::chrono::steady_clock::time_point::max();
+  Stop stop{};
 };
 
 // Costs to go on the floor's regions, of automata; without them, states that need fewer places come first, by
@@ -62,12 +61,14 @@ class RouteSearch {
  public:
   RouteSearch(const RouteGraph& graph, TaskStates states, const RouteGuide& guide = {});
 
-  // From there to acceptance; empty if there is no way, or a bound was met (most_nodes, until, that
-  // of a progression).
+  // From there to acceptance; empty if there is no way, or a bound was met (most_nodes, stop, that of a
+  // progression).
   Route route(const RouteQuery& query);
   // The same places in the same order on a shorter way, whose bends keep `margin_m` from walls: points move
   // and vanish while that makes it shorter. Requires a route of this search.
-  Route tightened(Route route, double margin_m, std::chrono::steady_clock::time_point until);
+  Route tightened(Route route, double margin_m, const Stop& stop);
+  // The next point of a route, with what is read on the way to it; nothing where no way leads there.
+  std::optional<RoutePoint> reached(const RoutePoint& from, geometry::Point to);
   const RouteGraph& graph() const { return graph_; }
   std::size_t expanded() const { return expanded_; }
 
@@ -92,11 +93,15 @@ class RouteSearch {
     const RouteGraph::Way* way = nullptr;
   };
   using Open = std::pair<double, std::uint32_t>;
-  struct Row {
-    std::uint32_t state = 0;
+  // Of a state, from question to question.
+  struct Known {
     double left_m = 0.0;                        // to go, by the places that it needs
     std::vector<std::uint32_t> after;           // by word; not of progressions
     std::unordered_map<Label, bool> broken_by;  // places close by
+  };
+  struct Row {
+    std::uint32_t state = 0;
+    Known* known = nullptr;
   };
 
   std::uint32_t after(std::uint32_t row, const RouteGraph::Way& way, const RouteGraph::Words& words);
@@ -107,7 +112,6 @@ class RouteSearch {
   double to_go_m(std::uint32_t point, std::uint32_t row) const;
   Node& node(std::uint32_t index) { return is_sparse_ ? sparse_[index] : dense_[index]; }
   std::size_t size() const { return is_sparse_ ? sparse_.size() : dense_.size(); }
-  std::optional<RoutePoint> reached(const RoutePoint& from, geometry::Point to);
   std::optional<double> moved(Route& route, std::size_t k, geometry::Point to, double margin_m);
   bool dropped(Route& route, std::size_t k);
   Route path(std::uint32_t last, const RouteQuery& query, const RouteGraph::Words& own);
@@ -116,8 +120,9 @@ class RouteSearch {
   TaskStates states_;
   RouteGuide guide_;
   std::vector<std::uint32_t> regions_;                     // of each point
-  std::unordered_map<std::uint32_t, std::uint32_t> rows_;  // of each state that was met
+  std::unordered_map<std::uint32_t, std::uint32_t> rows_;  // of each state that this question has met
   std::vector<Row> row_;
+  std::unordered_map<std::uint32_t, Known> known_;
   bool is_sparse_ = false;  // of progressions: few of their states' points are met
   std::vector<Node> dense_;
   std::unordered_map<std::uint32_t, Node> sparse_;

@@ -16,7 +16,6 @@ constexpr int kDirections = 8;
 
 }  // namespace
 
-// The next point of a route, with what is read on the way to it; nothing where no way leads there.
 std::optional<RoutePoint> RouteSearch::reached(const RoutePoint& from, Point to) {
   RouteGraph::Words own;
   own.before = &graph_.all_words();
@@ -69,12 +68,12 @@ bool RouteSearch::dropped(Route& route, std::size_t k) {
   return true;
 }
 
-Route RouteSearch::tightened(Route route, double margin_m, std::chrono::steady_clock::time_point until) {
+Route RouteSearch::tightened(Route route, double margin_m, const Stop& stop) {
   for (double step_m = 0.8; step_m > 0.04; step_m *= 0.5) {
     for (int round = 0; round < 6; ++round) {
       double gained_m = 0.0;
       for (std::size_t k = 1; k < route.size(); ++k) {
-        if (std::chrono::steady_clock::now() >= until) return route;
+        if (stop.over()) return route;
         if (dropped(route, k)) continue;
         const Point at = route[k].at;
         for (int n = 0; n < kDirections; ++n) {

@@ -37,8 +37,10 @@ std::optional<std::string> read_file(const std::filesystem::path& path) {
 
 class ProblemReader {
  public:
-  ProblemReader(const json& root, const std::filesystem::path& file)
-      : root_(root), file_(file), wrong_(file.string()) {}
+  ProblemReader(const json& root, const std::filesystem::path& file, const TrainModel& train)
+      : root_(root), file_(file), wrong_(file.string()) {
+    problem_.train = train;
+  }
 
   result::Result<Problem> read() {
     if (is_object(root_, "", {"scene", "map", "train", "start", "task"}, wrong_)) {
@@ -162,10 +164,11 @@ class ProblemReader {
 
 }  // namespace
 
-result::Result<Problem> read_planning_problem(std::string_view text, const std::filesystem::path& file) {
+result::Result<Problem> read_planning_problem(std::string_view text, const std::filesystem::path& file,
+                                              const TrainModel& train) {
   auto root = internal::parse(text, file.string());
   if (!root) return result::forward(root);
-  return ProblemReader(*root, file).read();
+  return ProblemReader(*root, file, train).read();
 }
 
 }  // namespace stepwright::ltl

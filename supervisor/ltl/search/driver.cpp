@@ -31,6 +31,8 @@ class Carrot {
   double left_m() const { return left_m_; }
   bool waits() const { return next_ < route_.size() && seen_ < route_[next_].through.size(); }
   bool over() const { return next_ == route_.size(); }
+  std::size_t next() const { return next_; }
+  std::size_t seen() const { return seen_; }
 
   void start() {
     at_ = route_.front().at;
@@ -107,7 +109,7 @@ TrainControl steer(const TrainModel& model, const TrainState& state, Point targe
   lock = std::clamp(lock, -most, most);
   const double change = lock - state[kTrainLock];
   const double bend = std::abs(change) + 0.7 * std::abs(state[kTrainLock]);
-  const double speed = std::max(kSlowest_m_s, style.cruise_m_s / (1.0 + 2.5 * bend));
+  const double speed = std::max(kSlowest_m_s, style.cruise_m_s / (1.0 + style.slowing * bend));
   return {std::clamp((speed - state[kTrainSpeed]) / kPeriod_s, -model.most_acceleration_m_s2,
                      model.most_acceleration_m_s2),
           std::clamp(change / kPeriod_s, -model.most_lock_rate_rad_s, model.most_lock_rate_rad_s)};
@@ -180,7 +182,7 @@ Driver::Event Driver::advance(TrainMotion& motion, const TrainControl& control, 
   return changes_.empty() ? Event::None : Event::Changed;
 }
 
-Drive Driver::along(const Route& route, const DriveMark& from, const DriveStyle& style) {
+Drive Driver::along(const Route& route, const DriveMark& from, const DriveStyle& style, const Doubt& doubt) {
   Drive drive;
   TrainMotion motion(model_, kTolerance, kStep_m);
   Carrot carrot(route);
@@ -198,11 +200,15 @@ Drive Driver::along(const Route& route, const DriveMark& from, const DriveStyle&
     const Point here{at.state[kTrainX], at.state[kTrainY]};
     if (carrot.run(here, style.lookahead_m)) moved_at_m = at.length_m;
     at.left_m = carrot.left_m() + geometry::distance(here, carrot.at());
+    at.next = carrot.next();
+    at.seen = carrot.seen();
     if (carrot.over()) return end(DriveEnd::Over);
+    if (stop_.over()) return end(DriveEnd::Stopped);
     if (at.length_m - moved_at_m > patience_m || motion.steps() > kMostSteps) return end(DriveEnd::Stuck);
     if (at.length_m - marked_at_m >= kMarkEvery_m) {
       drive.marks.push_back(at);
       marked_at_m = at.length_m;
+      if (doubt && doubt(at)) return end(DriveEnd::Slower);
     }
     const TrainControl control = steer(model_, at.state, carrot.at(), style);
     switch (advance(motion, control, kPeriod_s, at, drive)) {

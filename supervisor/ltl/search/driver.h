@@ -9,8 +9,8 @@
 //   if (drive.end == DriveEnd::Done) ...
 
 #include <cstdint>
+#include <functional>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "supervisor/ltl/route/route_search.h"
@@ -23,7 +23,8 @@ struct DriveStyle {
   double lookahead_m = 1.0;
   double tightest_m = 1.0;  // radius of the tightest turn
   double cruise_m_s = 1.5;
-  int side = 0;  // of turns to what lies behind: 1 left, -1 right, 0 the shorter one
+  double slowing = 2.5;  // in bends: what is driven slowly is turned more tightly, as steering takes its time
+  int side = 0;          // of turns to what lies behind: 1 left, -1 right, 0 the shorter one
 };
 
 // A state on the way, and what is left of the route from there.
@@ -34,6 +35,8 @@ struct DriveMark {
   std::size_t pieces = 0;  // that lead here
   double length_m = 0.0;   // driven so far
   double left_m = 0.0;     // of the route
+  std::size_t next = 1;    // the route's point that is headed for
+  std::size_t seen = 0;    // changes of the task on the way to it that have come already
 };
 
 enum class DriveEnd : std::uint8_t {
@@ -43,6 +46,8 @@ enum class DriveEnd : std::uint8_t {
   Astray,   // a state of the task that the route does not have: another route must be found
   Stuck,    // it circles around the next point, or a bound was met
   Over,     // the end of the route
+  Slower,   // who asked has seen enough of it
+  Stopped,  // the time is over, or nobody wants it any more
 };
 
 struct Drive {
@@ -62,12 +67,17 @@ class Driver {
   // Where a drive may begin: the task's state has read the label there.
   DriveMark stand(const TrainState& state, std::uint32_t task) const;
 
+  // Whether a drive is given up there, asked about each metre.
+  using Doubt = std::function<bool(const DriveMark&)>;
+
   // Requires a route that is not empty; `from` counts as length 0.
-  Drive along(const Route& route, const DriveMark& from, const DriveStyle& style);
+  Drive along(const Route& route, const DriveMark& from, const DriveStyle& style, const Doubt& doubt = {});
 
   // One control from there: marks as above. Ends with Over where nothing stops it.
   Drive hold(const DriveMark& from, const TrainControl& control, double duration_s);
 
+  // Looked at each 0.1 s of a drive.
+  void set_stop(const Stop& stop) { stop_ = stop; }
   bool valid(const TrainState& state) const { return !blocked(state); }
   std::uint64_t steps() const { return steps_; }
 
@@ -83,6 +93,7 @@ class Driver {
   const Walls& walls_;
   const Places& places_;
   TaskStates states_;
+  Stop stop_;
   std::vector<Label> letters_;
   std::vector<std::uint32_t> changes_;
   std::uint64_t steps_ = 0;

@@ -7,12 +7,15 @@
 // often straight back from where a train stands.
 //
 // Source of the tree: E. Plaku 2012, Algorithm 1; what is ours is the guide and the driver.
-// Thread rule: one thread at a time; several searches with different seeds may share floor, map and places.
-// The same question to a new search has the same answer, unless its time is over. Example:
-//   TrainSearch search(floor, map, places, model, states);
+// Thread rule: one thread at a time; several searches with different seeds may share a ground. The same
+// question has the same answer whatever was asked before, unless its time is over; asked for in parts of so
+// many rounds it is the same as in one. Example:
+//   const SearchGround ground(floor, map, places, model, task.automaton());
+//   TrainSearch search(ground, states);
 //   const SearchAnswer answer = search.first({.start = state, .seed = 1, .most_s = 10.0});
 //   if (answer.plan) ...
 
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <cstdint>
@@ -23,91 +26,101 @@
 #include <random>
 #include <vector>
 
-#include "supervisor/ltl/search/driver.h"
+#include "supervisor/ltl/search/driven_route.h"
+#include "supervisor/ltl/search/search_ground.h"
 
 namespace stepwright::ltl {
 
 struct SearchQuery {
   TrainState start{};
   std::uint64_t seed = 1;
-  double most_s = 10.0;  // looked at between two drives and while routes are looked for
+  double most_s = 10.0;  // looked at during drives and while routes are looked for
   std::size_t most_rounds = std::numeric_limits<std::size_t>::max();  // drives and tries of any control
   bool by_chance = false;  // the first drive, too: for another plan after one that was of no use
   const std::atomic<bool>* cancel = nullptr;  // not owned; may be null
+  const std::atomic<bool>* enough = nullptr;  // likewise: another search has found what was looked for
 };
 
 enum class SearchEnd : std::uint8_t {
   Found,
   BadStart,  // in a wall or too near to one, in itself, or the task has failed there
   NoWay,     // a point cannot do the task: why_impossible() says why
-  Bound,     // time or rounds are over
+  Bound,     // time or rounds are over, or there was enough
   Cancelled,
 };
 
 struct SearchAnswer {
   SearchEnd end = SearchEnd::Bound;
   std::optional<TrainPlan> plan;
-  std::size_t drives = 0;   // along routes
-  std::size_t nodes = 0;    // of the tree
-  std::uint64_t steps = 0;  // of the integration
-  double prepared_s = 0.0;  // until the first route was asked for
-  double spent_s = 0.0;
+  std::optional<DrivenRoute> driven;  // the plan with the routes that it follows to its end
+  std::size_t drives = 0;             // along routes
+  std::size_t nodes = 0;              // of the tree
+  std::uint64_t steps = 0;            // of the integration
+  double prepared_s = 0.0;            // until the first route was asked for
+  double spent_s = 0.0;               // in this search's own parts
 };
-
-enum class SearchGuide : std::uint8_t { OnTheRegions, None };
 
 class TrainSearch {
  public:
-  // What is borrowed must outlive it. Without a guide routes are searched for on all sides alike.
-  TrainSearch(const Floor& floor, const RegionMap& map, const Places& places, const TrainModel& model,
-              TaskStates states, SearchGuide use = SearchGuide::OnTheRegions);
+  // The ground must outlive it. States of an automaton are the ground's.
+  TrainSearch(const SearchGround& ground, TaskStates states);
   ~TrainSearch();
 
   // The first plan that is found.
   SearchAnswer first(const SearchQuery& query);
-  // A shorter one than that, by other routes and styles, until time or rounds are over.
-  SearchAnswer shorter(const SearchQuery& query, double than_m);
+
+  // The same in parts: what is asked, then some rounds at a time until it has an end.
+  void ask(const SearchQuery& query);
+  bool go_on(std::size_t rounds);
+  // Requires an end.
+  const SearchAnswer& answer() const { return answer_; }
 
  private:
   struct Node {
     DriveMark at;  // state, task and label
     std::uint32_t parent = 0;
     std::vector<TrainPiece> pieces;
-    double length_m = 0.0;  // from the root
+    std::shared_ptr<const Route> route;  // that leads there; null: a control by chance, or the root
+    double length_m = 0.0;               // from the root
     double left_m = 0.0;
     double fails = 0.0;
   };
-  struct Routes;
   using Clock = std::chrono::steady_clock;
 
-  Routes& routes(std::size_t level);
+  RouteSearch* routes(Clearance clearance);
   DriveStyle style(bool by_chance);
   std::size_t choose();
-  std::size_t add(std::size_t parent, const Drive& drive);
+  std::size_t add(std::size_t parent, const Drive& drive, std::shared_ptr<const Route> route);
   void blame(std::size_t parent, std::size_t first_new, const Drive& drive);
   bool explore(std::size_t from);
-  bool drive_from(std::size_t from, bool by_chance, SearchAnswer& answer);
+  bool drive_from(std::size_t from, bool by_chance);
+  bool one_round();
+  std::vector<std::size_t> way_to(std::size_t node) const;
   TrainPlan plan_to(std::size_t node) const;
-  std::optional<SearchEnd> begin(const SearchQuery& query);
-  bool stands(const TrainState& state) const;
-  std::optional<SearchEnd> over(const SearchQuery& query, std::size_t rounds) const;
-  Route route_from(const Node& node, Routes& ways, double turn_m, double noise);
+  DrivenRoute driven_to(std::size_t node) const;
+  std::optional<SearchEnd> begin();
+  std::optional<SearchEnd> over() const;
+  void end_with(SearchEnd end);
+  Route route_from(const Node& node, RouteSearch& ways, double noise);
   double chance() { return std::uniform_real_distribution<double>(0.0, 1.0)(dice_); }
 
-  const Floor& floor_;
-  const RegionMap& map_;
-  const Places& places_;
-  TrainModel model_;
+  const SearchGround& ground_;
   TaskStates states_;
-  SearchGuide use_;
-  TrainModel wide_;  // a little larger, for what happens between two steps
-  Walls walls_;
   Driver driver_;
-  std::optional<Guide> guide_;  // of automata
-  std::vector<std::unique_ptr<Routes>> routes_;
-  Clock::time_point until_ = Clock::time_point::max();  // of the question that is answered
+  std::array<std::unique_ptr<RouteSearch>, kClearances> routes_;
+  SearchQuery query_;
+  SearchAnswer answer_;
+  bool has_end_ = true;
+  std::size_t round_ = 0;
+  std::uint64_t steps_before_ = 0;
+  std::size_t most_nodes_ = 0;
+  DriveStyle style_of_last_;  // drive along a route
+  Stop stop_;
   std::mt19937_64 dice_;
   std::deque<Node> nodes_;
 };
+
+// Whether a train can stand there: within the floor as a whole, clear of walls and of itself, within limits.
+bool can_stand(const SearchGround& ground, const Driver& driver, const TrainState& state);
 
 }  // namespace stepwright::ltl

@@ -14,16 +14,13 @@
 #include <string>
 #include <vector>
 
+#include "supervisor/lisp/place.h"
 #include "supervisor/pddl/definition/numeric_kinds.h"
 
 namespace stepwright::pddl {
 
-// A place in one of the texts; `file` indexes Definition::files.
-struct Place {
-  std::uint32_t line = 0;
-  std::uint32_t column = 0;
-  std::uint32_t file = 0;
-};
+// Place::file indexes Definition::files.
+using lisp::Place;
 
 struct Term {
   std::string name;  // variables with their question mark

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "supervisor/pddl/definition/name_hints.h"
+#include "supervisor/lisp/name_hints.h"
 #include "supervisor/pddl/definition/numeric.h"
 #include "supervisor/pddl/lifted/derive.h"
 
@@ -122,7 +122,7 @@ std::optional<BoundAction> bind(const Definition& definition, const model::Groun
   if (found == definition.action_ids.end()) {
     failure = {"P0301",
                "unknown action '" + action.name + "'",
-               did_you_mean(action.name, names_of(definition.action_ids)),
+               lisp::did_you_mean(action.name, lisp::names_of(definition.action_ids)),
                {}};
     return std::nullopt;
   }
@@ -140,8 +140,10 @@ std::optional<BoundAction> bind(const Definition& definition, const model::Groun
     const std::string& name = action.arguments[i];
     const auto object = definition.object_ids.find(name);
     if (object == definition.object_ids.end()) {
-      failure = {
-          "P0303", "unknown object '" + name + "'", did_you_mean(name, names_of(definition.object_ids)), {}};
+      failure = {"P0303",
+                 "unknown object '" + name + "'",
+                 lisp::did_you_mean(name, lisp::names_of(definition.object_ids)),
+                 {}};
       return std::nullopt;
     }
     if (!definition.is_of_type(object->second, schema.parameters[i].type)) {

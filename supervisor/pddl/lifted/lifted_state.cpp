@@ -4,7 +4,7 @@
 #include <optional>
 #include <sstream>
 
-#include "supervisor/pddl/definition/name_hints.h"
+#include "supervisor/lisp/name_hints.h"
 #include "supervisor/pddl/lifted/derive.h"
 
 namespace stepwright::pddl {
@@ -31,7 +31,7 @@ class Lifter {
     if (found == ids.end()) {
       fail("P0201", name,
            std::string(function ? "no fluent" : "no predicate") + " '" + word + "' in the domain",
-           did_you_mean(word, names_of(ids)));
+           lisp::did_you_mean(word, lisp::names_of(ids)));
       return std::nullopt;
     }
     Atom atom{found->second, {}};
@@ -39,7 +39,7 @@ class Lifter {
       const auto object = definition_.object_ids.find(word);
       if (object == definition_.object_ids.end()) {
         fail("P0202", name, "no object '" + word + "' in the problem",
-             did_you_mean(word, names_of(definition_.object_ids)));
+             lisp::did_you_mean(word, lisp::names_of(definition_.object_ids)));
         return std::nullopt;
       }
       atom.arguments.push_back(object->second);

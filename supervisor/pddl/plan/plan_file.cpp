@@ -7,7 +7,7 @@
 #include <optional>
 #include <sstream>
 
-#include "supervisor/pddl/syntax/token_stream.h"
+#include "supervisor/pddl/syntax/lexer.h"
 
 namespace stepwright::pddl {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "supervisor/pddl/definition/name_hints.h"
+#include "supervisor/lisp/name_hints.h"
 #include "supervisor/pddl/lifted/derive.h"
 #include "supervisor/pddl/lifted/evaluate.h"
 #include "supervisor/pddl/semantics/formula_checker.h"
@@ -117,7 +117,7 @@ void Checker::requirements(const std::vector<RequirementFlag>& flags) {
                         "what uses it is refused where it stands");
     } else if (!listed(kKnownRequirements)) {
       reporter_.warning("P0112", flag.at, "unknown requirement '" + flag.name + "'",
-                        did_you_mean(flag.name, kKnownRequirements));
+                        lisp::did_you_mean(flag.name, kKnownRequirements));
     }
     set.insert(flag.name);
   }

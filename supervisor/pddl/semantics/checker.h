@@ -6,8 +6,8 @@
 // error.
 
 #include "supervisor/pddl/definition/ast.h"
+#include "supervisor/pddl/syntax/notation.h"
 #include "supervisor/pddl/syntax/parser.h"
-#include "supervisor/pddl/syntax/reporter.h"
 
 namespace stepwright::pddl {
 

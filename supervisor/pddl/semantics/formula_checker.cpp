@@ -3,16 +3,16 @@
 #include <algorithm>
 #include <set>
 
-#include "supervisor/pddl/definition/name_hints.h"
+#include "supervisor/lisp/name_hints.h"
 
 namespace stepwright::pddl {
 
 int FormulaChecker::type(const std::string& name, Place at) {
   const auto found = definition_.type_ids.find(name);
   if (found != definition_.type_ids.end()) return found->second;
-  std::vector<std::string> names = names_of(definition_.type_ids);
+  std::vector<std::string> names = lisp::names_of(definition_.type_ids);
   std::erase_if(names, [](const std::string& known) { return known.front() == '('; });
-  reporter_.error("P0101", at, "unknown type '" + name + "'", did_you_mean(name, names));
+  reporter_.error("P0101", at, "unknown type '" + name + "'", lisp::did_you_mean(name, names));
   unknown_type_ = true;
   return 0;
 }
@@ -88,7 +88,7 @@ void FormulaChecker::pop(std::size_t count) {
 
 // Comparing with every name takes its time, which an error that is only counted is not worth.
 std::string FormulaChecker::hint_for(const std::string& name, const std::map<std::string, int>& ids) const {
-  return reporter_.full() ? std::string() : did_you_mean(name, names_of(ids));
+  return reporter_.full() ? std::string() : lisp::did_you_mean(name, lisp::names_of(ids));
 }
 
 bool FormulaChecker::unknown_object(const Term& term) {
@@ -114,7 +114,8 @@ bool FormulaChecker::resolve(Term& term, std::vector<int>& types) {
   }
   std::vector<std::string> names;
   for (const Typed& known : scope_) names.push_back(known.name);
-  reporter_.error("P0105", term.at, "unknown variable '" + term.name + "'", did_you_mean(term.name, names));
+  reporter_.error("P0105", term.at, "unknown variable '" + term.name + "'",
+                  lisp::did_you_mean(term.name, names));
   return false;
 }
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "supervisor/pddl/definition/ast.h"
-#include "supervisor/pddl/syntax/reporter.h"
+#include "supervisor/pddl/syntax/notation.h"
 
 namespace stepwright::pddl {
 

@@ -6,7 +6,7 @@
 // Thread rule: pure function.
 
 #include "supervisor/pddl/definition/ast.h"
-#include "supervisor/pddl/syntax/reporter.h"
+#include "supervisor/pddl/syntax/notation.h"
 
 namespace stepwright::pddl {
 

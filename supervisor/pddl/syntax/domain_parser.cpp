@@ -2,12 +2,11 @@
 
 #include "supervisor/pddl/syntax/formula_parser.h"
 #include "supervisor/pddl/syntax/parser.h"
-#include "supervisor/pddl/syntax/section_parser.h"
 
 namespace stepwright::pddl {
 namespace {
 
-class DomainParser : private SectionParser {
+class DomainParser : private lisp::SectionParser {
  public:
   DomainParser(std::vector<Token> tokens, Reporter& reporter) : SectionParser(std::move(tokens), reporter) {}
 
@@ -97,6 +96,7 @@ class DomainParser : private SectionParser {
     return unknown(keyword, at, {":parameters", ":precondition", ":effect"});
   }
 
+  FormulaParser formulas_{tokens_};
   ParsedDomain domain_;
 };
 

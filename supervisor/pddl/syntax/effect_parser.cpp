@@ -5,7 +5,7 @@
 namespace stepwright::pddl {
 
 bool FormulaParser::effect(Effect& effect) {
-  if (too_deep()) return false;
+  if (tokens_.too_deep()) return false;
   effect.at = tokens_.peek().at;
   if (!tokens_.expect(TokenKind::Open, "an effect in parentheses")) return false;
   if (tokens_.accept(TokenKind::Close)) return true;

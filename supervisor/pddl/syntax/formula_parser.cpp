@@ -2,6 +2,8 @@
 
 #include <optional>
 
+#include "supervisor/lisp/typed_list.h"
+
 namespace stepwright::pddl {
 namespace {
 
@@ -16,58 +18,8 @@ std::optional<Relation> relation_of(const std::string& symbol) {
 
 }  // namespace
 
-bool FormulaParser::too_deep() {
-  // Deeper than any real file, shallow enough for a stack of 2 MB.
-  constexpr std::size_t kMaxDepth = 1200;
-  if (tokens_.depth() < kMaxDepth) return false;
-  tokens_.reporter().error("P0006", tokens_.peek().at, "nested too deeply",
-                           "at most " + std::to_string(kMaxDepth) + " parentheses may be open");
-  return true;
-}
-
 bool FormulaParser::typed_list(TokenKind kind, std::vector<Typed>& list) {
-  std::size_t untyped = list.size();
-  while (!tokens_.at(TokenKind::Close)) {
-    if (tokens_.at(kind)) {
-      Typed item;
-      item.at = tokens_.peek().at;
-      item.type_at = item.at;
-      item.name = tokens_.take().text;
-      list.push_back(std::move(item));
-    } else if (tokens_.at(TokenKind::Operator, "-")) {
-      tokens_.take();
-      Typed type;
-      if (!type_of(type)) return false;
-      for (; untyped < list.size(); ++untyped) {
-        list[untyped].type_name = type.type_name;
-        list[untyped].type_at = type.type_at;
-        list[untyped].either = type.either;
-      }
-    } else {
-      const bool variables = kind == TokenKind::Variable;
-      return tokens_.unexpected(variables ? "a variable, '-' or ')'" : "a name, '-' or ')'",
-                                variables ? "variables start with '?'" : "");
-    }
-  }
-  return true;
-}
-
-bool FormulaParser::type_of(Typed& typed) {
-  typed.type_at = tokens_.peek().at;
-  Place at;
-  if (!tokens_.at(TokenKind::Open)) return tokens_.expect_name("a type name", typed.type_name, at);
-  tokens_.take();
-  if (!tokens_.at(TokenKind::Name, "either")) return tokens_.unexpected("'either' or a type name");
-  tokens_.take();
-  typed.type_name = "(either";
-  do {
-    std::string name;
-    if (!tokens_.expect_name("a type name", name, at)) return false;
-    typed.type_name += " " + name;
-    typed.either.push_back(std::move(name));
-  } while (!tokens_.at(TokenKind::Close));
-  typed.type_name += ")";
-  return close();
+  return lisp::read_typed_list(tokens_, kind, list);
 }
 
 bool FormulaParser::declaration(Symbol& symbol) {
@@ -97,7 +49,7 @@ bool FormulaParser::call(Call& call) {
 }
 
 bool FormulaParser::expression(Expression& expression) {
-  if (too_deep()) return false;
+  if (tokens_.too_deep()) return false;
   expression.at = tokens_.peek().at;
   if (tokens_.at(TokenKind::Number)) {
     expression.number = tokens_.take().number;
@@ -196,7 +148,7 @@ bool FormulaParser::quantified(Formula& formula, FormulaKind kind) {
 }
 
 bool FormulaParser::formula(Formula& formula) {
-  if (too_deep()) return false;
+  if (tokens_.too_deep()) return false;
   formula.at = tokens_.peek().at;
   if (!tokens_.expect(TokenKind::Open, "a condition in parentheses")) return false;
   if (tokens_.accept(TokenKind::Close)) return true;

@@ -6,7 +6,7 @@
 // reporting an error.
 
 #include "supervisor/pddl/definition/ast.h"
-#include "supervisor/pddl/syntax/token_stream.h"
+#include "supervisor/pddl/syntax/notation.h"
 
 namespace stepwright::pddl {
 
@@ -28,11 +28,8 @@ class FormulaParser {
   bool call(Call& call);
 
  private:
-  // Reports P0006 where parentheses are nested beyond what recursion may follow.
-  bool too_deep();
   bool arguments(Call& call);
   bool term(Term& term);
-  bool type_of(Typed& typed);
   bool compare(Formula& formula);
   bool equality(Formula& formula);
   bool quantifier(std::vector<Typed>& variables);

@@ -1,34 +1,18 @@
 #pragma once
 
-// PDDL text as tokens with their places. Names, variables and keywords are lower case, as PDDL ignores case.
+// PDDL text as tokens with their places (lisp::tokens_of), whose numbers are those of plans.
 //
 // Thread rule: pure function.
 
-#include <string>
 #include <string_view>
 #include <vector>
 
-#include "supervisor/pddl/definition/ast.h"
-#include "supervisor/pddl/syntax/reporter.h"
+#include "supervisor/pddl/syntax/notation.h"
 
 namespace stepwright::pddl {
 
-enum class TokenKind : std::uint8_t { Open, Close, Name, Variable, Keyword, Number, Operator, End };
-
-struct Token {
-  TokenKind kind = TokenKind::End;
-  std::string text;  // variables with '?', keywords with ':'
-  Place at;
-  double number = 0.0;
-};
-
-// The last token is End, placed after the text. A character that PDDL does not know is reported (P0002) and
-// left out; a control character ends the reading, for then this is no text. `first_line` is the number of the
-// text's first line in its file.
+// As lisp::tokens_of; a number that the grid of numbers loses is reported as well (P0009).
 std::vector<Token> tokenize(std::string_view text, std::uint32_t file, Reporter& reporter,
                             std::uint32_t first_line = 1);
-
-// "'move'", "'('" or "the end of the file": how messages name a token.
-std::string quoted(const Token& token);
 
 }  // namespace stepwright::pddl

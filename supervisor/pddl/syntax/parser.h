@@ -8,14 +8,9 @@
 
 #include "supervisor/pddl/definition/ast.h"
 #include "supervisor/pddl/syntax/lexer.h"
-#include "supervisor/pddl/syntax/reporter.h"
+#include "supervisor/pddl/syntax/notation.h"
 
 namespace stepwright::pddl {
-
-struct RequirementFlag {
-  std::string name;
-  Place at;
-};
 
 struct ParsedDomain {
   std::string name;

@@ -1,10 +1,10 @@
+#include "supervisor/pddl/syntax/formula_parser.h"
 #include "supervisor/pddl/syntax/parser.h"
-#include "supervisor/pddl/syntax/section_parser.h"
 
 namespace stepwright::pddl {
 namespace {
 
-class ProblemParser : private SectionParser {
+class ProblemParser : private lisp::SectionParser {
  public:
   ProblemParser(std::vector<Token> tokens, Reporter& reporter) : SectionParser(std::move(tokens), reporter) {}
 
@@ -40,16 +40,6 @@ class ProblemParser : private SectionParser {
       return problem_.has_goal;
     }
     return unknown(keyword, at, {":domain", ":requirements", ":objects", ":init", ":goal", ":metric"});
-  }
-
-  // "(:length (:serial 5) (:parallel 3))" of PDDL 1.2: what its author knew of plans binds none.
-  bool length() {
-    while (tokens_.accept(TokenKind::Open)) {
-      if (!tokens_.expect(TokenKind::Keyword, "':serial' or ':parallel'")) return false;
-      if (!tokens_.expect(TokenKind::Number, "a number") || !tokens_.expect(TokenKind::Close, "')'"))
-        return false;
-    }
-    return true;
   }
 
   // An error in one element of the initial state ends that element only.
@@ -118,6 +108,7 @@ class ProblemParser : private SectionParser {
     return true;
   }
 
+  FormulaParser formulas_{tokens_};
   ParsedProblem problem_;
   bool goal_tried_ = false;
 };

@@ -17,17 +17,14 @@
 #include <vector>
 
 #include "runtime/ground/result/result.h"
+#include "supervisor/lisp/place.h"
 #include "supervisor/pddl/definition/state.h"
 
 namespace stepwright::pddl {
 
 struct Definition;  // supervisor/pddl/definition/ast.h: only supervisor/pddl looks inside
 
-// A text and the name it is known by in diagnostics.
-struct Source {
-  std::string file;
-  std::string text;
-};
+using lisp::Source;
 
 class Task {
  public:

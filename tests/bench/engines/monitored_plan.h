@@ -8,9 +8,11 @@
 
 #include <cstddef>
 
-#include "tests/bench/engines/st_program.h"
+#include "tests/support/engine_program/engine_program.h"
 
 namespace stepwright::bench {
+
+using support::EngineKind;
 
 struct MonitorFigures {
   std::size_t scans = 0;

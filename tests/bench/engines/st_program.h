@@ -1,22 +1,19 @@
 #pragma once
 
-// An ST program in one of the engines.
+// The ST program of a workload in one of the engines.
 
-#include <memory>
 #include <string>
+#include <vector>
 
-#include "runtime/bytecode/engine.h"
-#include "runtime/bytecode/reader/loaded_program.h"
-#include "runtime/bytecode/reader/program_info.h"
 #include "tests/bench/engines/subject.h"
 #include "tests/bench/engines/workload.h"
+#include "tests/support/engine_program/engine_program.h"
 
 namespace stepwright::bench {
 
-enum class EngineKind { Native, Vm };
-
-// Source to verified program. Throws std::runtime_error with the diagnostics.
-reader::LoadedProgram compile_st(const std::string& text);
+using support::compile_st;
+using support::EngineKind;
+using support::EngineProgram;
 
 class StProgram final : public Subject {
  public:
@@ -30,12 +27,7 @@ class StProgram final : public Subject {
  private:
   std::vector<reader::Variable> find(const std::vector<std::string>& paths) const;
 
-  reader::LoadedProgram loaded_;
-  std::vector<std::byte> memory_;
-  std::vector<std::uint64_t> stack_;
-  std::vector<std::byte> quick_code_;
-  std::unique_ptr<bytecode::Engine> engine_;
-  bytecode::Invocation invocation_;
+  EngineProgram program_;
   std::vector<reader::Variable> bools_, reals_, results_;
 };
 

@@ -23,6 +23,7 @@
 #include "runtime/ground/result/exit_code.h"
 #include "supervisor/ltl/bound/point_bound.h"
 #include "supervisor/ltl/guide/task.h"
+#include "supervisor/ltl/lanes/lanes.h"
 #include "supervisor/ltl/planner/plan_train.h"
 #include "tests/bench/ltl/automata_sizes.h"
 #include "tests/bench/ltl/ltl_planner.h"
@@ -41,8 +42,13 @@ struct Options {
   const char* json_file = nullptr;
   int seeds = 3;
   double most_s = 4.0;
-  int baseline_seeds = 1;  // of LTLPlanner and of the paper's, which take their time; 0: without them
-  bool full = false;       // all settings of the paper's algorithm
+  int baseline_seeds = 1;   // of LTLPlanner and of the paper's, which take their time; 0: without them
+  bool full = false;        // all settings of the paper's algorithm
+  std::size_t threads = 0;  // of ours; 0: as many as the machine has, at most 2
+  double shorten_s = 1.0;
+  std::size_t shorten_rounds = std::numeric_limits<std::size_t>::max();  // of that
+  bool all_lengths = false;  // shorter plans for every row, not only for phi1 on blocks
+  std::string only;          // "blocks/phi1": this task on this scene; empty: all
 };
 
 double middle(std::vector<double> values) {
@@ -172,16 +178,18 @@ Cell run_paper(const Setting& setting, std::size_t trailers, const Options& opti
 
 nlohmann::json run_row(const Setting& setting, std::size_t trailers, const Options& options, Totals& totals) {
   const bool has_table = setting.automaton.has_value();
-  const bool is_measured = setting.scene == "blocks" && setting.name == "phi1";
+  const bool is_phi1 = setting.scene == "blocks" && setting.name == "phi1";
+  const bool is_measured = is_phi1 || options.all_lengths;
   Ours ours, shortened;
   Cell uniform;
   for (int seed = 1; seed <= options.seeds; ++seed) {
     const auto at = static_cast<std::uint64_t>(seed);
     const ltl::Problem problem = train_problem(setting.floor, setting.task, trailers, at);
-    ltl::PlanOptions how{.seed = at, .most_s = options.most_s};
+    ltl::PlanOptions how{.seed = at, .most_s = options.most_s, .threads = options.threads};
     run_ours(setting, problem, how, ours, totals);
     if (is_measured) {
-      how.shorten_s = 1.0;
+      how.shorten_s = options.shorten_s;
+      how.shorten_rounds = options.shorten_rounds;
       run_ours(setting, problem, how, shortened, totals);
       how.shorten_s = 0.0;
     }
@@ -198,7 +206,7 @@ nlohmann::json run_row(const Setting& setting, std::size_t trailers, const Optio
     totals.ltlplanner[trailers].push_back(ompl_ratio);
     totals.paper_least = std::min(totals.paper_least, paper_ratio);
   }
-  if (is_measured) {
+  if (is_phi1) {
     totals.lengths["length_ratio_n" + std::to_string(trailers)] = middle(shortened.ratios);
     totals.lengths["first_length_ratio_n" + std::to_string(trailers)] = middle(ours.ratios);
   }
@@ -268,7 +276,8 @@ int run(const Options& options) {
   Totals totals;
   nlohmann::json json;
   const AutomataSizes sizes = automata_sizes();
-  std::printf("automata: %zu sizes compared, %zu other than known\n", sizes.compared, sizes.mismatches);
+  std::printf("automata: %zu sizes compared, %zu other than known; threads of the planner: %zu\n",
+              sizes.compared, sizes.mismatches, ltl::threads_of(options.threads));
   std::printf("%-8s %-8s %3s  %7s %9s %9s %7s %6s %6s %4s  %7s %9s %6s  %5s %9s %7s  %5s %9s %7s\n", "scene",
               "task", "N", "solved", "median ms", "worst ms", "length", "/point", "+1 s", "ref", "uniform",
               "median ms", "ratio", "OMPL", "median ms", "ratio", "paper", "median ms", "ratio");
@@ -278,6 +287,7 @@ int run(const Options& options) {
                                                          {"phi3", ltl::test::coverage(8)},
                                                          {"phi2_in_order", ltl::test::five_visits(8, true)}};
     for (const auto& [name, task] : tasks) {
+      if (!options.only.empty() && options.only != scene + "/" + name) continue;
       const auto setting = setting_of(scene, name, task);
       if (!setting) return result::to_int(result::ExitCode::BadInput);
       for (const std::size_t trailers : {0, 5, 10, 15})
@@ -286,6 +296,7 @@ int run(const Options& options) {
   }
   json["monitor_us"] = most_us(monitor_cost());
   std::printf("the monitor of phi1 takes %.3f us of a scan\n", json["monitor_us"].get<double>());
+  json["threads"] = ltl::threads_of(options.threads);
   json["solved"] = totals.solved;
   json["asked"] = totals.asked;
   json["cells"] = totals.cells;
@@ -331,6 +342,10 @@ int main(int argc, char** argv) {
       options.most_s = 10.0;
       continue;
     }
+    if (std::strcmp(argv[k], "--all-lengths") == 0) {
+      options.all_lengths = true;
+      continue;
+    }
     const auto is = [&](const char* option) { return k + 1 < argc && std::strcmp(argv[k], option) == 0; };
     if (is("--json"))
       options.json_file = argv[k + 1];
@@ -338,6 +353,14 @@ int main(int argc, char** argv) {
       options.seeds = std::atoi(argv[k + 1]);
     else if (is("--time"))
       options.most_s = std::atof(argv[k + 1]);
+    else if (is("--threads"))
+      options.threads = static_cast<std::size_t>(std::max(0, std::atoi(argv[k + 1])));
+    else if (is("--shorten"))
+      options.shorten_s = std::atof(argv[k + 1]);
+    else if (is("--shorten-rounds"))
+      options.shorten_rounds = static_cast<std::size_t>(std::max(0, std::atoi(argv[k + 1])));
+    else if (is("--only"))
+      options.only = argv[k + 1];
     else if (is("--baseline-seeds") || is("--ompl-seeds"))
       options.baseline_seeds = std::atoi(argv[k + 1]);
     else
@@ -345,9 +368,10 @@ int main(int argc, char** argv) {
     ++k;
   }
   if (!known || options.seeds < 1 || !(options.most_s > 0.0) || options.baseline_seeds < 0) {
-    std::fprintf(
-        stderr,
-        "usage: bench_ltl [--full] [--json FILE] [--seeds N] [--time SECONDS] [--baseline-seeds N]\n");
+    std::fprintf(stderr,
+                 "usage: bench_ltl [--full] [--json FILE] [--seeds N] [--time SECONDS] [--baseline-seeds N] "
+                 "[--threads "
+                 "N] [--shorten SECONDS] [--shorten-rounds N] [--all-lengths] [--only SCENE/TASK]\n");
     return stepwright::result::to_int(stepwright::result::ExitCode::Usage);
   }
   return stepwright::bench::run(options);

@@ -4,22 +4,18 @@
 //
 // Thread rule: one thread.
 
-#include <cstdint>
-#include <memory>
 #include <span>
 #include <string>
-#include <vector>
 
-#include "ladder/driver/watcher.h"
-#include "runtime/bytecode/engine.h"
-#include "runtime/bytecode/reader/loaded_program.h"
-#include "runtime/bytecode/reader/program_info.h"
+#include "tests/support/engine_program/engine_program.h"
 
 namespace stepwright::bench {
 
-inline constexpr int kPlaces = 8;
+using support::compile_st;
+using support::EngineKind;
+using support::EngineProgram;
 
-enum class EngineKind { Native, Vm };
+inline constexpr int kPlaces = 8;
 
 class WatchedProgram {
  public:
@@ -28,27 +24,19 @@ class WatchedProgram {
 
   // Place k (from 1) is where the vehicle is; 0: at none. `reset`: the first watcher begins anew instead.
   void scan(int place, bool reset) {
+    const std::span<std::byte> memory = program_.memory();
     for (int k = 0; k < kPlaces; ++k)
-      memory_[places_ + static_cast<std::size_t>(k)] = std::byte(place == k + 1);
-    if (reset) memory_[reset_] = std::byte{1};
-    for (const bytecode::Invocation& call : calls_) {
-      std::uint64_t budget = std::uint64_t{1} << 40;
-      trapped_ = trapped_ || engine_->run(call, memory_, budget);
-    }
+      memory[places_ + static_cast<std::size_t>(k)] = std::byte(place == k + 1);
+    if (reset) memory[reset_] = std::byte{1};
+    (void)program_.scan();
   }
-  bool trapped() const { return trapped_; }
+  bool trapped() const { return program_.trapped(); }
   // 0 undecided, 1 TRUE, 2 FALSE.
-  int verdict() const { return static_cast<int>(memory_[verdict_]); }
+  int verdict() const { return static_cast<int>(program_.memory()[verdict_]); }
 
  private:
-  reader::LoadedProgram loaded_;
-  std::vector<std::byte> memory_;
-  std::vector<std::uint64_t> stack_;
-  std::vector<std::byte> quick_code_;
-  std::unique_ptr<bytecode::Engine> engine_;
-  std::vector<bytecode::Invocation> calls_;
+  EngineProgram program_;
   std::size_t places_ = 0, reset_ = 0, verdict_ = 0;
-  bool trapped_ = false;
 };
 
 }  // namespace stepwright::bench

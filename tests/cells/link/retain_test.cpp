@@ -4,6 +4,7 @@
 
 #include <cstring>
 #include <fstream>
+#include <span>
 
 #include "ladder/driver/compile.h"
 #include "runtime/bytecode/reader/program_info.h"
@@ -18,13 +19,14 @@ using namespace std::chrono_literals;
 constexpr char kReal[] = "[plant]\nkind = \"none\"\n[clock]\nmode = \"real\"\n[retain]\nperiod_ms = 5\n";
 
 // Counts its scans twice: `total` is retained, `here` is not.
-std::vector<std::byte> counting_program(const std::string& more = "") {
+std::vector<std::byte> counting_program(const std::string& more = "",
+                                        std::span<const driver::Watcher> watchers = {}) {
   const std::string text =
       "PROGRAM MAIN\nVAR RETAIN total : DINT; twice : DINT; END_VAR VAR here : DINT; END_VAR\n" + more +
       "total := total + 1; twice := 2 * total; here := here + 1;\nEND_PROGRAM\n"
       "CONFIGURATION C RESOURCE R ON PLC\nTASK fast (INTERVAL := T#1ms, PRIORITY := 0);\n"
       "PROGRAM MAIN WITH fast : MAIN;\nEND_RESOURCE END_CONFIGURATION\n";
-  auto output = driver::compile({{{"counting.st", text}}});
+  auto output = driver::compile({.texts = {{"counting.st", text}}, .watchers = watchers});
   EXPECT_TRUE(output) << (output ? "" : result::to_string(output.error()));
   return output ? std::move(output->container) : std::vector<std::byte>{};
 }
@@ -130,6 +132,32 @@ TEST(RetainProcess, WhenTheBootProgramIsWrong_ThenItSaysWhereAndWaitsForADownloa
   const auto client = cell.attach(service::Role::Controller);
   EXPECT_NE(status(*client).detail.find("boot.swb"), std::string::npos);
   ASSERT_TRUE(ok(client->download(counting_program(), kPatience)));
+  ASSERT_TRUE(ok(client->call(service::Start{}, kPatience)));
+  EXPECT_TRUE(eventually([&] { return status(*client).scan > 5; }));
+}
+
+TEST(RetainProcess, WhenTheBootProgramLacksAMonitorOfTheCell_ThenItIsRefusedAndADownloadIsWaitedFor) {
+  TestCell cell(99, std::string(kReal) +
+                        "[runtime]\nprogram = \"line.swb\"\nautostart = true\n"
+                        "[[monitors]]\nname = \"few\"\nformula = \"never many\"\n"
+                        "let = { many = \"MAIN.here > 100000\" }\n");
+  const std::vector<std::byte> container = counting_program();
+  std::ofstream(cell.folder() / "line.swb", std::ios::binary)
+      .write(reinterpret_cast<const char*>(container.data()), static_cast<std::streamsize>(container.size()));
+  const TestProcess runtime = cell.start_runtime();
+  EXPECT_TRUE(runtime.wait_for("C0558")) << runtime.output();
+  const auto client = cell.attach(service::Role::Controller);
+  const host::RuntimeStatus said = status(*client);
+  EXPECT_NE(said.detail.find("the program does not have the monitor 'few'"), std::string::npos)
+      << said.detail;
+  EXPECT_NE(said.detail.find("line.swb"), std::string::npos) << said.detail;
+  EXPECT_EQ(said.scan, 0u);
+  const driver::Watcher few{.name = "monitor_few",
+                            .text =
+                                "PROGRAM monitor_few\nVAR Failed : BOOL; END_VAR\nFailed := MAIN.here > "
+                                "100000;\nEND_PROGRAM\n",
+                            .outside_reads = 1};
+  ASSERT_TRUE(ok(client->download(counting_program("", std::span(&few, 1)), kPatience)));
   ASSERT_TRUE(ok(client->call(service::Start{}, kPatience)));
   EXPECT_TRUE(eventually([&] { return status(*client).scan > 5; }));
 }

@@ -36,6 +36,7 @@ std::shared_ptr<const MissionTable> read_ltl_table(const settings::TomlTable& lt
   mission->top_speed_m_s = ltl.number("top_speed_m_s", mission->top_speed_m_s, {0.05, 10.0});
   mission->time_s = ltl.number("time_s", mission->time_s, {0.01, 86'400.0});
   mission->seed = static_cast<std::uint64_t>(ltl.integer("seed", 1, {0, 1'000'000'000}));
+  mission->threads = static_cast<std::size_t>(ltl.integer("threads", 0, {0, 2}));
   mission->hold = std::chrono::seconds(ltl.integer("hold_s", mission->hold.count(), {0, 31'536'000}));
   mission->attended = ltl.boolean("attended", mission->attended);
   for (const settings::TomlTable& table : ltl.tables("requests"))

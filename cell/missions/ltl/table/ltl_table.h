@@ -8,7 +8,8 @@
 //   margin_m = 0.12              # kept around each link, for what driving deviates
 //   top_speed_m_s = 1.2
 //   time_s = 10.0                # of wall time until there is a plan
-//   seed = 1
+//   seed = 1                     # the same seed has the same plan, unless the time was over
+//   threads = 0                  # of the planner, 1 or 2; 0: as many as the machine has
 //   hold_s = 3600                # so long the train waits for somebody
 //   attended = true              # somebody can see to what the train cannot do; false: then the run ends
 //   [[ltl.requests]]             # an operator asks for this at that time
@@ -17,6 +18,7 @@
 //   goal = "visit rack"
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -40,6 +42,7 @@ struct LtlTable final : MissionTable {
   double top_speed_m_s = 1.2;
   double time_s = 10.0;
   std::uint64_t seed = 1;
+  std::size_t threads = 0;
   std::chrono::seconds hold{3'600};
   bool attended = true;
   std::vector<LtlAsked> requests;

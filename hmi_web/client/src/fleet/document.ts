@@ -93,14 +93,14 @@ function count(value: unknown): number {
   return Math.max(0, Math.round(numberOf(value) ?? 0));
 }
 
-function place(value: unknown): Pair | null {
+export function place(value: unknown): Pair | null {
   const [x, y] = listOf(value).map(numberOf);
   if (typeof x !== 'number' || typeof y !== 'number') return null;
   return Math.abs(x) <= FARTHEST_M && Math.abs(y) <= FARTHEST_M ? [x, y] : null;
 }
 
 // All of its corners, or none: an outline without one of them would be another one.
-function outline(value: unknown): Pair[] {
+export function outline(value: unknown): Pair[] {
   const corners = listOf(value).map(place);
   return corners.length >= 3 && corners.every((corner) => corner !== null) ? (corners as Pair[]) : [];
 }

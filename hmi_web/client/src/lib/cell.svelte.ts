@@ -48,7 +48,7 @@ const NOTHING: LiveFields = {
 };
 
 // Of the newest message of each kind, as the server numbers them.
-const NO_REVISIONS = { seq: 0, program: 0, plan: 0, routes: 0, alarms: 0, forces: 0 };
+const NO_REVISIONS = { seq: 0, program: 0, plan: 0, routes: 0, pictures: 0, alarms: 0, forces: 0 };
 // While somebody scrolls, no more is said than this.
 const SHOW_EVERY_MS = 100;
 
@@ -63,6 +63,8 @@ export class Cell {
   alarms = $state.raw<AlarmsMessage | null>(null);
   // Paths and polygons of a fleet, as they came.
   routes = $state.raw<unknown>(null);
+  // What a mission shows of its plan, as it came.
+  pictures = $state.raw<unknown>(null);
   // What is forced in the runtime, whoever has forced it.
   forces = $state.raw<StandingForce[]>([]);
   readonly forced: ForcedNames = $derived.by(() => new ForcedNames(this.forces, this.program?.tags));
@@ -204,6 +206,9 @@ export class Cell {
       case 'routes':
         this.routes = message.routes;
         return;
+      case 'pictures':
+        this.pictures = message.pictures;
+        return;
       case 'alarms':
         this.alarms = message;
         return;
@@ -229,6 +234,7 @@ export class Cell {
     this.program = null;
     this.plan = null;
     this.routes = null;
+    this.pictures = null;
     this.alarms = null;
     this.forces = [];
     this.hello = message;

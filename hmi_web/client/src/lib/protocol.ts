@@ -341,6 +341,13 @@ export interface RoutesMessage {
   routes: unknown;
 }
 
+// Of a plan; src/pictures/document.ts reads them.
+export interface PicturesMessage {
+  type: 'pictures';
+  revision: number;
+  pictures: unknown;
+}
+
 export interface AlarmsMessage extends AlarmList {
   type: 'alarms';
   revision: number;
@@ -370,6 +377,7 @@ export type ServerMessage =
   | TrendMessage
   | PlanMessage
   | RoutesMessage
+  | PicturesMessage
   | AlarmsMessage;
 
 // What the page says: which tags it shows, and what else.
@@ -387,6 +395,7 @@ export interface Possessions {
   program: number;
   plan: number;
   routes: number;
+  pictures: number;
   alarms: number;
   forces: number;
   trend_run: number;

@@ -88,7 +88,7 @@ export class Wanted {
 
   private text(): string {
     const all = [...this.byPanel.values()].flat().filter((index) => index >= 0 && index < this.tagCount);
-    const also = this.trends > 0 ? ['plan', 'routes', 'trend'] : ['plan', 'routes'];
+    const also = ['plan', 'routes', 'pictures', ...(this.trends > 0 ? ['trend'] : [])];
     return JSON.stringify({ digest: this.digest, tags: rangesOf(all), also });
   }
 }

@@ -3,6 +3,7 @@
 
 export interface Presence {
   plant: boolean; // something to draw
+  pictures: boolean; // that a mission shows of its plan
   plan: boolean; // a supervisor plans for the cell
   levels: boolean; // values drawn over time
   monitors: boolean; // formulas that the scan watches
@@ -16,34 +17,40 @@ export interface PageAreas {
 
 const quoted = (rows: string[][]): string => rows.map((row) => `'${row.join(' ')}'`).join(' ');
 
-export function pageAreas({ plant, plan, levels, monitors }: Presence): PageAreas {
-  const single = ['synoptic', 'plan', 'incidents', 'sfc', 'trend', 'state', 'replans', 'monitors', 'scan', 'tags'].filter(
+export function pageAreas({ plant, pictures, plan, levels, monitors }: Presence): PageAreas {
+  // What a mission shows of its plan has the plan and its buttons at its side, not below the plant.
+  const [first, second] = pictures ? ['plan', 'synoptic'] : ['synoptic', 'plan'];
+  const single = ['pictures', first, second, 'incidents', 'sfc', 'trend', 'state', 'replans', 'monitors', 'scan', 'tags'].filter(
     (area) =>
       (area !== 'synoptic' || plant) &&
+      (area !== 'pictures' || pictures) &&
       (!['plan', 'incidents', 'state', 'replans'].includes(area) || plan) &&
       (area !== 'trend' || levels) &&
       (area !== 'monitors' || monitors),
   );
   const above = plant ? [['synoptic', 'synoptic']] : [];
-  // Over all columns below the rest.
-  const below = (columns: number) => (monitors ? [Array<string>(columns).fill('monitors')] : []);
+  // Over all columns above and below the rest.
+  const across = (area: string, columns: number, there: boolean) => (there ? [Array<string>(columns).fill(area)] : []);
+  const top = (columns: number) => across('pictures', columns, pictures);
+  const below = (columns: number) => across('monitors', columns, monitors);
+  const both = (rows: string[][], planned: string[]) => (pictures ? [planned, ...rows] : [...rows, planned]);
   const beside = above.map((row) => [...row, 'sfc']);
   if (plan) {
     return {
       single: quoted(single.map((area) => [area])),
       narrow: quoted([
-        ...above, ['plan', 'plan'], ['incidents', 'incidents'],
+        ...top(2), ...both(above, ['plan', 'plan']), ['incidents', 'incidents'],
         ...(levels ? [['sfc', 'trend']] : []), ['sfc', 'state'], ['sfc', 'scan'], ['replans', 'tags'], ...below(2),
       ]),
       wide: quoted([
-        ...beside, ['plan', 'plan', 'sfc'], ['incidents', 'incidents', 'sfc'],
+        ...top(3), ...both(beside, ['plan', 'plan', 'sfc']), ['incidents', 'incidents', 'sfc'],
         levels ? ['trend', 'state', 'tags'] : ['state', 'state', 'tags'], ['replans', 'scan', 'tags'], ...below(3),
       ]),
     };
   }
   return {
     single: quoted(single.map((area) => [area])),
-    narrow: quoted([...above, ['sfc', 'scan'], ['sfc', 'tags'], ...(levels ? [['trend', 'trend']] : []), ...below(2)]),
-    wide: quoted([...beside, plant ? ['scan', 'scan', 'tags'] : ['sfc', 'scan', 'tags'], ...(levels ? [['trend', 'trend', 'tags']] : []), ...below(3)]),
+    narrow: quoted([...top(2), ...above, ['sfc', 'scan'], ['sfc', 'tags'], ...(levels ? [['trend', 'trend']] : []), ...below(2)]),
+    wide: quoted([...top(3), ...beside, plant ? ['scan', 'scan', 'tags'] : ['sfc', 'scan', 'tags'], ...(levels ? [['trend', 'trend', 'tags']] : []), ...below(3)]),
   };
 }

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "cell/monitors/missing_monitors.h"
+#include "cell/monitor_check/missing_monitors.h"
 #include "runtime/bytecode/reader/program_info.h"
 #include "runtime/remote/remote_program.h"
 #include "supervisor/ltl/trace/judge.h"
@@ -286,6 +286,11 @@ TEST(CellMonitors, Program_WhenCompiledWithoutTheCell_ThenEachMissingMonitorIsTo
   EXPECT_EQ(missing[0].code, "C0558");
   EXPECT_EQ(missing[0].where.line, 3u);
   EXPECT_TRUE(missing_monitors(with, reader::ProgramInfo::read(*watched).value()).empty());
+  // As bytes that nobody has looked at yet.
+  EXPECT_EQ(missing_monitors(with, *bare).size(), 1u);
+  EXPECT_TRUE(missing_monitors(with, *watched).empty());
+  EXPECT_TRUE(missing_monitors({}, *bare).empty());
+  EXPECT_TRUE(missing_monitors(with, std::span<const std::byte>()).empty()) << "the verifier says that";
 }
 
 }  // namespace

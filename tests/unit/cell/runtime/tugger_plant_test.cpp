@@ -10,6 +10,7 @@
 
 #include "cell/runtime/cell_io.h"
 #include "ladder/driver/compile.h"
+#include "supervisor/map/map_file.h"
 #include "tests/support/lock_step/host_machine.h"
 #include "tests/support/temporary_folder.h"
 
@@ -188,6 +189,140 @@ TEST_F(TuggerCell, WhenAFigureIsWrong_ThenItsKeyIsNamed) {
   expect(scene + kStart + "[plant.train]\nhitch_m = 0\n", "C0004", 8);
   expect(scene + kStart + "[plant.train]\nhitch = 1.0\n", "C0002", 8);
   expect(scene + kStart + "[plant.ports]\nhitch_6 = \"%IW0\"\n", "C0301", 8);
+}
+
+TEST_F(TuggerCell, WhenNoFigureIsGiven_ThenTheyAreThoseOfThePlant) {
+  const auto reading = read("scene = \"hall.geojson\"\n" + kStart);
+  const auto made = tugger_parameters(reading.config.plant);
+  ASSERT_TRUE(made) << result::to_string(made.error());
+  const assemblies::TuggerParameters plain;
+  EXPECT_EQ(made->drive.top_speed_m_s, plain.drive.top_speed_m_s);
+  EXPECT_EQ(made->drive.time_constant_s, plain.drive.time_constant_s);
+  EXPECT_EQ(made->drive.acceleration_m_s2, plain.drive.acceleration_m_s2);
+  EXPECT_EQ(made->drive.braking_m_s2, plain.drive.braking_m_s2);
+  EXPECT_EQ(made->drive.spring_brake_m_s2, plain.drive.spring_brake_m_s2);
+  EXPECT_EQ(made->drive.tractor_kg, plain.drive.tractor_kg);
+  EXPECT_EQ(made->drive.trailer_kg, plain.drive.trailer_kg);
+  EXPECT_EQ(made->steering.full_lock_rad, plain.steering.full_lock_rad);
+  EXPECT_EQ(made->steering.time_constant_s, plain.steering.time_constant_s);
+  EXPECT_EQ(made->steering.rate_rad_s, plain.steering.rate_rad_s);
+  EXPECT_EQ(made->slip.drive_slip, plain.slip.drive_slip);
+  EXPECT_EQ(made->slip.understeer_s2_m2, plain.slip.understeer_s2_m2);
+  EXPECT_EQ(made->slip.hitch_slip_s2_m2, plain.slip.hitch_slip_s2_m2);
+  EXPECT_EQ(made->noise.position_m, plain.noise.position_m);
+  EXPECT_EQ(made->noise.heading_rad, plain.noise.heading_rad);
+  EXPECT_EQ(made->noise.speed_m_s, plain.noise.speed_m_s);
+  EXPECT_EQ(made->noise.hitch_rad, plain.noise.hitch_rad);
+}
+
+TEST_F(TuggerCell, WhenFiguresOfTheDriveAreGiven_ThenTheTrainHasThem) {
+  const std::string all = "scene = \"hall.geojson\"\nuncertainty = false\n" + kStart +
+                          "[plant.drive]\ntop_speed_m_s = 1.0\ntime_constant_s = 0.5\n"
+                          "acceleration_m_s2 = 0.6\nbraking_m_s2 = 1.5\nspring_brake_m_s2 = 3.0\n"
+                          "tractor_kg = 400.0\ntrailer_kg = 0.0\n"
+                          "[plant.steering]\nfull_lock_rad = 0.7\ntime_constant_s = 0.2\nrate_rad_s = 0.5\n"
+                          "[plant.slip]\ndrive_slip = 0.0\nundersteer_s2_m2 = 0.02\nhitch_slip_s2_m2 = 0.0\n"
+                          "[plant.noise]\nposition_m = 0.5\n";
+  const auto reading = read(all);
+  ASSERT_TRUE(reading.problems.empty()) << result::to_string(reading.problems);
+  const auto made = tugger_parameters(reading.config.plant);
+  ASSERT_TRUE(made) << result::to_string(made.error());
+  EXPECT_EQ(made->drive.top_speed_m_s, 1.0);
+  EXPECT_EQ(made->drive.time_constant_s, 0.5);
+  EXPECT_EQ(made->drive.acceleration_m_s2, 0.6);
+  EXPECT_EQ(made->drive.braking_m_s2, 1.5);
+  EXPECT_EQ(made->drive.spring_brake_m_s2, 3.0);
+  EXPECT_EQ(made->drive.tractor_kg, 400.0);
+  EXPECT_EQ(made->drive.trailer_kg, 0.0);
+  EXPECT_EQ(made->steering.full_lock_rad, 0.7);
+  EXPECT_EQ(made->steering.time_constant_s, 0.2);
+  EXPECT_EQ(made->steering.rate_rad_s, 0.5);
+  EXPECT_EQ(made->slip.understeer_s2_m2, 0.02);
+  EXPECT_EQ(made->slip.hitch_slip_s2_m2, 0.0);
+  EXPECT_EQ(made->noise.position_m, 0.0) << "uncertainty = false";
+  // And it drives with them: asked for 2 m/s it makes 1.
+  std::vector<std::byte> inputs(reading.config.image.input_bytes);
+  std::vector<std::byte> outputs(reading.config.image.output_bytes);
+  outputs[0] = std::byte{0xD0};  // 2000 mm/s
+  outputs[1] = std::byte{0x07};
+  outputs[4] = std::byte{1};
+  auto io = CellIo::create(reading.config);
+  ASSERT_TRUE(io) << result::to_string(io.error());
+  for (std::int64_t scan = 0; scan < 500; ++scan) {
+    (*io)->driver().read_inputs(scan * 10'000'000, inputs);
+    (*io)->driver().write_outputs(scan * 10'000'000, outputs);
+  }
+  EXPECT_NEAR(std::to_integer<int>(inputs[6]) + 256 * std::to_integer<int>(inputs[7]), 1000, 5);
+}
+
+TEST_F(TuggerCell, WhenAFigureOfTheDriveIsWrong_ThenItsKeyIsNamed) {
+  const std::string scene = "scene = \"hall.geojson\"\n" + kStart;
+  expect(scene + "[plant.drive]\ntop_speed_m_s = 0.0\n", "C0004", 8);
+  expect(scene + "[plant.drive]\ntime_constant_s = -1.0\n", "C0004", 8);
+  expect(scene + "[plant.drive]\ntop_speed = 1.0\n", "C0002", 8);
+  expect(scene + "[plant.steering]\nfull_lock_rad = 1.6\n", "C0004", 8);
+  expect(scene + "[plant.slip]\ndrive_slip = 1.0\n", "C0004", 8);
+  expect(scene + "[plant.noise]\nposition_m = -0.1\n", "C0004", 8);
+}
+
+// Of 30 x 20 m in cells of half a metre: free, but for a block where the scene's rack is.
+void write_hall_map(const std::filesystem::path& folder) {
+  fleet::OccupancyGrid grid({.resolution_m = 0.5, .origin = {0, 0}, .columns = 60, .rows = 40});
+  for (int column = 20; column < 40; ++column)
+    for (int row = 16; row < 24; ++row) grid.set({column, row}, true);
+  ASSERT_TRUE(fleet::write_map(grid, folder / "hall.yaml"));
+}
+
+constexpr const char* kPlaces = R"({"type": "FeatureCollection", "features": [
+{"type": "Feature", "properties": {"kind": "proposition", "name": "dock"}, "geometry": {"type": "Polygon",
+ "coordinates": [[[2, 2], [4, 2], [4, 4], [2, 4], [2, 2]]]}}]})";
+
+TEST_F(TuggerCell, WhenTheHallIsARosMap_ThenItsBlockedCellsAreWalls) {
+  write_hall_map(folder_.path());
+  std::ofstream(folder_.path() / "places.geojson") << kPlaces;
+  const auto alone = read("map = \"hall.yaml\"\n" + kStart);
+  ASSERT_TRUE(alone.problems.empty()) << result::to_string(alone.problems);
+  const auto bare = tugger_parameters(alone.config.plant);
+  ASSERT_TRUE(bare) << result::to_string(bare.error());
+  EXPECT_TRUE(bare->places.empty());
+  const auto reading = read("map = \"hall.yaml\"\nscene = \"places.geojson\"\n" + kStart);
+  ASSERT_TRUE(reading.problems.empty()) << result::to_string(reading.problems);
+  const auto made = tugger_parameters(reading.config.plant);
+  ASSERT_TRUE(made) << result::to_string(made.error());
+  ASSERT_EQ(made->walls.size(), 1u);
+  const auto corner = body2d::Vec2{30.0, 20.0};
+  EXPECT_TRUE(std::ranges::any_of(made->walls[0].ring,
+                                  [&](body2d::Vec2 at) { return at.x == corner.x && at.y == corner.y; }));
+  ASSERT_EQ(made->obstacles.size(), 1u) << "blocked cells as one rectangle";
+  EXPECT_EQ(made->obstacles[0].ring.front().x, 10.0);
+  EXPECT_EQ(made->obstacles[0].ring.front().y, 8.0);
+  ASSERT_EQ(made->places.size(), 1u);
+  EXPECT_EQ(made->places[0].name, "dock");
+  expect("map = \"hall.yaml\"\n[plant.start]\nx_m = 15.0\ny_m = 10.0\n", "C0322", 4);
+}
+
+TEST_F(TuggerCell, WhenTheMapIsWrong_ThenItSaysWhere) {
+  write_hall_map(folder_.path());
+  expect("scene = \"hall.yaml\"\n" + kStart, "C0006", 3);
+  expect("map = \"none.yaml\"\n" + kStart, "C0006", 3);
+  // A border of its own beside that of the map.
+  expect("map = \"hall.yaml\"\nscene = \"hall.geojson\"\n" + kStart, "L0405", 0);
+  const auto reading = read("map = \"hall.yaml\"\n" + kStart);
+  ASSERT_TRUE(reading.problems.empty()) << result::to_string(reading.problems);
+  const auto expect_map = [&](const std::string& text, const std::string& code) {
+    std::ofstream(folder_.path() / "hall.yaml") << text;
+    const result::Diagnostics problems = check_cell_io(reading.config);
+    ASSERT_FALSE(problems.empty()) << text;
+    EXPECT_EQ(problems.front().code, code) << result::to_string(problems);
+    EXPECT_NE(problems.front().where.file.find("hall."), std::string::npos) << result::to_string(problems);
+  };
+  expect_map("image: [", "F0102");
+  expect_map("image: hall.pgm\nresolution: -1\norigin: [0, 0, 0]\n", "F0103");
+  std::ofstream(folder_.path() / "hall.pgm") << "P5 no image";
+  expect_map(
+      "image: hall.pgm\nresolution: 0.5\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.65\n"
+      "free_thresh: 0.196\n",
+      "F0104");
 }
 
 TEST_F(TuggerCell, WhenALinkStandsInAWall_ThenTheStartIsNamed) {

@@ -40,7 +40,7 @@ const said = (cell) => JSON.parse(cell.greeting());
 
 test('Cell_WhenItKnowsNothing_ThenItBeginsWithNothing', () => {
   const message = said(new Cell());
-  assert.deepEqual(message, { type: 'begin', protocol: 3, epoch: '', show: { number: 1, digest: '', tags: [], also: ['plan', 'routes'] } });
+  assert.deepEqual(message, { type: 'begin', protocol: 3, epoch: '', show: { number: 1, digest: '', tags: [], also: ['plan', 'routes', 'pictures'] } });
 });
 
 test('Cell_WhenVariablesAreTold_ThenTheOthersAreNotKnown', () => {
@@ -65,7 +65,7 @@ test('Cell_WhenItsServerIsLost_ThenItSaysWhatItHas', () => {
   cell.take({ type: 'delta', seq: 6, scan: 8 });
   const { epoch, has, show } = said(cell);
   assert.equal(epoch, 'e1');
-  assert.deepEqual(has, { seq: 6, program: 1, plan: 4, routes: 0, alarms: 9, forces: 0, tags: true, trend_run: 2, trend_next: 42 });
+  assert.deepEqual(has, { seq: 6, program: 1, plan: 4, routes: 0, pictures: 0, alarms: 9, forces: 0, tags: true, trend_run: 2, trend_next: 42 });
   assert.deepEqual(show.tags, [[0, 2]]);
   cell.showTags({}, [3]);
   assert.equal(said(cell).has.tags, false, 'of what it wants now it has not all');
@@ -87,7 +87,7 @@ test('Cell_WhenTheServerIsAnother_ThenNothingOfTheOldOneStays', () => {
   assert.deepEqual(cell.trend.times, []);
   const { epoch, has } = said(cell);
   assert.equal(epoch, 'e2');
-  assert.deepEqual(has, { seq: 0, program: 0, plan: 0, routes: 0, alarms: 0, forces: 0, tags: false, trend_run: 0, trend_next: 0 });
+  assert.deepEqual(has, { seq: 0, program: 0, plan: 0, routes: 0, pictures: 0, alarms: 0, forces: 0, tags: false, trend_run: 0, trend_next: 0 });
 });
 
 test('Cell_WhenTheServerSpeaksAnotherProtocol_ThenThePageIsLoadedAnew', () => {
@@ -99,9 +99,9 @@ test('Cell_WhenTheServerSpeaksAnotherProtocol_ThenThePageIsLoadedAnew', () => {
 test('Cell_WhenTheProgramChanges_ThenIndicesOfTheOldOneAreAskedForNoMore', () => {
   const cell = cellAt(hello('e1'), program());
   cell.showTags({}, [0, 1]);
-  assert.deepEqual(said(cell).show, { number: 1, digest: 'ab', tags: [[0, 2]], also: ['plan', 'routes'] });
+  assert.deepEqual(said(cell).show, { number: 1, digest: 'ab', tags: [[0, 2]], also: ['plan', 'routes', 'pictures'] });
   cell.take(program('cd', 2));
-  assert.deepEqual(said(cell).show, { number: 2, digest: 'cd', tags: [], also: ['plan', 'routes'] });
+  assert.deepEqual(said(cell).show, { number: 2, digest: 'cd', tags: [], also: ['plan', 'routes', 'pictures'] });
 });
 
 test('Cell_WhenSomebodyLogsOut_ThenItIsClosedAndItsServerIsNotLost', () => {

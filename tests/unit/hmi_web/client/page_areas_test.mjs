@@ -11,12 +11,13 @@ const page = await load(process.env.CLIENT, ['shell/page_areas']);
 
 const COLUMNS = { single: 1, narrow: 2, wide: 3 };
 
-const cells = [false, true].flatMap((plant) =>
-  [false, true].flatMap((plan) => [false, true].flatMap((levels) => [false, true].map((monitors) => ({ plant, plan, levels, monitors })))));
+const PARTS = ['plant', 'pictures', 'plan', 'levels', 'monitors'];
+const cells = Array.from({ length: 2 ** PARTS.length }, (_, bits) => Object.fromEntries(PARTS.map((part, k) => [part, (bits >> k) % 2 === 1])));
 
-const panelsOf = ({ plant, plan, levels, monitors }) =>
+const panelsOf = ({ plant, pictures, plan, levels, monitors }) =>
   [
     ...(plant ? ['synoptic'] : []),
+    ...(pictures ? ['pictures'] : []),
     ...(plan ? ['plan', 'incidents', 'state', 'replans'] : []),
     ...(levels ? ['trend'] : []),
     ...(monitors ? ['monitors'] : []),

@@ -42,11 +42,11 @@ test('Wanted_WhenPanelsShowTags_ThenAllOfThemAreAskedFor', () => {
   wanted.show(table, [1, 2]);
   wanted.show(program, [2, 7]);
   wanted.showTrend(1);
-  assert.deepEqual(wanted.next(), { number: 1, digest: 'ab', tags: [[1, 2], [7, 1]], also: ['plan', 'routes', 'trend'] });
+  assert.deepEqual(wanted.next(), { number: 1, digest: 'ab', tags: [[1, 2], [7, 1]], also: ['plan', 'routes', 'pictures', 'trend'] });
   assert.equal(wanted.next(), null, 'nothing is said twice');
   wanted.show(program, []);
   wanted.showTrend(-1);
-  assert.deepEqual(wanted.next(), { number: 2, digest: 'ab', tags: [[1, 2]], also: ['plan', 'routes'] });
+  assert.deepEqual(wanted.next(), { number: 2, digest: 'ab', tags: [[1, 2]], also: ['plan', 'routes', 'pictures'] });
 });
 
 test('Wanted_WhenTheProgramIsAnother_ThenOldIndicesAreForgotten', () => {
@@ -55,7 +55,7 @@ test('Wanted_WhenTheProgramIsAnother_ThenOldIndicesAreForgotten', () => {
   wanted.setProgram('ab', 100);
   assert.deepEqual(wanted.first().tags, [[1, 2]]);
   wanted.setProgram('cd', 100);
-  assert.deepEqual(wanted.first(), { number: 2, digest: 'cd', tags: [], also: ['plan', 'routes'] });
+  assert.deepEqual(wanted.first(), { number: 2, digest: 'cd', tags: [], also: ['plan', 'routes', 'pictures'] });
 });
 
 test('Wanted_WhenAPanelNamesWhatTheProgramHasNot_ThenItIsLeftOut', () => {

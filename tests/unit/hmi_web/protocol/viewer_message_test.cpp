@@ -11,8 +11,8 @@ namespace {
 
 const std::string kBegin =
     R"({"type":"begin","protocol":3,"epoch":"e1","has":{"seq":12,"tags":true,"program":1,"plan":2,"routes":3,)"
-    R"("alarms":4,"forces":5,"trend_run":6,"trend_next":700},"show":{"number":3,"digest":"ab","tags":[[0,4],)"
-    R"([9,1]],"also":["plan","trend"]}})";
+    R"("pictures":8,"alarms":4,"forces":5,"trend_run":6,"trend_next":700},)"
+    R"("show":{"number":3,"digest":"ab","tags":[[0,4],[9,1]],"also":["plan","pictures","trend"]}})";
 
 TEST(ViewerMessage, WhenAPageBegins_ThenWhatItHasAndWantsIsRead) {
   const auto message = read_viewer_message(kBegin);
@@ -23,11 +23,13 @@ TEST(ViewerMessage, WhenAPageBegins_ThenWhatItHasAndWantsIsRead) {
   EXPECT_EQ(message->epoch, "e1");
   EXPECT_EQ(message->has.sequence, 12u);
   EXPECT_TRUE(message->has.tags);
+  EXPECT_EQ(message->has.pictures, 8u);
   EXPECT_EQ(message->has.forces, 5u);
   EXPECT_EQ(message->has.trend_next, 700u);
   EXPECT_EQ(message->show.number, 3u);
   EXPECT_EQ(message->show.tags, (TagChoice{false, "ab", {{0, 4}, {9, 1}}}));
   EXPECT_TRUE(message->show.plan);
+  EXPECT_TRUE(message->show.pictures);
   EXPECT_TRUE(message->show.trend);
   EXPECT_FALSE(message->show.routes);
 }

@@ -128,6 +128,30 @@ TEST_F(FeedTest, WhenOnlyAStateOfAFleetChanges_ThenItsRoutesAreNotSentAgain) {
   EXPECT_EQ(types(drain(cursor)), (Types{"routes", "plan"}));
 }
 
+TEST_F(FeedTest, WhenPicturesChange_ThenTheyAreSentOnceAndBeforeTheirPlan) {
+  view_.plan = R"({"phase":"executing"})";
+  view_.pictures = R"({"pictures":[{"kind":"floor","id":"hall"}]})";
+  update();
+  Feed::Cursor cursor = viewer();
+  EXPECT_EQ(types(drain(cursor)), (Types{"hello", "state", "pictures", "plan", "trend"}));
+
+  view_.plan = R"({"phase":"done"})";
+  update();
+  EXPECT_EQ(types(drain(cursor)), Types{"plan"});
+
+  view_.pictures = R"({"pictures":[{"kind":"floor","id":"hall","length_m":3}]})";
+  update();
+  const auto messages = drain(cursor);
+  ASSERT_EQ(types(messages), Types{"pictures"});
+  EXPECT_EQ(messages[0]["revision"], 2);
+  EXPECT_EQ(messages[0]["pictures"][0]["length_m"], 3);
+
+  view_.pictures = "{ broken";
+  EXPECT_FALSE(update());
+  Feed::Cursor back = viewer(begin(R"("tags":"all")", R"("seq":1,"pictures":2)"));
+  for (const std::string& type : types(drain(back))) EXPECT_NE(type, "pictures") << "it has them";
+}
+
 TEST_F(FeedTest, WhenThePlanIsBroken_ThenTheLastGoodOneStays) {
   view_.plan = R"({"phase":"executing"})";
   update();

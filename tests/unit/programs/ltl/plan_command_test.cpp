@@ -31,6 +31,23 @@ class PlanCommand : public support::CommandRun {
   }
 };
 
+// By its times a run may end sooner or later; without time for shorter plans it is the seed's first one.
+TEST_F(PlanCommand, WhenItRunsOnOneThreadOrOnTwo_ThenThePlanIsTheSame) {
+  const std::string task = problem("visit p1, visit p2");
+  nlohmann::json plans[2];
+  for (const int threads : {1, 2}) {
+    ASSERT_EQ(run("ltl " + task + " --time 600 --shorten 0 --seed 5 --threads " + std::to_string(threads) +
+                  " --json " + path("plan.json")),
+              0)
+        << errors;
+    plans[threads - 1] = nlohmann::json::parse(text("plan.json"));
+    EXPECT_EQ(plans[threads - 1]["threads"], threads);
+    EXPECT_THAT(output, HasSubstr(threads == 1 ? ", 1 thread\n" : ", 2 threads\n"));
+  }
+  EXPECT_EQ(plans[0]["controls"], plans[1]["controls"]);
+  EXPECT_EQ(run("ltl " + task + " --threads 3"), 2);
+}
+
 TEST_F(PlanCommand, WhenATaskIsPossible_ThenPlanJsonAndPictureAgree) {
   const std::string generous = " --time 600 --shorten 0 --seed 3 ";
   ASSERT_EQ(run(std::string("ltl ") + kBlocks + generous + "--json " + path("plan.json") + " --svg " +

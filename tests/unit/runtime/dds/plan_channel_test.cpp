@@ -44,14 +44,20 @@ TEST(PlanChannel, WhenThereAreSeveralDocuments_ThenEachHasItsOwnPlace) {
   auto publisher = *PlanPublisher::create({59, "supervisor", test_runtime_id()});
   ASSERT_TRUE(publisher->publish_goal_form("form"));
   ASSERT_TRUE(publisher->publish_outlook("outlook"));
+  ASSERT_TRUE(publisher->publish_pictures("pictures"));
   ASSERT_TRUE(publisher->publish("plan"));
   auto subscriber = *PlanSubscriber::create({59, "hmi", test_runtime_id()});
   EXPECT_EQ(subscriber->wait_newer(kPatience), "plan");
   const auto deadline = std::chrono::steady_clock::now() + kPatience;
-  const auto complete = [&] { return subscriber->goal_form() && subscriber->outlook(); };
+  const auto complete = [&] {
+    return subscriber->goal_form() && subscriber->outlook() && subscriber->pictures();
+  };
   while (!complete() && std::chrono::steady_clock::now() < deadline) std::this_thread::sleep_for(5ms);
   EXPECT_EQ(subscriber->goal_form(), "form");
   EXPECT_EQ(subscriber->outlook(), "outlook");
+  EXPECT_EQ(subscriber->pictures(), "pictures");
+  EXPECT_EQ(publisher->publish_pictures(std::string(kMaxPicturesBytes + 1, ' ')).error().front().code,
+            "D0004");
   EXPECT_EQ(publisher->publish_outlook(std::string(kMaxGoalDocumentBytes + 1, ' ')).error().front().code,
             "D0004");
 }

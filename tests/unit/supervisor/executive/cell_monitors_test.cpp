@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "cell/monitors/cell_monitors.h"
+#include "runtime/bytecode/reader/program_info.h"
+#include "supervisor/pddl/plan/describe_run.h"
+#include "supervisor/translate/monitors.h"
 #include "tests/unit/supervisor/executive/bench_fixture.h"
 
 namespace stepwright::executive {
@@ -67,6 +70,36 @@ TEST(ExecutiveCellMonitors, WhenOneStopsTheScan_ThenTheRunIsGivenUpAndTheTrapNam
   EXPECT_NE(record.message.find("monitor 'never_far' failed; the program trapped"), std::string::npos)
       << record.message;
   EXPECT_FALSE(controller.any_output());
+}
+
+// What a monitor reads is there while only the sensors are read, or it is not.
+TEST(ExecutiveCellMonitors, WhenThePlantIsOnlyLookedAt_ThenMonitorsAreThereThatReadNothingOfAPlan) {
+  config::CellConfig config = never_far();
+  config::MonitorConfig few;
+  few.name = "few_alarms";
+  few.formula = "never many";
+  few.let = {{"many", std::string(translate::kAlarmCount) + " > 100", {}}};
+  config.monitors.push_back(few);
+  const auto monitors = cell_monitors::cell_monitors(config);
+  ASSERT_TRUE(monitors) << result::to_string(monitors.error());
+  PlanningOptions options = bench_planning_options();
+  options.watchers = cell_monitors::watchers_of(*monitors);
+  const auto planning = PlanningService::open(options);
+  ASSERT_TRUE(planning) << result::to_string(planning.error());
+  const auto has = [](const PreparedPlan& prepared, const std::string& monitor) {
+    const auto info = reader::ProgramInfo::read(prepared.container);
+    return info && info->find(cell_monitors::failed_tag(monitor)) != nullptr;
+  };
+  for (const bool locate : {false, true}) {
+    const auto look = planning->observer(locate, std::chrono::milliseconds(1'000));
+    ASSERT_TRUE(look) << result::to_string(look.error());
+    EXPECT_TRUE(has(*look, "never_far"));
+    EXPECT_FALSE(has(*look, "few_alarms"));
+  }
+  const auto plan = planning->prepare({.start = {.planning = pddl::to_named(planning->task().initial())}});
+  ASSERT_TRUE(plan) << result::to_string(plan.error());
+  EXPECT_TRUE(has(plan->prepared, "never_far"));
+  EXPECT_TRUE(has(plan->prepared, "few_alarms"));
 }
 
 }  // namespace

@@ -56,6 +56,35 @@ TEST(PointBound, WhenAWayIsKnown_ThenTheBoundIsBelowItByNoMoreThanAPieceForEachP
   EXPECT_EQ(bound_m(floor, "visit press", {11.0, 3.0}), 0.0);
 }
 
+// A run that goes on: the way is that to what is left.
+TEST(PointBound, WhenLettersWereReadBefore_ThenOnlyTheRestIsMeasured) {
+  Problem problem;
+  problem.floor.border = Rectangle{0, 0, 20, 20}.area("border");
+  problem.floor.propositions = {Rectangle{2, 2, 4, 4}.area("press"), Rectangle{14, 2, 18, 6}.area("rack")};
+  problem.start = {8.0, 3.0, 0.0};
+  problem.task = "visit press then visit rack";
+  const auto expect_near = [&](double way_m, double pieces) {
+    const auto bound = point_bound_m(problem);
+    ASSERT_TRUE(bound);
+    EXPECT_LE(*bound, way_m + 1e-9);
+    EXPECT_GE(*bound, way_m - pieces * kPiece_m);
+  };
+  expect_near(4.0 + 10.0, 2.0);
+  problem.read = {0, 1};
+  expect_near(6.0, 1.0);
+  problem.read = {0, 1, 0};
+  expect_near(6.0, 1.0);
+  problem.read = {0, 1, 2};
+  EXPECT_EQ(point_bound_m(problem), 0.0);
+  problem.task = "!rack U press";
+  problem.read = {0, 2};
+  EXPECT_EQ(point_bound_m(problem), PointBound::kNever) << "it is broken already";
+  // Letters count: the start is the letter that was read last, not another one.
+  problem.task = "X X rack";
+  problem.read = {1, 0};
+  expect_near(6.0, 1.0);
+}
+
 TEST(PointBound, WhenAPlaceIsForbidden_ThenTheWayLeadsAroundIt) {
   Floor floor;
   floor.border = Rectangle{0, 0, 20, 20}.area("border");

@@ -14,6 +14,7 @@ TEST(TrainJournal, WhenItIsWritten_ThenTheSameIsRead) {
   const std::filesystem::path file = folder.path() / "journal.json";
   TrainJournal journal;
   journal.task = "visit press";
+  journal.watched = "visit rack";
   journal.state = 3;
   journal.next_request = 2;
   journal.blocked = {{.name = "crate", .ring = {{1, 2}, {3, 2}, {3, 4}}, .where = {}}};
@@ -21,6 +22,7 @@ TEST(TrainJournal, WhenItIsWritten_ThenTheSameIsRead) {
   const auto read = read_train_journal(file);
   ASSERT_TRUE(read && *read);
   EXPECT_EQ((*read)->task, journal.task);
+  EXPECT_EQ((*read)->watched, "visit rack");
   EXPECT_EQ((*read)->state, 3u);
   EXPECT_EQ((*read)->next_request, 2u);
   ASSERT_EQ((*read)->blocked.size(), 1u);

@@ -168,6 +168,59 @@ TEST(TrainMission, WhenTheSupervisorIsRestarted_ThenTheRestOfTheTaskIsDone) {
   EXPECT_EQ(record.episodes.back().actions[0].text, "(reach press)") << "the rack was visited";
 }
 
+TEST(TrainMission, WhenAnotherTaskComesBehindHalfOfTheFirst_ThenItIsDoneFromItsBeginning) {
+  TrainHall hall("visit rack then visit press", 0);
+  TrainMissionOptions options = hall.options();
+  bool asked = false;
+  TrainMission* running = nullptr;
+  TrainMission mission(hall.planning(), hall.controller(), options, [&](const run::RunRecord& record) {
+    if (record.episodes.empty() || asked) return;
+    if (record.episodes[0].actions[0].state != run::ActionState::Done) return;
+    asked = true;
+    EXPECT_TRUE(running->request(GoalChange{"visit wash"}));
+  });
+  running = &mission;
+  const run::RunRecord record = mission.run();
+  expect_done(hall, record);
+  ASSERT_EQ(record.episodes.size(), 2u) << story(record);
+  EXPECT_EQ(record.episodes[1].actions[0].text, "(reach wash)");
+  EXPECT_LT(hall.truth("true_x"), 9.0);
+  EXPECT_GT(hall.truth("true_y"), 13.0);
+}
+
+TEST(TrainMission, WhenAStartBringsATask_ThenThatOneIsPlannedFromTheBeginning) {
+  TrainHall hall("visit press", 0);
+  TrainMissionOptions options = hall.options();
+  options.operator_starts = true;
+  TrainMission* running = nullptr;
+  bool drawn = false;
+  TrainMission mission(hall.planning(), hall.controller(), options, [&](const run::RunRecord& record) {
+    if (record.phase != Phase::Ready) return;
+    drawn |= running->new_pictures().has_value();
+    EXPECT_EQ(run::refusal(*running, R"({"request": "start", "goal": "visit pres"})"), "L0311");
+    EXPECT_EQ(run::refusal(*running, R"({"request": "start", "goal": 3})"), "X0005");
+    EXPECT_EQ(run::refusal(*running, R"({"request": "start", "goal": "visit rack"})"), "");
+  });
+  running = &mission;
+  const run::RunRecord record = mission.run();
+  expect_done(hall, record);
+  EXPECT_EQ(record.goal.front().text, "visit rack");
+  EXPECT_TRUE(record.replans.empty()) << story(record);
+  ASSERT_EQ(record.episodes.size(), 1u);
+  EXPECT_TRUE(drawn) << "the floor is shown before anything moves";
+  const auto pictures = mission.new_pictures();
+  ASSERT_TRUE(pictures);
+  EXPECT_NE(pictures->find(record.episodes[0].digest), std::string::npos);
+  EXPECT_FALSE(mission.new_pictures()) << "they are told once";
+
+  // Another run begins with its start, and with the task that came with it.
+  ASSERT_EQ(run::refusal(mission, R"({"request": "start", "goal": "visit press"})"), "");
+  ASSERT_TRUE(mission.wait_start(std::chrono::milliseconds(0)));
+  const run::RunRecord again = mission.run();
+  EXPECT_EQ(again.phase, Phase::Done) << story(again);
+  EXPECT_EQ(again.goal.front().text, "visit press");
+}
+
 TEST(TrainMission, WhenRequestsMeanNothing_ThenTheyAreRefusedAtOnce) {
   TrainHall hall("visit press", 0);
   TrainMission mission(hall.planning(), hall.controller(), hall.options(), {});

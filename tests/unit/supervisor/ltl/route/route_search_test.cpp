@@ -252,7 +252,7 @@ TEST(RouteSearch, WhenARouteIsTightened_ThenItIsOneStillAndNoLonger) {
     RouteSearch search(setting.graph, TaskStates(task.automaton));
     const Route route = search.route({.at = at, .state = state});
     if (route.size() < 2) return;
-    const Route tight = search.tightened(route, 0.2, std::chrono::steady_clock::time_point::max());
+    const Route tight = search.tightened(route, 0.2, {});
     EXPECT_EQ(tight.front().at, at);
     EXPECT_GE(cost_of(setting, task.automaton, tight), 0.0) << "its ways and states are real ones";
     EXPECT_LE(way_m(tight), way_m(route) + 1e-9);

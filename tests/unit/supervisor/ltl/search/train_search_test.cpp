@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "supervisor/ltl/guide/task.h"
 #include "supervisor/ltl/referee/referee.h"
@@ -30,11 +31,13 @@ struct Yard {
     task.emplace(read_task(text, {"press", "rack", "wash"}).value());
     start = standing_at(model, {3.0, 6.0, 1.57});
   }
-  TrainSearch search(SearchGuide use = SearchGuide::OnTheRegions) const {
-    return TrainSearch(floor, *map, *places, model, TaskStates(task->automaton), use);
+  std::unique_ptr<SearchGround> ground(SearchGuide use = SearchGuide::OnTheRegions) const {
+    return std::make_unique<SearchGround>(floor, *map, *places, model, &task->automaton, use);
   }
+  TaskStates states() const { return TaskStates(task->automaton); }
   SearchAnswer first(std::uint64_t seed = 1, std::size_t rounds = 2000) const {
-    TrainSearch each = search();
+    const auto own = ground();
+    TrainSearch each(*own, states());
     return each.first({.start = start, .seed = seed, .most_s = kGenerous_s, .most_rounds = rounds});
   }
   std::string refused(const TrainPlan& plan) const {
@@ -64,7 +67,8 @@ TEST(TrainSearch, WhenTasksAreSmall_ThenEachHasAPlanThatTheRefereeAccepts) {
 
 TEST(TrainSearch, WhenThereIsNoGuide_ThenPlansAreFoundAllTheSame) {
   const Yard yard("visit press then visit rack");
-  TrainSearch search = yard.search(SearchGuide::None);
+  const auto ground = yard.ground(SearchGuide::None);
+  TrainSearch search(*ground, yard.states());
   const SearchAnswer answer = search.first({.start = yard.start, .most_s = kGenerous_s, .most_rounds = 2000});
   ASSERT_EQ(answer.end, SearchEnd::Found);
   EXPECT_EQ(yard.refused(*answer.plan), "");
@@ -72,7 +76,8 @@ TEST(TrainSearch, WhenThereIsNoGuide_ThenPlansAreFoundAllTheSame) {
 
 TEST(TrainSearch, WhenStatesAreThoseOfAProgression_ThenPlansAreFoundAllTheSame) {
   const Yard yard("visit press then visit rack");
-  TrainSearch search(yard.floor, *yard.map, *yard.places, yard.model, TaskStates(yard.task->formula));
+  const SearchGround ground(yard.floor, *yard.map, *yard.places, yard.model, nullptr);
+  TrainSearch search(ground, TaskStates(yard.task->formula));
   const SearchAnswer answer = search.first({.start = yard.start, .most_s = kGenerous_s, .most_rounds = 2000});
   ASSERT_EQ(answer.end, SearchEnd::Found);
   EXPECT_EQ(yard.refused(*answer.plan), "");
@@ -80,7 +85,8 @@ TEST(TrainSearch, WhenStatesAreThoseOfAProgression_ThenPlansAreFoundAllTheSame) 
 
 TEST(TrainSearch, WhenAPlanIsOfNoUse_ThenASearchByChanceFindsOthers) {
   const Yard yard("visit press", 3);
-  TrainSearch search = yard.search();
+  const auto ground = yard.ground();
+  TrainSearch search(*ground, yard.states());
   std::vector<double> lengths;
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     const SearchAnswer answer = search.first(
@@ -145,12 +151,15 @@ TEST(TrainSearch, WhenNoPointCanDoIt_ThenItEndsBeforeItBegins) {
 TEST(TrainSearch, WhenItHasNoRoundsNoTimeOrIsCancelled_ThenItEnds) {
   const Yard yard("visit press");
   EXPECT_EQ(yard.first(1, 0).end, SearchEnd::Bound);
-  TrainSearch search = yard.search();
+  const auto ground = yard.ground();
+  TrainSearch search(*ground, yard.states());
   EXPECT_EQ(search.first({.start = yard.start, .most_s = 0.0}).end, SearchEnd::Bound);
   const std::atomic<bool> cancel{true};
   const SearchQuery query{.start = yard.start, .most_s = kGenerous_s, .cancel = &cancel};
   EXPECT_EQ(search.first(query).end, SearchEnd::Cancelled);
-  EXPECT_EQ(search.shorter(query, 100.0).end, SearchEnd::Cancelled);
+  const std::atomic<bool> enough{true};
+  EXPECT_EQ(search.first({.start = yard.start, .most_s = kGenerous_s, .enough = &enough}).end,
+            SearchEnd::Bound);
 }
 
 TEST(TrainSearch, WhenNoTrainCanDoIt_ThenItEndsWithItsRounds) {
@@ -164,18 +173,21 @@ TEST(TrainSearch, WhenNoTrainCanDoIt_ThenItEndsWithItsRounds) {
   EXPECT_FALSE(answer.plan);
 }
 
-TEST(TrainSearch, WhenAskedForAShorterPlan_ThenItIsShorterAndHolds) {
-  const Yard yard("visit press then visit rack", 2);
-  TrainSearch search = yard.search();
-  const SearchQuery query{.start = yard.start, .most_s = kGenerous_s, .most_rounds = 20};
-  const SearchAnswer first = search.first(query);
-  ASSERT_TRUE(first.plan);
-  const SearchAnswer shorter = search.shorter(query, first.plan->length_m);
-  if (shorter.plan) {
-    EXPECT_LT(shorter.plan->length_m, first.plan->length_m);
-    EXPECT_EQ(yard.refused(*shorter.plan), "");
+TEST(TrainSearch, WhenItIsAskedInParts_ThenTheAnswerIsTheSame) {
+  const Yard yard("visit wash then visit press", 3);
+  const auto ground = yard.ground();
+  TrainSearch search(*ground, yard.states());
+  for (const std::uint64_t seed : {2, 1}) {
+    const SearchQuery query{.start = yard.start, .seed = seed, .most_s = kGenerous_s, .by_chance = true};
+    const SearchAnswer whole = search.first(query);
+    search.ask(query);
+    while (!search.go_on(1)) {
+    }
+    ASSERT_TRUE(whole.plan && search.answer().plan);
+    EXPECT_EQ(whole.plan->end, search.answer().plan->end);
+    EXPECT_EQ(whole.steps, search.answer().steps);
+    EXPECT_EQ(whole.nodes, search.answer().nodes);
   }
-  EXPECT_FALSE(search.shorter(query, 1.0).plan) << "shorter than the way to the press";
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "supervisor/pddl/syntax/reporter.h"
+#include "supervisor/pddl/syntax/notation.h"
 #include "supervisor/pddl/task/task.h"
 #include "tests/support/pddl/sample_tasks.h"
 

@@ -1,0 +1,39 @@
+#pragma once
+
+// The parts that domains and problems share: terms, conditions, effects and task networks.
+//
+// Thread rule: one parse, one object. Every function takes its text from the stream and returns false after
+// reporting an error.
+
+#include "supervisor/htn/syntax/syntax_tree.h"
+#include "supervisor/lisp/token_stream.h"
+
+namespace stepwright::htn {
+
+class FormulaParser {
+ public:
+  explicit FormulaParser(lisp::TokenStream& tokens) : tokens_(tokens) {}
+
+  // "(name ?x - t ...)".
+  bool declaration(ParsedSymbol& symbol);
+  // "(?x - t ...)".
+  bool parameters(std::vector<TypedName>& list);
+  // "(name term ...)".
+  bool call(ParsedCall& call);
+  bool formula(ParsedFormula& formula);
+  bool effect(ParsedEffect& effect);
+
+ private:
+  bool term(ParsedTerm& term);
+  bool arguments(ParsedCall& call);
+  bool connective(ParsedFormula& formula, FormulaKind kind);
+  bool quantified(ParsedFormula& formula, FormulaKind kind);
+  bool equality(ParsedFormula& formula);
+  bool effect_body(ParsedEffect& effect, const std::string& head);
+  bool cost(ParsedEffect& effect);
+  bool close() { return tokens_.expect(lisp::TokenKind::Close, "')'"); }
+
+  lisp::TokenStream& tokens_;
+};
+
+}  // namespace stepwright::htn

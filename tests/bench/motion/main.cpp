@@ -1,0 +1,123 @@
+// The ground of motion planning, measured (figures.h), and problems of others planned (problems.h).
+//
+//   bench_motion [--json FILE] [--robot FOLDER]
+//   bench_motion --problems FOLDER --urdf FILE --srdf FILE [--package BEGINNING=FOLDER] [--protrusion M]
+//   [--json FILE]
+
+#include <cstdio>
+#include <exception>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/bench/motion/figures.h"
+#include "tests/bench/motion/problems.h"
+
+namespace stepwright::bench {
+namespace {
+
+int run(const std::string& json_file, const std::string& folder) {
+  const MotionScene scene = motion_scene(folder);
+  const KinematicsFigures arm = measure_kinematics(scene);
+  nlohmann::json out = {{"motion_forward_ns", arm.forward_ns},
+                        {"motion_jacobian_ns", arm.jacobian_ns},
+                        {"motion_all_links_ns", arm.all_links_ns},
+                        {"motion_closed_form_ns", arm.closed_form_ns},
+                        {"motion_arcs_us", arm.arcs_us},
+                        {"motion_newton_us", arm.newton_us},
+                        {"motion_newton_found_percent", arm.newton_found_percent},
+                        {"motion_worst_closed_form_m", arm.worst_closed_form_m},
+                        {"motion_spheres", scene.spheres.count()}};
+  std::printf("tip of seven joints %.0f ns, Jacobian %.0f ns, all %zu links %.0f ns\n", arm.forward_ns,
+              arm.jacobian_ns, scene.robot.links.size(), arm.all_links_ns);
+  std::printf(
+      "closed form, all solutions of a swivel %.0f ns (worst error %.1e m or rad), all arcs %.2f us\n",
+      arm.closed_form_ns, arm.worst_closed_form_m, arm.arcs_us);
+  std::printf("Newton, one solution %.1f us, found %.1f %%\n", arm.newton_us, arm.newton_found_percent);
+  double best = 0.0, fcl = 0.0;
+  for (const CheckFigures& each : measure_checks(scene)) {
+    std::printf("%-18s %12.0f checks a second, %.1f %% collide\n", each.name.c_str(), each.per_s,
+                each.colliding_percent);
+    out["motion_checks"][each.name] = each.per_s;
+    if (each.name == "FCL, same spheres")
+      fcl = each.per_s;
+    else if (fcl == 0.0)
+      best = std::max(best, each.per_s);
+  }
+  out["motion_ratio_to_fcl"] = best / fcl;
+  std::printf("%zu spheres; %.0f times as fast as FCL with the same spheres\n", scene.spheres.count(),
+              best / fcl);
+  if (json_file.empty()) return 0;
+  std::ofstream file(json_file);
+  file << out.dump(2) << "\n";
+  return file.flush() ? 0 : 1;
+}
+
+int run_problems(const ProblemFolders& folders, const std::string& json_file) {
+  const ProblemFigures found = plan_problems(folders);
+  const std::size_t valid = found.problems - found.ends_collide_exactly;
+  std::printf(
+      "%zu problems, %zu valid, %zu solved; ends collide by spheres alone %zu, tries ended %zu; %zu "
+      "spheres\n",
+      found.problems, valid, found.solved, found.ends_collide_by_spheres, found.exhausted, found.spheres);
+  std::printf("planned and shortened: median %.2f ms, p95 %.2f ms\n", found.median_ms, found.p95_ms);
+  std::printf(
+      "with every motion judged by FCL: median %.1f ms, p95 %.1f ms; first path refused %zu times; of the "
+      "paths "
+      "returned %zu refused\n",
+      found.certain_median_ms, found.certain_p95_ms, found.refused_once, found.recheck_refuses);
+  const nlohmann::json out = {{"motion_problems", found.problems},
+                              {"motion_valid", valid},
+                              {"motion_solved", found.solved},
+                              {"motion_median_ms", found.median_ms},
+                              {"motion_p95_ms", found.p95_ms},
+                              {"motion_certain_median_ms", found.certain_median_ms},
+                              {"motion_certain_p95_ms", found.certain_p95_ms},
+                              {"motion_refused_once", found.refused_once},
+                              {"motion_recheck_refuses", found.recheck_refuses}};
+  if (json_file.empty()) return 0;
+  std::ofstream file(json_file);
+  file << out.dump(2) << "\n";
+  return file.flush() ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace stepwright::bench
+
+int main(int argc, char** argv) {
+  std::string json_file, folder = "tests/cells/robot_cell";
+  stepwright::bench::ProblemFolders problems;
+  bool sound = argc % 2 == 1;
+  try {
+    for (int k = 1; k + 1 < argc; k += 2) {
+      const std::string option = argv[k], value = argv[k + 1];
+      if (option == "--json")
+        json_file = value;
+      else if (option == "--robot")
+        folder = value;
+      else if (option == "--problems")
+        problems.problems = value;
+      else if (option == "--urdf")
+        problems.urdf = value;
+      else if (option == "--srdf")
+        problems.srdf = value;
+      else if (option == "--protrusion")
+        problems.protrusion_m = std::stod(value);
+      else if (const auto equals = value.find('='); option == "--package" && equals != std::string::npos)
+        problems.packages.emplace_back(value.substr(0, equals), value.substr(equals + 1));
+      else
+        sound = false;
+    }
+    if (sound)
+      return problems.problems.empty() ? stepwright::bench::run(json_file, folder)
+                                       : stepwright::bench::run_problems(problems, json_file);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "bench_motion: %s\n", error.what());
+    return 1;
+  }
+  std::fprintf(stderr,
+               "usage: bench_motion [--json FILE] [--robot FOLDER]\n"
+               "       bench_motion --problems FOLDER --urdf FILE --srdf FILE [--package BEGINNING=FOLDER]\n"
+               "                    [--protrusion M] [--json FILE]\n");
+  return 2;
+}

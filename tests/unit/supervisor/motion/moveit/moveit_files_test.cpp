@@ -1,0 +1,149 @@
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "supervisor/motion/moveit/moveit_request.h"
+#include "tests/unit/supervisor/motion/robots.h"
+
+namespace stepwright::motion {
+namespace {
+
+const std::string kScene = R"(name: ""
+robot_state:
+  joint_state: {name: [left_joint_1], position: [0]}
+allowed_collision_matrix:
+  entry_names: [a, b, c]
+  entry_values:
+    - [false, true, false]
+    - [true, false, false]
+    - enabled: [false, false, false]
+world:
+  collision_objects:
+    - id: can
+      primitives: [{type: cylinder, dimensions: [0.12, 0.03]}]
+      primitive_poses:
+        - {position: [0.3, 0.8, 0.29], orientation: [0, 0, 0.70710678, 0.70710678]}
+    - id: shelf
+      pose: {position: [1, 0, 0]}
+      primitives:
+        - {type: box, dimensions: [0.1, 0.2, 0.3]}
+        - {type: 2, dimensions: [0.4]}
+      primitive_poses: [{position: [0, 0, 1]}, {position: [0, 0, 2], orientation: [0, 0, 0, 1]}]
+)";
+
+const std::string kRequest = R"(group_name: left_arm
+start_state:
+  joint_state: {name: [left_joint_1, left_joint_2, left_hand_mount], position: [0.1, 0.2, 0]}
+goal_constraints:
+  - joint_constraints:
+      - {joint_name: left_joint_1, position: 0.5}
+      - position: -0.25
+        joint_name: left_joint_2
+)";
+
+template <typename Read>
+std::string first_wrong(const Read& read) {
+  if (read) return "none";
+  const auto& first = read.error().front();
+  EXPECT_EQ(first.where.file, "f.yaml");
+  return std::to_string(first.where.line) + ":" + std::to_string(first.where.column) + " " + first.code;
+}
+std::string replaced(std::string text, const std::string& what, const std::string& by) {
+  EXPECT_NE(text.find(what), std::string::npos) << what;
+  return text.replace(text.find(what), what.size(), by);
+}
+
+TEST(MoveItScene, WhenItIsSound_ThenItsObjectsAreTheWorld) {
+  const auto scene = read_moveit_scene(kScene, "f.yaml");
+  ASSERT_TRUE(scene) << to_string(scene.error());
+  ASSERT_EQ(scene->world.obstacles.size(), 3u);
+  const auto& can = scene->world.obstacles[0];
+  EXPECT_EQ(can.name, "can");
+  EXPECT_EQ(can.shape.kind, ShapeKind::Cylinder);
+  EXPECT_EQ(can.shape.length_m, 0.12);
+  EXPECT_EQ(can.shape.radius_m, 0.03);
+  EXPECT_LT(distance(can.shape.origin.rotation * Vector3{1, 0, 0}, {0, 1, 0}), 1e-7);
+  EXPECT_EQ(scene->world.obstacles[1].shape.origin.position_m, (Vector3{1, 0, 1}));
+  EXPECT_EQ(scene->world.obstacles[1].shape.size_m, (Vector3{0.1, 0.2, 0.3}));
+  EXPECT_EQ(scene->world.obstacles[2].shape.kind, ShapeKind::Sphere);
+  EXPECT_EQ(scene->allowed, (std::vector<std::pair<std::string, std::string>>{{"a", "b"}}));
+}
+
+TEST(MoveItScene, WhenItIsWrong_ThenThePlaceIsSaid) {
+  const auto wrong = [](const std::string& what, const std::string& by) {
+    return first_wrong(read_moveit_scene(replaced(kScene, what, by), "f.yaml"));
+  };
+  EXPECT_EQ(first_wrong(read_moveit_scene("a: [", "f.yaml")).substr(4), "A0401");
+  EXPECT_EQ(first_wrong(read_moveit_scene("[]", "f.yaml")), "1:1 A0401");
+  EXPECT_EQ(first_wrong(read_moveit_scene("name: x", "f.yaml")), "1:1 A0402");
+  EXPECT_EQ(wrong("type: cylinder", "type: cone"), "13:20 A0403");
+  EXPECT_EQ(wrong("[0.12, 0.03]", "[0.12]"), "13:49 A0402");
+  EXPECT_EQ(wrong("[0.12, 0.03]", "[0.12, -1]"), "13:49 A0402");
+  EXPECT_EQ(wrong("[0.12, 0.03]", "[0.12, x]"), "13:56 A0402");
+  EXPECT_EQ(wrong("[0.12, 0.03]", "[0.12, .inf]"), "13:56 A0402");
+  EXPECT_EQ(wrong("0.70710678, 0.70710678]", "0, 0]"), "15:53 A0402");
+  EXPECT_EQ(wrong(", {position: [0, 0, 2], orientation: [0, 0, 0, 1]}", ""), "16:7 A0402");
+  EXPECT_EQ(wrong("pose: {position: [1, 0, 0]}", "meshes: [{}]"), "16:7 A0403");
+  EXPECT_EQ(wrong("    - [true, false, false]\n", ""), "5:3 A0402");
+  EXPECT_EQ(wrong("joint_state: {name: [left_joint_1], position: [0]}", "attached_collision_objects: [{}]"),
+            "3:3 A0403");
+}
+
+TEST(MoveItRequest, WhenItIsSound_ThenGroupStartAndGoalAreRead) {
+  const auto request = read_moveit_request(kRequest, "f.yaml");
+  ASSERT_TRUE(request) << to_string(request.error());
+  EXPECT_EQ(request->group, "left_arm");
+  ASSERT_EQ(request->goal.size(), 2u);
+  const Robot robot = tests::two_arms();
+  std::vector<double> values(robot.coordinates.size(), 7.0);
+  const auto start = values_for(robot, request->start, values);
+  ASSERT_TRUE(start);
+  const auto goal = values_for(robot, request->goal, *start);
+  ASSERT_TRUE(goal);
+  EXPECT_EQ((*start)[static_cast<std::size_t>(robot.coordinate("left_joint_2"))], 0.2);
+  EXPECT_EQ((*goal)[static_cast<std::size_t>(robot.coordinate("left_joint_2"))], -0.25);
+  EXPECT_EQ((*goal)[static_cast<std::size_t>(robot.coordinate("left_joint_3"))], 7.0);
+}
+
+TEST(MoveItRequest, WhenItIsWrong_ThenThePlaceIsSaid) {
+  const auto wrong = [](const std::string& what, const std::string& by) {
+    return first_wrong(read_moveit_request(replaced(kRequest, what, by), "f.yaml"));
+  };
+  EXPECT_EQ(wrong("group_name: left_arm\n", ""), "1:1 A0402");
+  EXPECT_EQ(wrong("position: [0.1, 0.2, 0]", "position: [0.1]"), "3:16 A0402");
+  EXPECT_EQ(wrong("position: 0.5", "position: [1]"), "6:46 A0402");
+  EXPECT_EQ(wrong("position: 0.5", "tolerance: 1"), "6:9 A0402");
+  EXPECT_EQ(wrong("joint_constraints:", "position_constraints: [{}]\n    joint_constraints:"), "5:27 A0403");
+  const auto request = read_moveit_request(replaced(kRequest, "left_joint_2\n", "left_joint_22\n"), "f.yaml");
+  ASSERT_TRUE(request);
+  const Robot robot = tests::two_arms();
+  const auto goal = values_for(robot, request->goal, std::vector<double>(robot.coordinates.size()));
+  ASSERT_FALSE(goal);
+  EXPECT_EQ(first_wrong(goal), "8:21 A0404");
+  EXPECT_EQ(goal.error()[0].hint.substr(0, 12), "did you mean");
+}
+
+TEST(MoveItFiles, WhenTheyAreDamaged_ThenTheyAreReadOrRefused) {
+  std::mt19937 random(3);
+  const auto below = [&](std::size_t end) {
+    return std::uniform_int_distribution<std::size_t>(0, end - 1)(random);
+  };
+  int refused = 0;
+  for (int k = 0; k < 600; ++k) {
+    std::string text = k % 2 == 0 ? kScene : kRequest;
+    for (int n = 0; n < 3; ++n) {
+      if (below(2) == 0)
+        text[below(text.size())] = static_cast<char>(below(256));
+      else
+        text.erase(below(text.size()), 1 + below(20));
+    }
+    if (k % 2 == 0)
+      refused += !read_moveit_scene(text, "f.yaml");
+    else
+      refused += !read_moveit_request(text, "f.yaml");
+  }
+  EXPECT_GT(refused, 100);
+}
+
+}  // namespace
+}  // namespace stepwright::motion
