@@ -1,5 +1,7 @@
 #include "cell/config/tugger_config.h"
 
+#include <utility>
+
 namespace stepwright::config {
 namespace {
 
@@ -21,11 +23,15 @@ constexpr Range kNoise{0.0, 1.0};
 
 TrainConfig read_train(const TomlTable& table) {
   TrainConfig train;
-  train.wheelbase_m = table.number("wheelbase_m", train.wheelbase_m, kFigure);
-  train.hitch_m = table.number("hitch_m", train.hitch_m, kFigure);
-  train.length_m = table.number("length_m", train.length_m, kFigure);
-  train.width_m = table.number("width_m", train.width_m, kFigure);
-  train.spacing_m = table.number("spacing_m", train.spacing_m, kFigure);
+  const std::pair<const char*, double*> figures[] = {{"wheelbase_m", &train.wheelbase_m},
+                                                     {"hitch_m", &train.hitch_m},
+                                                     {"length_m", &train.length_m},
+                                                     {"width_m", &train.width_m},
+                                                     {"spacing_m", &train.spacing_m}};
+  for (const auto& [key, figure] : figures) {
+    *figure = table.number(key, *figure, kFigure);
+    train.where[key] = table.where(key);
+  }
   return train;
 }
 
@@ -86,6 +92,7 @@ TuggerPlantConfig read_tugger_plant(const TomlTable& plant, const std::filesyste
   tugger.trailers = static_cast<std::size_t>(plant.integer("trailers", 5, kTrailers));
   const auto as_many = static_cast<std::int64_t>(tugger.trailers);
   tugger.most_trailers = static_cast<std::size_t>(plant.integer("most_trailers", as_many, kTrailers));
+  tugger.most_where = plant.where(plant.has("most_trailers") ? "most_trailers" : "trailers");
   if (tugger.most_trailers < tugger.trailers)
     plant.report("most_trailers", "less than the trailers that are coupled at the start");
   tugger.scanner_m = plant.number("scanner_m", tugger.scanner_m, {0.1, 100.0});

@@ -51,6 +51,9 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
 #include <vector>
 
 #include "cell/config/place_config.h"
@@ -63,6 +66,8 @@ struct TrainConfig {
   double length_m = 0.9;
   double width_m = 0.5;
   double spacing_m = 1.0;
+  // Of each figure by its key; of the table, where the file does not name the figure.
+  std::map<std::string, result::Location, std::less<>> where{};
 };
 
 // Defaults are those of plant_models/assemblies/tugger_parameters.h, which says what each one is.
@@ -100,6 +105,7 @@ struct TuggerPlantConfig {
   std::filesystem::path map;    // empty: the scene has the border
   std::size_t trailers = 5;
   std::size_t most_trailers = 5;
+  result::Location most_where;  // of what says how many there can be
   double scanner_m = 2.5;
   PlaceConfig start;
   TrainConfig train;

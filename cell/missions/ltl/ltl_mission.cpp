@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "cell/config/port_reader.h"
 #include "cell/missions/ltl/table/ltl_table.h"
 #include "cell/missions/ltl/train_of_plant.h"
+#include "cell/missions/ltl/train_wires.h"
 #include "cell/missions/mission_kinds.h"
 #include "cell/monitors/cell_monitors.h"
 #include "supervisor/ltl/mission/train_mission.h"
@@ -31,36 +31,9 @@ result::Result<ltl::Problem> read_problem(const config::CellConfig& config) {
   auto problem = ltl::read_planning_problem(text.str(), table.problem, train_of(config.plant));
   if (!problem) return problem;
   if (!table.task.empty()) problem->task = table.task;
+  if (auto good = check_agrees(config.plant, problem->train); !good) return result::forward(good);
   keep_within(config.plant, problem->train);
   return problem;
-}
-
-// As [plant.ports] says, without it in a row.
-result::Result<ltl::TrainTerminals> terminals_of(const config::CellConfig& config,
-                                                 const ltl::Problem& problem) {
-  const std::size_t trailers = problem.train.trailers;
-  const std::vector<std::string> places = problem.places();
-  if (config.plant.ports.empty()) return ltl::train_terminals_in_a_row(trailers, places.size());
-  config::PortReader ports(config);
-  ltl::TrainTerminals all;
-  const std::pair<const char*, std::string*> named[] = {{"x", &all.x},
-                                                        {"y", &all.y},
-                                                        {"heading", &all.heading},
-                                                        {"speed", &all.speed},
-                                                        {"lock", &all.lock},
-                                                        {"trailers", &all.trailers},
-                                                        {"bumper", &all.bumper},
-                                                        {"estop_ok", &all.estop_ok},
-                                                        {"way_free", &all.way_free},
-                                                        {"set_speed", &all.set_speed},
-                                                        {"set_lock", &all.set_lock},
-                                                        {"enable", &all.enable}};
-  for (const auto& [name, address] : named) *address = ports.address(name);
-  for (std::size_t k = 1; k <= trailers; ++k)
-    all.hitches.push_back(ports.address("hitch_" + std::to_string(k)));
-  for (const std::string& place : places) all.at.push_back(ports.address("at_" + place));
-  if (auto wrong = ports.take(); !wrong.empty()) return tl::unexpected(std::move(wrong));
-  return all;
 }
 
 // What is asked for at given times; a name that means nothing is X0003, a wrong task at its own code.

@@ -7,10 +7,12 @@
 // Pure functions; any thread.
 //
 //   auto problem = ltl::read_planning_problem(text, file, train_of(config.plant));
+//   if (auto good = check_agrees(config.plant, problem->train); !good) return result::forward(good);
 //   keep_within(config.plant, problem->train);
 //   options.program.drive = drive_of(config.plant, table.top_speed_m_s);
 
 #include "cell/config/cell_config.h"
+#include "runtime/ground/result/result.h"
 #include "supervisor/ltl/program/train_way.h"
 #include "supervisor/ltl/train/train_model.h"
 
@@ -18,6 +20,11 @@ namespace stepwright::missions {
 
 // Sizes and limits; how many trailers there are is for the problem to say.
 ltl::TrainModel train_of(const config::PlantConfig& plant);
+
+// L0504 at the plant's key: a size that the problem names is another one than the simulated train's, or the
+// problem's train has more trailers than can be coupled there.
+[[nodiscard]] result::Result<void> check_agrees(const config::PlantConfig& plant,
+                                                const ltl::TrainModel& train);
 
 // Limits of speed, steering and their changes: the lower one of both.
 void keep_within(const config::PlantConfig& plant, ltl::TrainModel& train);

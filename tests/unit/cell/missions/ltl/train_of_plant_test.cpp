@@ -52,6 +52,31 @@ TEST(TrainOfPlant, WhenTheProblemNamesNoFigure_ThenItIsThePlants) {
   EXPECT_EQ(problem->train.most_lock_rad, 0.7);
 }
 
+TEST(TrainOfPlant, WhenTheProblemsTrainIsAnotherOne_ThenThatIsToldAtThePlantsKeys) {
+  config::PlantConfig plant = tugger();
+  plant.tugger.trailers = plant.tugger.most_trailers = 3;
+  plant.tugger.most_where = {"cell.toml", 21, 12};
+  plant.tugger.train.hitch_m = 1.4;
+  plant.tugger.train.where["hitch_m"] = {"cell.toml", 30, 11};
+  ltl::TrainModel train = train_of(plant);
+  train.trailers = 3;
+  EXPECT_TRUE(check_agrees(plant, train));
+  train.trailers = 2;
+  EXPECT_TRUE(check_agrees(plant, train)) << "more can be coupled";
+  train.trailers = 4;
+  train.hitch_m = 1.0;
+  const auto agrees = check_agrees(plant, train);
+  ASSERT_FALSE(agrees);
+  ASSERT_EQ(agrees.error().size(), 2u);
+  EXPECT_EQ(agrees.error()[0].code, "L0504");
+  EXPECT_EQ(agrees.error()[0].where.line, 30u);
+  EXPECT_EQ(agrees.error()[0].message, "hitch_m of the simulated train is 1.4, and 1 of the problem's train");
+  EXPECT_EQ(agrees.error()[1].where.line, 21u);
+  config::PlantConfig none;
+  none.kind = "none";
+  EXPECT_TRUE(check_agrees(none, train));
+}
+
 TEST(TrainOfPlant, WhenThePlantCanDoLess_ThenThatIsTheLimit) {
   config::PlantConfig plant = tugger();
   plant.tugger.drive = {
