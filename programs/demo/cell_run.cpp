@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "programs/demo/setup_token_printer.h"
+#include "runtime/ground/process/files.h"
 
 namespace stepwright::demo {
 namespace {
@@ -18,6 +19,16 @@ std::string content(const std::filesystem::path& file) {
   std::stringstream text;
   text << std::ifstream(file).rdbuf();
   return text.str();
+}
+
+// Why a report may be missing: whether so much can be written there tells it best. Empty: it can.
+std::string why_unwritten(const std::filesystem::path& folder) {
+  constexpr std::size_t kBytes = 64 << 10;
+  const std::filesystem::path probe = folder / "report.probe";
+  const auto unwritten = process::write_file(probe.string(), std::string(kBytes, ' '));
+  std::error_code ignored;
+  std::filesystem::remove(probe, ignored);
+  return unwritten.empty() ? std::string() : unwritten.front().message;
 }
 
 }  // namespace
@@ -79,15 +90,28 @@ void CellRun::take_report(CellRunResult& result) const {
   }
 }
 
+// Who has refused its input has said why; nobody else ends well without a report.
+void CellRun::tell_missing_report(const ExitStatus& ended, CellRunResult& result) const {
+  const auto exit = static_cast<result::ExitCode>(ended.code);
+  result.exit = exit == result::ExitCode::Done ? result::ExitCode::RuntimeFault : exit;
+  result.message = content(log_of("supervisor"));
+  const bool refused = exit == result::ExitCode::BadInput || exit == result::ExitCode::Usage;
+  if (refused && !result.message.empty()) return;
+  const std::string why = why_unwritten(options_.state_dir);
+  const auto missing = result::fail(
+      "M0010", {(options_.state_dir / "report.json").string(), 0, 0},
+      "the supervisor has ended with " + std::to_string(ended.code) + " and has left no report" +
+          (why.empty() ? "" : ": " + why),
+      why.empty() ? "what it said stands before this" : "make room there, or name another --state-dir");
+  result.message += result::to_string(missing.value()) + "\n";
+}
+
 result::Result<bool> CellRun::tend(Member& member, CellRunResult& result) {
   const auto status = member.process.poll();
   if (!status) return true;
   if (member.name == "supervisor" && !status->killed) {
     take_report(result);
-    if (!result.report) {
-      result.exit = static_cast<result::ExitCode>(status->code);
-      result.message = content(log_of(member.name));
-    }
+    if (!result.report) tell_missing_report(*status, result);
     return false;
   }
   const bool refused = !status->killed && (status->code == to_int(result::ExitCode::BadInput) ||

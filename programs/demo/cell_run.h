@@ -55,6 +55,8 @@ class CellRun {
   // False if the run is over.
   [[nodiscard]] result::Result<bool> tend(Member& member, CellRunResult& result);
   void take_report(CellRunResult& result) const;
+  // Of a supervisor that ended so without one.
+  void tell_missing_report(const ExitStatus& ended, CellRunResult& result) const;
   std::filesystem::path log_of(const std::string& name) const;
   std::filesystem::path line_link() const;  // leads to the emulator's line
 

@@ -6,7 +6,6 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <future>
 #include <mutex>
 #include <span>
@@ -23,6 +22,7 @@
 #include "runtime/ground/log/logger.h"
 #include "runtime/ground/log/refused_samples.h"
 #include "runtime/ground/process/command_line.h"
+#include "runtime/ground/process/files.h"
 #include "runtime/ground/process/notify_socket.h"
 #include "runtime/ground/process/reload_signal.h"
 #include "runtime/ground/result/exit_code.h"
@@ -88,13 +88,6 @@ host::RuntimeStatus final_status(const run::Controller& controller) {
   return status;
 }
 
-void write_file(const std::filesystem::path& file, const std::string& text) {
-  const std::filesystem::path fresh = file.string() + ".new";
-  std::ofstream(fresh) << text;
-  std::error_code ignored;  // a missing report is noticed by whoever waits for it
-  std::filesystem::rename(fresh, file, ignored);
-}
-
 // The monitors that the supervisor is told of, with what is said of each when it fails.
 std::vector<run::WatchedTag> watched_tags(const config::CellConfig& config) {
   std::vector<run::WatchedTag> tags;
@@ -154,10 +147,14 @@ int attend(const config::CellConfig& config, bool once, Shared& shared) {
   while (true) {
     const run::RunRecord record = mission->run();
     const run::Report report{record, final_status(**controller)};
-    write_file(config.report_path(), run::to_json(report));
+    const auto unwritten = process::write_file(config.report_path().string(), run::to_json(report));
+    if (!unwritten.empty() && !once)
+      shared.log.error("report", shared.of(config) + "there is no report: " + result::to_string(unwritten));
     std::printf("%s%s", shared.of(config).c_str(), run::report_table(record).c_str());
     std::fflush(stdout);
     shared.init.status(shared.of(config) + to_string(record.phase));
+    if (once && !unwritten.empty())
+      return fail(unwritten, record.exit == ExitCode::Done ? ExitCode::RuntimeFault : record.exit);
     if (once) return to_int(record.exit);
     while (!mission->wait_start(std::chrono::seconds(1))) {  // viewers still want the document
     }

@@ -78,6 +78,15 @@ class TuggerJob(unittest.TestCase):
         self.check_clean(report)
         self.assertIn("the supervisor was restarted; the train plans from rest", self.evidence(report))
 
+    def test_a_report_that_cannot_be_written_is_told(self):
+        with tempfile.TemporaryDirectory() as folder:
+            state = pathlib.Path(folder) / "state"
+            (state / "report.json.part").mkdir(parents=True)  # in the way of the file that becomes the report
+            done = stepwright("demo", "tugger", "--headless", "--fast", "--no-compare", "--state-dir", state,
+                              "--set", 'ltl.task="visit unload"')
+        self.assertEqual(done.returncode, 5, done.stderr)
+        self.assertRegex(done.stderr, r"E0002: .*\n(.*\n)*.*M0010: the supervisor has ended with 5 and has left no report")
+
     def check_refused(self, expected, *sets):
         arguments = [part for each in sets for part in ("--set", each)]
         done = stepwright("check", "--config", CELL / "cell.toml", *arguments)
