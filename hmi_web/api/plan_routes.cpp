@@ -21,10 +21,13 @@ Route stop_row(CellControl* cell) {
   return stopping(std::move(route));
 }
 
-json points_of(const Body& body) {
-  json corners = json::array();
+// Without corners: a place that the supervisor knows by its name, if its planner has such places.
+json block_of(const Body& body) {
+  json request = {{"request", "block"}, {"name", body.text("name")}};
+  if (!body.has("corners_m")) return request;
+  json& corners = request["corners_m"] = json::array();
   for (const Point& point : body.points("corners_m")) corners.push_back({point.x, point.y});
-  return corners;
+  return request;
 }
 
 std::vector<Route> fleet_rows(CellControl* cell) {
@@ -34,8 +37,12 @@ std::vector<Route> fleet_rows(CellControl* cell) {
                      .least = 1,
                      .most = 1'000'000,
                      .description = "how many loads"};
-  const Field corners{
-      .name = "corners_m", .kind = Kind::Points, .least = 3, .most = 64, .description = "of the area, m"};
+  const Field corners{.name = "corners_m",
+                      .kind = Kind::Points,
+                      .required = false,
+                      .least = 3,
+                      .most = 64,
+                      .description = "of the area, m; without them `name` is a place of a train's floor"};
   return {
       supervisor_row(
           cell, "/api/fleet/order", "fleet.order",
@@ -50,12 +57,9 @@ std::vector<Route> fleet_rows(CellControl* cell) {
                         {"to", body.text("to")},
                         {"amount", static_cast<std::uint32_t>(body.number("amount", 1))}};
           }),
-      supervisor_row(
-          cell, "/api/fleet/block", "fleet.block", "Nobody is to drive there until it is free again",
-          {"FleetBlock", {text_field("name", 128, "of the place"), corners}},
-          [](const Body& body) {
-            return json{{"request", "block"}, {"name", body.text("name")}, {"corners_m", points_of(body)}};
-          }),
+      supervisor_row(cell, "/api/fleet/block", "fleet.block",
+                     "Nobody is to drive there until it is free again",
+                     {"FleetBlock", {text_field("name", 128, "of the place"), corners}}, block_of),
       supervisor_row(cell, "/api/fleet/unblock", "fleet.unblock", "The place is free again",
                      {"FleetUnblock", {text_field("name", 128, "of the place")}},
                      [](const Body& body) {

@@ -32,6 +32,8 @@ class Request {
   [[nodiscard]] static result::Result<Request> parse(const std::string& text);
 
   const std::string& word() const { return word_; }
+  // Of any type.
+  bool has(std::string_view key) const { return values_.contains(key); }
   // Nothing where it is missing or of another type.
   std::optional<std::string> text(std::string_view key) const;
   std::optional<double> number(std::string_view key) const;

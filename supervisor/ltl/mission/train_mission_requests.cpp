@@ -15,28 +15,46 @@ using run::IncidentKind;
 namespace {
 
 constexpr const char* kExample = R"_(for example {"request": "goal", "goal": "visit press then rack"})_";
+constexpr const char* kExampleOfABlock =
+    R"_(for example {"request": "block", "name": "press"}, or with "corners_m": [[1, 1], [3, 1], [3, 2]])_";
 constexpr std::size_t kMostCorners = 64;
 
-std::optional<TrainChange> block_of(const run::Request& request, const Floor& floor) {
+tl::unexpected<result::Diagnostics> no_block(std::string message, const char* hint) {
+  return result::fail("X0005", {}, std::move(message), hint);
+}
+
+// A place by its name is out of service, or an area by its corners.
+result::Result<TrainChange> block_of(const run::Request& request, const Floor& floor) {
   const auto name = request.text("name");
-  if (!name) return std::nullopt;
-  // A place by its name is out of service.
+  if (!name || name->empty()) return no_block("what is blocked has no name", kExampleOfABlock);
   const auto place = std::ranges::find(floor.propositions, *name, &Area::name);
-  if (place != floor.propositions.end()) return BlockChange{*place};
+  const bool known = place != floor.propositions.end();
+  if (!request.has("corners_m")) {
+    if (known) return BlockChange{*place};
+    return no_block("the floor has no place '" + *name + "', and corners_m of an area are missing",
+                    kExampleOfABlock);
+  }
+  if (known)
+    return no_block("'" + *name + "' is a place of the floor, which is blocked as a whole",
+                    "leave corners_m out, or give the area a name of its own");
   const auto corners = request.rows("corners_m", 2, kMostCorners);
-  if (!corners || corners->size() < 3) return std::nullopt;
+  if (!corners || corners->size() < 3)
+    return no_block("corners_m are not 3 to 64 pairs of numbers", kExampleOfABlock);
   Area area{.name = *name, .ring = {}, .where = {}};
   for (const std::vector<double>& corner : *corners) area.ring.push_back({corner[0], corner[1]});
   return BlockChange{std::move(area)};
 }
 
-std::optional<TrainChange> change_of(const run::Request& request, const Floor& floor) {
+result::Result<TrainChange> change_of(const run::Request& request, const Floor& floor) {
   const std::string& word = request.word();
   if (word == "hold") return HoldChange{};
   if (word == "resume") return ResumeChange{};
   if (word == "block") return block_of(request, floor);
   const auto text = request.text(word == "goal" ? "goal" : "name");
-  if (!text) return std::nullopt;
+  if (!text) {
+    auto none = run::no_request(kExample);
+    return result::forward(none);
+  }
   if (word == "goal") return GoalChange{*text};
   return UnblockChange{*text};
 }
@@ -48,8 +66,8 @@ result::Result<void> TrainMission::take(const run::Request& request) {
   if (word == "start") return request_start(request);
   if (word != "hold" && word != "resume" && word != "block" && word != "unblock" && word != "goal")
     return run::not_of_this_mission("start, goal, block, unblock, hold, resume, abort");
-  const auto change = change_of(request, planning_.options().problem.floor);
-  if (!change) return run::no_request(kExample);
+  auto change = change_of(request, planning_.options().problem.floor);
+  if (!change) return result::forward(change);
   return over() ? run_is_over() : this->request(*change);
 }
 

@@ -96,22 +96,24 @@ TEST_F(RequestGuardTest, WhenRequestsAreMadeOfForms_ThenTheyAreWhatTheSupervisor
   ask("POST", "/api/plan/change", R"_({"fluent": "(demand c1)", "value": 8})_", opened);
   ask("POST", "/api/fleet/order", R"({"name": "o", "from": "a", "to": "b", "amount": 3})", opened);
   ask("POST", "/api/fleet/block", R"({"name": "p", "corners_m": [[0, 0], [1, 0], [1, 1.5]]})", opened);
+  ask("POST", "/api/fleet/block", R"({"name": "press"})", opened);
   ask("POST", "/api/fleet/unblock", R"({"name": "p"})", opened);
   ask("POST", "/api/fleet/return", R"({"vehicle": "t"})", opened);
   ask("POST", "/api/runtime/stop", R"({"reason": "smoke"})", opened);
   ask("POST", "/api/plan/hold", "{}", opened);
   ask("POST", "/api/plan/resume", R"({"reason": "clear"})", opened);
   const auto asked = cell.asked();
-  ASSERT_EQ(asked.size(), 9u);
-  EXPECT_EQ(json::parse(asked[7]), json({{"request", "hold"}}));
-  EXPECT_EQ(json::parse(asked[8]), json({{"request", "resume"}}));
+  ASSERT_EQ(asked.size(), 10u);
+  EXPECT_EQ(json::parse(asked[8]), json({{"request", "hold"}}));
+  EXPECT_EQ(json::parse(asked[9]), json({{"request", "resume"}}));
   EXPECT_EQ(json::parse(asked[0]), json({{"request", "goal"}, {"goal", "(= (level a1) 4)"}}));
   EXPECT_EQ(json::parse(asked[1]), json({{"request", "change"}, {"fluent", "(demand c1)"}, {"value", 8.0}}));
   EXPECT_EQ(json::parse(asked[2]),
             json({{"request", "order"}, {"name", "o"}, {"from", "a"}, {"to", "b"}, {"amount", 3}}));
   EXPECT_TRUE(json::parse(asked[2])["amount"].is_number_unsigned());
   EXPECT_EQ(json::parse(asked[3])["corners_m"], json({{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.5}}));
-  EXPECT_EQ(asked[6], "stop operator: smoke");
+  EXPECT_EQ(json::parse(asked[4]), json({{"request", "block"}, {"name", "press"}})) << "out of service";
+  EXPECT_EQ(asked[7], "stop operator: smoke");
 }
 
 TEST_F(RequestGuardTest, WhenNobodyAnswers_ThenItIsSaidSo) {

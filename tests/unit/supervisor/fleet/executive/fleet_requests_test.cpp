@@ -53,6 +53,7 @@ TEST_F(FleetRequests, WhenSomethingThatBelongsToThemIsMissingOrWrong_ThenTheyAre
         R"_({"request": "order", "name": "box", "from": "dock B", "to": "shelf 2", "amount": -1})_",
         R"_({"request": "order", "name": "box", "from": "dock B", "to": "shelf 2", "amount": 1e12})_",
         R"_({"request": "block", "name": "spill", "corners_m": [[1, 1], [3, 1]]})_",
+        R"_({"request": "block", "name": "shelf 2"})_",
         R"_({"request": "block", "name": "spill", "corners_m": [[1, 1], [3, "x"], [4, 4]]})_",
         R"_({"request": "unblock"})_", R"_({"request": "return", "vehicle": 2})_"})
     EXPECT_EQ(code(text), "X0005") << text;

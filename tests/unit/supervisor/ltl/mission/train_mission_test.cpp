@@ -231,6 +231,12 @@ TEST(TrainMission, WhenRequestsMeanNothing_ThenTheyAreRefusedAtOnce) {
   EXPECT_EQ(code(R"({"request": "block", "name": "crate"})"), "X0005");
   EXPECT_EQ(code(R"({"request": "block", "name": "press"})"), "");
   EXPECT_EQ(code(R"({"request": "block", "name": "c", "corners_m": [[1, 1], [2, 1], [2, 2]]})"), "");
+  EXPECT_EQ(code(R"({"request": "block", "name": "c", "corners_m": [[1, 1], [2, 1]]})"), "X0005");
+  EXPECT_EQ(code(R"({"request": "block", "name": "c", "corners_m": 4})"), "X0005");
+  const auto both =
+      run::ask(mission, R"({"request": "block", "name": "press", "corners_m": [[1, 1], [2, 1], [2, 2]]})");
+  ASSERT_FALSE(both) << "an area that would be ignored";
+  EXPECT_EQ(both.error().front().message, "'press' is a place of the floor, which is blocked as a whole");
 }
 
 }  // namespace
