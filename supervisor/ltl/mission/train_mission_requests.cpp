@@ -42,6 +42,7 @@ result::Result<TrainChange> block_of(const run::Request& request, const Floor& f
     return no_block("corners_m are not 3 to 64 pairs of numbers", kExampleOfABlock);
   Area area{.name = *name, .ring = {}, .where = {}};
   for (const std::vector<double>& corner : *corners) area.ring.push_back({corner[0], corner[1]});
+  if (auto good = check_outline(area); !good) return result::forward(good);
   return BlockChange{std::move(area)};
 }
 

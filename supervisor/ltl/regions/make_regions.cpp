@@ -248,6 +248,16 @@ RegionMap cut(const Geos& geos, const Floor& floor, const Shapes& shapes, const 
 
 }  // namespace
 
+result::Result<void> check_outline(const Area& area) try {
+  const Geos geos;
+  Diagnostics wrong;
+  if (!read_area(geos, area, wrong)) return tl::unexpected(std::move(wrong));
+  return {};
+} catch (const GeosError& error) {
+  return result::fail("L0203", area.where,
+                      "the outline of '" + area.name + "' is no polygon: " + error.what());
+}
+
 result::Result<RegionMap> make_regions(const Floor& floor, const std::function<bool()>& stop) try {
   const Geos geos;
   Diagnostics wrong;

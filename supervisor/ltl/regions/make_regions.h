@@ -34,6 +34,9 @@ struct Floor {
   std::vector<Area> blocked{};
 };
 
+// One outline by itself: L0201, L0202, L0203. For areas that come after the floor.
+[[nodiscard]] result::Result<void> check_outline(const Area& area);
+
 // Fails with all that is wrong: L0201 (fewer than three points), L0202 (a coordinate that is no number),
 // L0203 (an outline that crosses or touches itself, with the point), L0204 (a proposition outside of the
 // border or meets an obstacle), L0205 (nothing is free), L0206 (too many propositions), L0207 (the

@@ -233,6 +233,15 @@ TEST(TrainMission, WhenRequestsMeanNothing_ThenTheyAreRefusedAtOnce) {
   EXPECT_EQ(code(R"({"request": "block", "name": "c", "corners_m": [[1, 1], [2, 1], [2, 2]]})"), "");
   EXPECT_EQ(code(R"({"request": "block", "name": "c", "corners_m": [[1, 1], [2, 1]]})"), "X0005");
   EXPECT_EQ(code(R"({"request": "block", "name": "c", "corners_m": 4})"), "X0005");
+  const auto area = [&](const char* corners) {
+    return code((std::string(R"({"request": "block", "name": "c", "corners_m": )") + corners + "}").c_str());
+  };
+  EXPECT_EQ(area("[[30, 4], [1e9, 5], [1e9, 3]]"), "L0202");
+  EXPECT_EQ(area("[[1e300, 2], [1e301, 3], [4, 5]]"), "L0202");
+  EXPECT_EQ(area("[[25, 2], [29, 2], [25, 6], [29, 6]]"), "L0203") << "it crosses itself";
+  EXPECT_EQ(area("[[25, 2], [26, 2], [27, 2]]"), "L0203") << "it has no area";
+  EXPECT_EQ(area("[[25, 2], [25, 2], [25, 2]]"), "L0203") << "it is a point";
+  EXPECT_EQ(area("[[25, 2], [29, 2], [29, 6], [25, 6]]"), "");
   const auto both =
       run::ask(mission, R"({"request": "block", "name": "press", "corners_m": [[1, 1], [2, 1], [2, 2]]})");
   ASSERT_FALSE(both) << "an area that would be ignored";
