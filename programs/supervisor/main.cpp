@@ -132,6 +132,7 @@ int attend(const config::CellConfig& config, bool once, Shared& shared) {
     (void)(*publisher)->publish(to_json(record));  // viewers keep the last one
   });
   mission->watch(watched_tags(config));
+  if (once) mission->only_once();
   (void)(*publisher)->publish_goal_form(mission->goal_form());
   std::jthread requests([&](const std::stop_token& stop) {
     while (!stop.stop_requested()) {

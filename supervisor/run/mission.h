@@ -59,6 +59,8 @@ class Mission {
 
   // Before the first run: a tag that becomes TRUE is an incident, for which a new plan is made.
   void watch(std::vector<WatchedTag> tags) { watch_ = TagWatch(std::move(tags)); }
+  // Before the first run: nobody waits for another start once it is over; then a start is refused (X0008).
+  void only_once() { once_ = true; }
   // Until the goal is reached (Phase::Done) or the outputs are safe (Phase::Safe).
   RunRecord run();
   // Stops the plant safely at the next decision and ends the run.
@@ -214,6 +216,7 @@ class Mission {
   }
 
  private:
+  bool can_begin_again() const { return begins_again() && !once_; }
   Decision follow();
   Decision judge(const host::StepEvent& event);
   Decision trapped(const host::StepEvent& event);
@@ -227,6 +230,7 @@ class Mission {
   const MissionOptions options_;
   const Observer observer_;
   TagWatch watch_;
+  bool once_ = false;
   bool ended_ = false;     // this run has told its end, and somebody may have started another one since
   int silent_rounds_ = 0;  // without news and without that status
   std::optional<std::chrono::steady_clock::time_point> working_since_;  // on a decision

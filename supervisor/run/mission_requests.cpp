@@ -26,7 +26,7 @@ result::Result<void> Mission::take(const Request& request) {
 
 result::Result<void> Mission::run_is_over() const {
   return result::fail(service::kNotNow, {}, "the run is over",
-                      begins_again() ? "start another one" : "start the supervisor again for another one");
+                      can_begin_again() ? "start another one" : "start the supervisor again for another one");
 }
 
 std::string Mission::goal_form() const {
@@ -84,7 +84,7 @@ result::Result<void> Mission::accept_start(const std::function<void()>& also) {
   const std::lock_guard lock(requests_mutex_);
   if (stage_ == Stage::Planless)
     return refuse("there is no plan to start", "take an order back or free a place: the message says why");
-  const bool waits = stage_ == Stage::Ready || (stage_ == Stage::Over && begins_again());
+  const bool waits = stage_ == Stage::Ready || (stage_ == Stage::Over && can_begin_again());
   if (stage_ == Stage::Over && !waits) return run_is_over();
   if (!waits || start_)
     return refuse("the run is under way", "hold or abort it, or hand over what else is wanted");

@@ -29,12 +29,14 @@ void TrainMission::take_task(TrainTask task) {
   record_.goal = {{task_.text, false}};
 }
 
-// A further run has the same task once more, or the one that was asked for since.
+// A further run has the same task once more, or the one that was asked for since, however the one before has
+// ended.
 bool TrainMission::begin() {
-  if (resume()) return true;
-  if (record_.phase == Phase::Safe) return false;
-  if (task_.monitor.verdicts[state_] != Verdict::Undecided) state_ = task_.begins();
-  record_.goal = {{task_.text, false}};
+  if (std::exchange(ran_, true)) {
+    forget_run();
+  } else if (const auto resumed = resume()) {
+    return *resumed;
+  }
   pictures_.clear();
   draw();
   set_phase(Phase::Planning, "the train waits for its plan");
@@ -43,16 +45,31 @@ bool TrainMission::begin() {
   return await_runtime() && bring_to_rest() && plan_rest();
 }
 
+// What stands on the floor stays there, and the clock goes on; the rest was of the run before.
+void TrainMission::forget_run() {
+  run::RunRecord fresh;
+  fresh.cell = std::move(record_.cell);
+  fresh.goal = {{task_.text, false}};
+  fresh.started_s = clock_.now_s();
+  fresh.finished_s = clock_.now_s();
+  record_ = std::move(fresh);
+  state_ = task_.begins();
+  driven_.reset();
+  reader_.reset();
+  held_ = false;
+  to_hold_ = false;
+}
+
 // After a restart of the supervisor: the runtime may drive on, or have gone to its safe state. The train is
-// brought to rest and goes on from there, behind what the monitor has seen.
-bool TrainMission::resume() {
-  if (options_.journal.empty() || !record_.episodes.empty()) return false;
+// brought to rest and goes on from there, behind what the monitor has seen. Nothing: no run was interrupted.
+std::optional<bool> TrainMission::resume() {
+  if (options_.journal.empty()) return std::nullopt;
   auto journal = read_train_journal(options_.journal);
   if (!journal) return give_up(result::to_string(journal.error()), IncidentKind::ProgramFault);
-  if (!*journal) return false;
+  if (!*journal) return std::nullopt;
   TrainJournal& known = **journal;
   const bool ended = known.record.phase == Phase::Done || known.record.phase == Phase::Safe;
-  if (ended || known.record.episodes.empty()) return false;
+  if (ended || known.record.episodes.empty()) return std::nullopt;
   auto task = planning_.task(known.task);
   if (!task || known.state >= task->monitor.size())
     return give_up("the journal is of another floor", IncidentKind::ProgramFault);

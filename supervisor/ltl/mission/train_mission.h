@@ -56,7 +56,8 @@ class TrainMission final : public run::Mission {
   bool drives() const override { return reader_.has_value(); }
   bool begins_again() const override { return true; }
   void forget_requests() override { requests_.forget_asked(); }
-  bool resume();
+  std::optional<bool> resume();
+  void forget_run();
   bool recover_runtime() override;
   bool finish() override;
   void publish(bool now) override;
@@ -115,6 +116,7 @@ class TrainMission final : public run::Mission {
   std::uint32_t resets_ = 0;             // so many programs have reset an error
   int blocks_ = 0;                       // so many things have stood in the way
   bool changed_ = false;                 // since the journal was written
+  bool ran_ = false;                     // this is not the first run
 
   run::DueRequests<TimedTrainRequest> requests_;
 };

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "supervisor/ltl/mission/train_journal.h"
 #include "tests/unit/supervisor/ltl/mission/train_hall.h"
@@ -219,6 +220,37 @@ TEST(TrainMission, WhenAStartBringsATask_ThenThatOneIsPlannedFromTheBeginning) {
   const run::RunRecord again = mission.run();
   EXPECT_EQ(again.phase, Phase::Done) << story(again);
   EXPECT_EQ(again.goal.front().text, "visit press");
+}
+
+TEST(TrainMission, WhenARunWasAborted_ThenAStartBeginsAnotherOne) {
+  TrainHall hall("visit press", 0);
+  TrainMissionOptions options = hall.options();
+  options.journal = hall.journal();
+  TrainMission* running = nullptr;
+  bool aborts = true;
+  TrainMission mission(hall.planning(), hall.controller(), options, [&](const run::RunRecord& record) {
+    if (record.phase == Phase::Executing && std::exchange(aborts, false)) running->request_abort();
+  });
+  running = &mission;
+  const run::RunRecord aborted = mission.run();
+  ASSERT_EQ(aborted.phase, Phase::Safe) << story(aborted);
+  ASSERT_EQ(run::refusal(mission, R"({"request": "start"})"), "");
+  ASSERT_TRUE(mission.wait_start(std::chrono::milliseconds(0)));
+  const run::RunRecord record = mission.run();
+  expect_done(hall, record);
+  EXPECT_EQ(record.exit, result::ExitCode::Done);
+  EXPECT_EQ(record.episodes.size(), 1u) << "nothing is kept of the run before";
+  EXPECT_TRUE(record.incidents.empty()) << story(record);
+  EXPECT_GE(record.started_s, aborted.started_s);
+}
+
+TEST(TrainMission, WhenASupervisorRunsOnce_ThenAStartAfterItsRunIsRefused) {
+  TrainHall hall("visit press", 0);
+  TrainMission mission(hall.planning(), hall.controller(), hall.options(), {});
+  mission.only_once();
+  mission.request_abort();
+  EXPECT_EQ(mission.run().phase, Phase::Safe);
+  EXPECT_EQ(run::refusal(mission, R"({"request": "start"})"), "X0008");
 }
 
 TEST(TrainMission, WhenRequestsMeanNothing_ThenTheyAreRefusedAtOnce) {
