@@ -8,6 +8,20 @@ namespace stepwright::ltl {
 
 namespace {
 
+// A path through regions has no times: what a timer says is for monitors.
+result::Diagnostics deadlines(const SyntaxTree& tree, const std::string& file) {
+  result::Diagnostics problems;
+  for (const Timed& each : tree.timed) {
+    problems.push_back(
+        {"L0312",
+         result::Severity::Error,
+         {file, each.at.line, each.at.column},
+         "a task that is planned for takes no deadlines and no durations: " + each.duration,
+         "leave it out of the task; a rule of [[monitors]] watches it, or `stepwright ltl monitor`"});
+  }
+  return problems;
+}
+
 result::Diagnostics unknown_places(const Formula& formula, const std::vector<std::string>& places,
                                    const std::string& file) {
   result::Diagnostics problems;
@@ -33,6 +47,7 @@ result::Result<Task> read_task(const std::string& text, const std::vector<std::s
                                const std::string& file, const BuildOptions& options) {
   auto formula = parse_formula(text, file, places);
   if (!formula) return result::forward(formula);
+  if (auto timed = deadlines(formula->tree, file); !timed.empty()) return tl::unexpected(std::move(timed));
   if (auto unknown = unknown_places(*formula, places, file); !unknown.empty())
     return tl::unexpected(std::move(unknown));
   auto automaton = task_automaton(*formula, options, file);

@@ -24,7 +24,7 @@ struct Task {
 };
 
 // L0001 to L0007: the text; L0011 to L0013: its automaton; L0311: a name that is no place, with its place in
-// the text and the nearest one.
+// the text and the nearest one; L0312: a deadline or another duration.
 [[nodiscard]] result::Result<Task> read_task(const std::string& text, const std::vector<std::string>& places,
                                              const std::string& file = {}, const BuildOptions& options = {});
 

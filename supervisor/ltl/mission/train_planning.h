@@ -71,7 +71,7 @@ class TrainPlanning {
   // What is wrong with the floor, the train or the task (supervisor/doc/ltl.md, Codes).
   [[nodiscard]] static result::Result<TrainPlanning> open(TrainPlanningOptions options);
 
-  // L0001 to L0015, L0311; L0503: a task with X, whose letters a scan does not count.
+  // L0001 to L0015, L0311, L0312; L0503: a task with X, whose letters a scan does not count.
   [[nodiscard]] result::Result<TrainTask> task(const std::string& text) const;
   const TrainTask& first_task() const { return *first_; }
   const TrainPlanningOptions& options() const { return options_; }

@@ -52,9 +52,9 @@ struct PlanAnswer {
   std::size_t states = 0;   // of the task's automaton; 0: it was planned step by step
 };
 
-// L0201 to L0208: the floor; L0301: the train; L0001 to L0011, L0311: the task. L0411: the train does not fit
-// where it begins; L0412: a point cannot do the task, with the part to blame and what is in the way; L0413:
-// no plan in that time, or rounds; L0414: the referee refused what was found; L0415: cancelled.
+// L0201 to L0208: the floor; L0301: the train; L0001 to L0011, L0311, L0312: the task. L0411: the train does
+// not fit where it begins; L0412: a point cannot do the task, with the part to blame and what is in the way;
+// L0413: no plan in that time, or rounds; L0414: the referee refused what was found; L0415: cancelled.
 [[nodiscard]] result::Result<PlanAnswer> plan_train(const Problem& problem, const PlanOptions& options = {});
 
 }  // namespace stepwright::ltl

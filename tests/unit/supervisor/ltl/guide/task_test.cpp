@@ -30,6 +30,19 @@ TEST(Task, WhenANameIsNoPlace_ThenItIsToldWithItsPlaceAndTheNearestOne) {
   EXPECT_EQ(task.error()[1].message, "the floor has no place 'wsh'");
 }
 
+TEST(Task, WhenItHasADeadline_ThenThatIsToldWithItsPlace) {
+  for (const char* text : {"visit wash, visit press within T#5s", "visit wash, F (press for T#5s)"}) {
+    const auto task = read_task(text, kPlaces, "job.ltl");
+    ASSERT_FALSE(task) << text;
+    ASSERT_EQ(task.error().size(), 1u);
+    EXPECT_EQ(task.error()[0].code, "L0312");
+    EXPECT_NE(task.error()[0].message.find("T#5s"), std::string::npos);
+    EXPECT_EQ(task.error()[0].where.line, 1u);
+    EXPECT_GE(task.error()[0].where.column, 13u) << text;
+    EXPECT_NE(task.error()[0].hint, "");
+  }
+}
+
 TEST(Task, WhenItIsNotCoSafe_ThenItIsRefusedWithThePartToBlame) {
   const auto task = read_task("visit press, never wash", kPlaces);
   ASSERT_FALSE(task);
