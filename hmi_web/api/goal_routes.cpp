@@ -37,7 +37,7 @@ Route document_row(CellControl* cell, const char* path, const char* name, const 
 }
 
 Field goal_field(bool required) {
-  Field field = text_field("goal", kMaxGoalBytes, "PDDL, for example (= (level a1) 4)");
+  Field field = text_field("goal", kMaxGoalBytes, kGoalText);
   field.required = required;
   return field;
 }

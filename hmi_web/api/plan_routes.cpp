@@ -102,7 +102,7 @@ std::vector<Route> plan_routes(const Services& services) {
                        return json{{"request", "resume"}};
                      }),
       supervisor_row(cell, "/api/plan/goal", "plan.goal", "Puts another goal in place of the one so far",
-                     {"NewGoal", {text_field("goal", 8'192, "PDDL, for example (= (level a1) 4)")}},
+                     {"NewGoal", {text_field("goal", 8'192, kGoalText)}},
                      [](const Body& body) {
                        return json{{"request", "goal"}, {"goal", body.text("goal")}};
                      }),

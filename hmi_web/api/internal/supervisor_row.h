@@ -17,6 +17,11 @@
 
 namespace stepwright::api {
 
+// What a goal is written in.
+inline constexpr const char* kGoalText =
+    "as the planner of the cell reads it: PDDL, for example (= (level a1) 4); the task of a train as a "
+    "formula, for example visit press then visit rack";
+
 // A text of the body, of up to so many bytes.
 Field text_field(const char* name, double most, const char* description);
 

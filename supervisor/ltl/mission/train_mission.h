@@ -45,6 +45,8 @@ class TrainMission final : public run::Mission {
   TrainMission(const TrainPlanning& planning, run::Controller& controller, TrainMissionOptions options,
                Observer observer);
 
+  // None: a task is a formula, which people write. It says so, with an example.
+  std::string goal_form() const override;
   // At the next decision. X0003: a name that means nothing here; the codes of tasks.
   [[nodiscard]] result::Result<void> request(const TrainChange& change);
 

@@ -62,6 +62,14 @@ result::Result<TrainChange> change_of(const run::Request& request, const Floor& 
 
 }  // namespace
 
+std::string TrainMission::goal_form() const {
+  const std::vector<std::string> places = planning_.options().problem.places();
+  std::string text = "the task of a train is a formula over the places of its floor";
+  if (!places.empty()) text += ", for example: visit " + places.front();
+  if (places.size() > 1) text += " then visit " + places[1];
+  return run::no_goal_form_json(text);
+}
+
 result::Result<void> TrainMission::take(const run::Request& request) {
   const std::string& word = request.word();
   if (word == "start") return request_start(request);

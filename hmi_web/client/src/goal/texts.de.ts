@@ -16,6 +16,7 @@ export default {
   asForm: 'Als Formular',
   preview: 'das Ziel als PDDL',
   goalField: 'Ziel (PDDL)',
+  goalOfPlanner: 'Ziel, wie der Planer dieser Zelle es liest',
   reason: 'Grund (kann leer bleiben)',
   whatIf: 'Was wäre wenn?',
   cancelWhatIf: 'Suche abbrechen',

@@ -14,6 +14,7 @@ export default {
   asForm: 'As a form',
   preview: 'the goal as PDDL',
   goalField: 'Goal (PDDL)',
+  goalOfPlanner: 'Goal, as the planner of this cell reads it',
   reason: 'Reason (may be empty)',
   whatIf: 'What if?',
   cancelWhatIf: 'Cancel the what-if',

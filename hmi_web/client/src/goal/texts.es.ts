@@ -16,6 +16,7 @@ export default {
   asForm: 'Como formulario',
   preview: 'el objetivo como PDDL',
   goalField: 'Objetivo (PDDL)',
+  goalOfPlanner: 'Objetivo, tal como lo lee el planificador de esta celda',
   reason: 'Motivo (puede quedar vacío)',
   whatIf: '¿Y si?',
   cancelWhatIf: 'Cancelar la búsqueda',

@@ -16,6 +16,7 @@ export default {
   asForm: 'En formulaire',
   preview: 'l’objectif en PDDL',
   goalField: 'Objectif (PDDL)',
+  goalOfPlanner: 'Objectif, tel que le planificateur de cette cellule le lit',
   reason: 'Motif (facultatif)',
   whatIf: 'Et si ?',
   cancelWhatIf: 'Annuler la recherche',

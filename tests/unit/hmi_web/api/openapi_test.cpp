@@ -60,6 +60,11 @@ TEST_F(OpenApiTest, WhatTheDoorAsksFor_IsSaid) {
   EXPECT_EQ(force["additionalProperties"], false);
   EXPECT_EQ(force["properties"]["minutes"]["maximum"], 480);
   EXPECT_EQ(force["required"], json({"name", "value", "reason"}));
+  for (const char* shape : {"NewGoal", "Start", "WhatIf"}) {
+    const std::string goal = document_["components"]["schemas"][shape]["properties"]["goal"]["description"];
+    EXPECT_NE(goal.find("PDDL"), std::string::npos) << shape;
+    EXPECT_NE(goal.find("visit press"), std::string::npos) << shape;
+  }
   EXPECT_EQ(document_["openapi"], "3.1.0");
   EXPECT_EQ(document_["info"]["version"], "1.2.3");
 }

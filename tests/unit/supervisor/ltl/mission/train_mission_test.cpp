@@ -257,6 +257,7 @@ TEST(TrainMission, WhenRequestsMeanNothing_ThenTheyAreRefusedAtOnce) {
   TrainHall hall("visit press", 0);
   TrainMission mission(hall.planning(), hall.controller(), hall.options(), {});
   const auto code = [&](const char* text) { return run::refusal(mission, text); };
+  EXPECT_NE(mission.goal_form().find("for example: visit press then visit rack"), std::string::npos);
   EXPECT_EQ(code(R"({"request": "goal", "goal": "visit pres"})"), "L0311");
   EXPECT_EQ(code(R"({"request": "goal"})"), "X0005");
   EXPECT_EQ(code(R"({"request": "order", "name": "x"})"), "X0003");
