@@ -247,7 +247,7 @@ modbus::client::Order read_modbus_order(const TomlTable& table, modbus::client::
 std::optional<ImageField> read_input_field(const TomlTable& table, const char* key, std::uint8_t bits,
                                            std::uint32_t input_bytes, result::Diagnostics& problems) {
   const std::string text = table.text(key, {});
-  if (text.empty()) return std::nullopt;
+  if (!table.has(key)) return std::nullopt;
   const auto address = naming::parse_direct_address(text);
   const auto fail = [&](const char* code, std::string message, std::string hint) {
     problems.push_back(

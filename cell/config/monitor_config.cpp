@@ -65,7 +65,7 @@ std::vector<MonitorConfig> read_monitors(const TomlTable& root, const std::files
   std::vector<MonitorConfig> monitors;
   for (const TomlTable& table : root.tables("monitors")) {
     MonitorConfig monitor;
-    monitor.name = table.required_text("name");
+    monitor.name = table.required_text("name", "0551");
     monitor.formula = table.text("formula", {});
     const std::string file = table.text("formula_file", {});
     if (!file.empty()) monitor.formula_file = folder / file;
@@ -74,14 +74,15 @@ std::vector<MonitorConfig> read_monitors(const TomlTable& root, const std::files
     read_actions(table, monitor);
     const bool known = std::ranges::any_of(
         monitors, [&](const auto& other) { return naming::same_name(other.name, monitor.name); });
+    const bool two = table.has("formula") && table.has("formula_file");
     if (!monitor.name.empty() && !is_identifier(monitor.name)) {
       table.report("name", "'" + monitor.name + "' cannot name a monitor",
                    "at most 48 letters, digits and single underscores, no digit first", "0551");
     } else if (known) {
       table.report("name", "there is another monitor '" + monitor.name + "'", "", "0552");
-    } else if (monitor.formula.empty() == file.empty()) {
-      table.report(file.empty() ? "formula" : "formula_file",
-                   file.empty() ? "this monitor has no formula" : "this monitor has two formulas",
+    } else if (two || (monitor.formula.empty() && file.empty())) {
+      table.report(two ? "formula_file" : "formula",
+                   two ? "this monitor has two formulas" : "this monitor has no formula",
                    "formula = \"never wash before press\", or formula_file = \"rules.ltl\"", "0553");
     } else if (!monitor.name.empty()) {
       monitors.push_back(std::move(monitor));

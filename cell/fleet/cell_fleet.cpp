@@ -1,11 +1,10 @@
 #include "cell/fleet/cell_fleet.h"
 
 #include <cstdlib>
-#include <fstream>
-#include <sstream>
 #include <string>
 
 #include "cell/config/port_reader.h"
+#include "runtime/ground/process/files.h"
 #include "supervisor/fleet/mission/problem_reader.h"
 
 namespace stepwright::config {
@@ -42,9 +41,9 @@ result::Result<fleet::FleetTerminals> fleet_terminals(const CellConfig& cell, st
 }
 
 std::optional<std::size_t> fleet_size(const std::filesystem::path& problem) {
-  std::stringstream text;
-  text << std::ifstream(problem).rdbuf();
-  const auto read = fleet::read_mission_problem(text.str(), problem);
+  const auto text = process::read_file(problem.string());
+  if (!text) return std::nullopt;
+  const auto read = fleet::read_mission_problem(*text, problem);
   return read ? std::optional(read->vehicles.size()) : std::nullopt;
 }
 

@@ -9,6 +9,7 @@
 #include "runtime/ground/process/files.h"
 #include "supervisor/ltl/automaton/build.h"
 #include "supervisor/ltl/monitor/monitor_block.h"
+#include "supervisor/ltl/syntax/formula_bytes.h"
 
 namespace stepwright::cell_monitors {
 namespace {
@@ -56,7 +57,7 @@ class Maker {
   std::optional<CellMonitor> run() {
     std::string text = config_.formula;
     if (!config_.formula_file.empty()) {
-      auto read = process::read_file(config_.formula_file.string());
+      auto read = process::read_file(config_.formula_file.string(), ltl::kMostFormulaBytes);
       if (!read) return fail(std::move(read.error()));
       text = *std::move(read);
     }

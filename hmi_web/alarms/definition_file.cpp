@@ -60,8 +60,8 @@ ConditionSettings read_condition(const TomlTable& table) {
 AlarmDefinition read_alarm(const TomlTable& table) {
   AlarmDefinition made;
   made.where = table.where();
-  made.name = table.required_text("name");
-  made.source = table.required_text("source");
+  made.name = table.required_text("name", "0602");
+  made.source = table.required_text("source", "0602");
   made.text = table.text("text", made.name);
   made.condition = read_condition(table);
   made.priority = read_choice(table, "priority", Priority::Medium, kPriorityNames);
@@ -78,9 +78,6 @@ AlarmDefinition read_alarm(const TomlTable& table) {
                                         made.longest_shelving, kLongestShelvingMin);
   made.consequence = table.text("consequence", "");
   made.response = table.text("response", "");
-  for (const auto& [key, read] : {std::pair("name", &made.name), std::pair("source", &made.source)})
-    if (table.has(key) && read->empty())
-      table.report(key, std::string("the ") + key + " is empty", "", "0602");
   return made;
 }
 

@@ -78,11 +78,11 @@ void read_range(const TomlTable& table, RecipeTag& tag) {
 RecipeTag read_tag(const TomlTable& table) {
   RecipeTag tag;
   tag.where = table.where();
-  tag.name = table.required_text("name");
+  tag.name = table.required_text("name", "0620");
   tag.type = read_type(table);
   read_range(table, tag);
   tag.comment = table.text("comment", "");
-  if (table.has("name") && (tag.name.empty() || tag.name.size() > kLongestTag))
+  if (tag.name.size() > kLongestTag)
     table.report("name", "this cannot be the name of a tag", "name = \"mixer.level\" or \"%IW1\"", "0620");
   return tag;
 }

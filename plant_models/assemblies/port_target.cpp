@@ -1,12 +1,21 @@
 #include "plant_models/assemblies/port_target.h"
 
+#include <array>
 #include <cmath>
+#include <cstdio>
 
 #include "plant_models/core/names.h"
 
 namespace stepwright::assemblies {
 
+// Six decimals say nothing of what is very small, and hundreds of digits nothing of what is very large.
 std::string number_text(double value) {
+  const double size = std::abs(value);
+  if (value != 0.0 && !(size >= 1e-3 && size < 1e15)) {
+    std::array<char, 32> power{};
+    std::snprintf(power.data(), power.size(), "%g", value);
+    return power.data();
+  }
   std::string text = std::to_string(value);
   text.erase(text.find_last_not_of('0') + 1);
   if (text.back() == '.') text.pop_back();

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include <map>
+#include <string>
 
 #include "programs/fleet/fleet_command.h"
 #include "runtime/ground/process/command_line.h"
@@ -20,8 +21,11 @@ void describe(CLI::App& app, fleet::FleetArguments& arguments) {
       ->required();
   app.add_flag("--paper", arguments.paper,
                "order only what the earliest times bring together, as Pecora and Cirillo 2012 do");
-  app.add_option("--objective", arguments.objective, "none, makespan or tardiness (default makespan)")
-      ->transform(CLI::CheckedTransformer(objectives));
+  app.add_option_function<std::string>(
+         "--objective",
+         [&arguments, objectives](const std::string& word) { arguments.objective = objectives.at(word); },
+         "none, makespan or tardiness (default makespan)")
+      ->check(CLI::IsMember(objectives));
   app.add_option("--time", arguments.time_s, "time budget of everything in seconds (default 10)")
       ->check(CLI::Validator(process::refuse_seconds, "SECONDS"));
   app.add_option("--path-time", arguments.path_time_s,

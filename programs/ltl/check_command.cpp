@@ -45,12 +45,12 @@ result::Result<Answer> judge(const CheckArguments& arguments) {
     if (!read) return result::forward(read);
     formula = *std::move(read);
   }
-  const auto text = process::read_file(arguments.trace);
-  if (!text) return tl::unexpected<result::Diagnostics>(text.error());
+  auto table = process::open_file(arguments.trace);
+  if (!table) return result::forward(table);
   Answer answer{
       arguments.trace, watched ? watched->automaton.propositions : formula->tree.propositions, {}, {}};
-  auto trace = watched ? ltl::read_trace(*text, arguments.trace, answer.propositions, bindings)
-                       : ltl::read_trace(*text, arguments.trace, formula->tree, bindings);
+  auto trace = watched ? ltl::read_trace(*table, arguments.trace, answer.propositions, bindings)
+                       : ltl::read_trace(*table, arguments.trace, formula->tree, bindings);
   if (!trace) return result::forward(trace);
   answer.trace = *std::move(trace);
   if (watched) {

@@ -6,6 +6,7 @@
 
 #include "runtime/ground/process/command_line.h"
 #include "runtime/ground/process/files.h"
+#include "supervisor/ltl/syntax/formula_bytes.h"
 
 namespace stepwright::ltl_program {
 
@@ -46,7 +47,7 @@ bool is_automaton(const std::string& argument) {
 result::Result<ltl::Formula> read_formula(const std::string& argument) {
   std::string text = argument;
   if (argument.ends_with(".ltl")) {
-    auto read = process::read_file(argument);
+    auto read = process::read_file(argument, ltl::kMostFormulaBytes);
     if (!read) return result::forward(read);
     text = *std::move(read);
   }

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <map>
+#include <string>
 #include <string_view>
 #include <system_error>
 #include <vector>
@@ -42,8 +43,10 @@ void describe_automaton(CLI::App& app, ltl_program::AutomatonArguments& argument
   app.add_option("formula", arguments.formula, kFormula)->required();
   app.add_option("--to", arguments.to, "hoa (default), svg or st")
       ->check(CLI::IsMember({"hoa", "svg", "st"}));
-  app.add_option("--part", arguments.part, "of HOA: good prefixes, or bad ones (default: as the formula is)")
-      ->transform(CLI::CheckedTransformer(parts));
+  app.add_option_function<std::string>(
+         "--part", [&arguments, parts](const std::string& word) { arguments.part = parts.at(word); },
+         "of HOA: good prefixes, or bad ones (default: as the formula is)")
+      ->check(CLI::IsMember(parts));
   app.add_option("-o,--out", arguments.out_file, "the file (default: standard output)");
 }
 
@@ -53,9 +56,10 @@ void describe_monitor(CLI::App& app, ltl_program::MonitorArguments& arguments) {
   app.add_option("formula", arguments.formula, kFormula)->required();
   app.add_option("-o,--out", arguments.out_file, "the file (default: standard output)");
   app.add_option("--name", arguments.name, "of the function block (default LTL_MONITOR)");
-  app.add_option("--form", arguments.form,
-                 "table, or branches to be read by people (default: a table within its bound)")
-      ->transform(CLI::CheckedTransformer(forms));
+  app.add_option_function<std::string>(
+         "--form", [&arguments, forms](const std::string& word) { arguments.form = forms.at(word); },
+         "table, or branches to be read by people (default: a table within its bound)")
+      ->check(CLI::IsMember(forms));
 }
 
 // A number that is none passes the ranges of the library.

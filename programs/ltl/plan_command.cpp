@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -28,6 +29,7 @@ using nlohmann::json;
 using result::ExitCode;
 
 constexpr std::chrono::seconds kBoundTime{2};  // for the bound, beyond which it is left out
+constexpr std::uintmax_t kMostProblemBytes = 4u << 20;
 
 struct Figures {
   double spent_s = 0.0;
@@ -175,7 +177,7 @@ ExitCode run_plan(const PlanArguments& arguments) {
     if (file.empty()) continue;
     if (const auto unwritable = process::check_writable(file); !unwritable.empty()) return fail(unwritable);
   }
-  const auto text = process::read_file(arguments.problem);
+  const auto text = process::read_file(arguments.problem, kMostProblemBytes);
   if (!text) return fail(text.error());
   const auto problem = ltl::read_planning_problem(*text, arguments.problem);
   if (!problem) return fail(problem.error());

@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,6 +12,7 @@
 #include "cell/missions/ltl/train_wires.h"
 #include "cell/missions/mission_kinds.h"
 #include "cell/monitors/cell_monitors.h"
+#include "runtime/ground/process/files.h"
 #include "supervisor/ltl/mission/train_mission.h"
 #include "supervisor/ltl/scene/problem_reader.h"
 
@@ -26,9 +25,9 @@ const LtlTable& ltl_table(const config::CellConfig& config) {
 
 result::Result<ltl::Problem> read_problem(const config::CellConfig& config) {
   const LtlTable& table = ltl_table(config);
-  std::stringstream text;
-  text << std::ifstream(table.problem).rdbuf();
-  auto problem = ltl::read_planning_problem(text.str(), table.problem, train_of(config.plant));
+  const auto text = process::read_file(table.problem.string());
+  if (!text) return tl::unexpected(text.error());
+  auto problem = ltl::read_planning_problem(*text, table.problem, train_of(config.plant));
   if (!problem) return problem;
   if (!table.task.empty()) problem->task = table.task;
   if (auto good = check_agrees(config.plant, problem->train); !good) return result::forward(good);

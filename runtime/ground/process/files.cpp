@@ -7,13 +7,13 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 namespace stepwright::process {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::uintmax_t kBlock = 64 * 1024;  // read at once
 
 result::Diagnostics unwritten(const std::string& path, const std::string& why) {
   return {{"E0002",
@@ -51,11 +51,42 @@ bool is_stream(const std::string& path) {
   return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
 }
 
-result::Result<std::string> read_file(const std::string& path) {
+result::Result<std::ifstream> open_file(const std::string& path) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status)) {
+    return result::fail("E0001", {path, 0, 0}, "cannot read what is no regular file",
+                        "a pipe or a device may have no end: write it to a file first");
+  }
   std::ifstream file(path, std::ios::binary);
-  if (!file || std::filesystem::is_directory(path))
+  if (!file || !fs::is_regular_file(status))
     return result::fail("E0001", {path, 0, 0}, "cannot read the file");
-  return std::string{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  return file;
+}
+
+result::Result<std::string> read_file(const std::string& path, std::uintmax_t most_bytes) {
+  auto file = open_file(path);
+  if (!file) return result::forward(file);
+  const auto too_large = [&] {
+    return result::fail("E0001", {path, 0, 0},
+                        "the file has more than " + std::to_string(most_bytes >> 10) + " KiB",
+                        "is this the file that was meant?");
+  };
+  std::error_code error;
+  const std::uintmax_t size = fs::file_size(path, error);
+  if (error) return result::fail("E0001", {path, 0, 0}, "cannot read the file");
+  if (size > most_bytes) return too_large();
+  // Files of /proc have a size of 0, and others may grow.
+  std::string text;
+  for (std::uintmax_t step = size + 1; *file && text.size() <= most_bytes; step = kBlock) {
+    const std::size_t had = text.size();
+    text.resize(had + static_cast<std::size_t>(step));
+    file->read(text.data() + had, static_cast<std::streamsize>(step));
+    text.resize(had + static_cast<std::size_t>(file->gcount()));
+  }
+  if (file->bad()) return result::fail("E0001", {path, 0, 0}, "cannot read the file");
+  if (text.size() > most_bytes) return too_large();
+  return text;
 }
 
 result::Diagnostics write_file(const std::string& given, std::string_view bytes) {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <fstream>
 #include <map>
@@ -22,8 +23,10 @@ struct TomlDocument::State {
   std::string code;
   toml::table root;
   result::Diagnostics problems;
-  std::map<std::string, std::string> origins;                       // dotted key -> the override that set it
-  std::map<const void*, std::set<std::string, std::less<>>> asked;  // table -> keys that were read
+  std::map<std::string, std::string> origins;  // dotted key -> the override that set it
+  using Keys = std::map<const void*, std::set<std::string, std::less<>>>;  // of each table
+  Keys asked;                                                              // that were read
+  Keys looked_for;  // of which somebody wanted to know whether they are there
 
   result::Location place(const toml::source_region& source) const {
     return {file, source.begin.line, source.begin.column};
@@ -206,12 +209,15 @@ SettingTexts TomlDocument::values() const {
 }
 
 void TomlDocument::State::report_unknown(const toml::table& table, const std::string& path) {
-  const auto known = asked.find(&table);
-  std::vector<std::string> names;
-  if (known != asked.end()) names.assign(known->second.begin(), known->second.end());
+  const auto& read = asked[&table];
   for (const auto& [key, node] : table) {
     const std::string name(key.str());
-    if (std::find(names.begin(), names.end(), name) == names.end()) {
+    if (!read.contains(name)) {
+      // A key that is read only where it stands is as good a guess as the others.
+      std::set<std::string, std::less<>> known = read;
+      known.insert(looked_for[&table].begin(), looked_for[&table].end());
+      known.erase(name);
+      const std::vector<std::string> names(known.begin(), known.end());
       const std::string meant = closest(name, names);
       std::string hint = meant.empty() ? "known here: " + joined(names) : "did you mean '" + meant + "'?";
       add("0002", place(path + name, key.source()), "unknown key '" + path + name + "'", std::move(hint));
@@ -243,7 +249,9 @@ const void* TomlTable::find(std::string_view key) const {
 }
 
 bool TomlTable::has(std::string_view key) const {
-  return node_ != nullptr && as_table(node_)->get(key) != nullptr;
+  if (node_ == nullptr) return false;
+  document_->state_->looked_for[node_].emplace(key);
+  return as_table(node_)->get(key) != nullptr;
 }
 
 bool TomlTable::has_table(std::string_view key) const {
@@ -257,7 +265,10 @@ void TomlTable::wrong_type(std::string_view key, const char* expected) const {
 double TomlTable::ranged(std::string_view key, double value, Range range, double fallback) const {
   if (value >= range.low && value <= range.high) return value;
   std::ostringstream hint;
-  hint << "it must lie between " << range.low << " and " << range.high;
+  if (std::isfinite(range.low) || std::isfinite(range.high))
+    hint << "it must lie between " << range.low << " and " << range.high;
+  else
+    hint << "it must be a number";
   document_->state_->add("0004", where(key), "'" + path_ + std::string(key) + "' is out of range",
                          hint.str());
   return fallback;
@@ -364,12 +375,17 @@ std::vector<std::vector<double>> TomlTable::number_rows(std::string_view key, st
   return {};
 }
 
-std::string TomlTable::required_text(std::string_view key) const {
-  if (find(key) == nullptr) {
+std::string TomlTable::required_text(std::string_view key, const char* empty_number) const {
+  const toml::node* node = as_node(find(key));
+  if (node == nullptr) {
     document_->state_->add("0005", where(), "'" + path_ + std::string(key) + "' is missing", "");
     return {};
   }
-  return text(key, {});
+  const std::string value = text(key, {});
+  if (value.empty() && node->is_string())
+    report(key, "'" + path_ + std::string(key) + "' is empty", "write what is meant between the quotes",
+           empty_number);
+  return value;
 }
 
 double TomlTable::required_number(std::string_view key, Range range) const {

@@ -60,8 +60,9 @@ class TomlTable {
   // An array of number arrays, each of `width` values: calibration points and the like.
   std::vector<std::vector<double>> number_rows(std::string_view key, std::size_t width) const;
 
-  // Required values: a diagnostic where the key is missing.
-  std::string required_text(std::string_view key) const;
+  // Required values: a diagnostic where the key is missing, and where its text is empty, under a code of the
+  // caller's own if it has one.
+  std::string required_text(std::string_view key, const char* empty_number = "0006") const;
   double required_number(std::string_view key, Range range = {}) const;
 
   TomlTable table(std::string_view key) const;                // missing: an empty table

@@ -13,6 +13,25 @@ namespace {
 constexpr std::array<std::pair<const char*, Pattern>, 3> kOfOne = {
     {{"absent", Pattern::Absence}, {"exists", Pattern::Existence}, {"holds", Pattern::Universality}}};
 
+bool is_temporal(Operator op) {
+  return op == Operator::Next || op == Operator::Eventually || op == Operator::Always ||
+         op >= Operator::Until;
+}
+
+// The first part, as it was written, whose operator speaks of later letters; without one all of it. A list
+// takes the place of recursion: trees may be deep.
+SyntaxId temporal_part(const SyntaxTree& tree, SyntaxId root) {
+  std::vector<SyntaxId> open = {root};
+  while (!open.empty()) {
+    const SyntaxId id = open.back();
+    open.pop_back();
+    const SyntaxNode& node = tree.nodes[id];
+    if (is_temporal(node.op)) return id;
+    open.insert(open.end(), node.children.rbegin(), node.children.rend());
+  }
+  return root;
+}
+
 }  // namespace
 
 enum class Parser::Side : std::uint8_t { Left, Right, List };
@@ -110,8 +129,7 @@ SyntaxId Parser::add(Operator op, std::vector<SyntaxId> children, Place at) {
   if (error_) return 0;
   if (op != Operator::Name && !count_operators(1, at)) return 0;
   temporal_.resize(tree_.nodes.size(), true);  // those of patterns
-  bool temporal =
-      op == Operator::Next || op == Operator::Eventually || op == Operator::Always || op >= Operator::Until;
+  bool temporal = is_temporal(op);
   for (const SyntaxId each : children) temporal = temporal || temporal_[each];
   temporal_.push_back(temporal);
   return tree_.add(op, std::move(children), at);
@@ -200,7 +218,7 @@ SyntaxId Parser::pattern(const Scope& scope, bool scoped) {
   }
   if (times("within")) {
     if (scoped) fail("L0008", peek().at, "a scope has no deadline", "leave the scope out");
-    return within(visited(first), at);
+    return within(first, at);
   }
   if (scoped) fail_here("a pattern", "absent p; exists p; holds p; s precedes p; s responds to p");
   return first;
@@ -268,12 +286,18 @@ SyntaxId Parser::unary() {
   const Place at = peek().at;
   if (accept("!") || accept("not")) return add(Operator::Not, {unary()}, at);
   if (accept("X") || accept("next")) return add(Operator::Next, {unary()}, at);
-  if (accept("F") || accept("eventually") || accept("visit")) return add(Operator::Eventually, {unary()}, at);
+  if (accept("F") || accept("eventually")) return add(Operator::Eventually, {unary()}, at);
+  if (accept("visit")) {
+    const SyntaxId visit = add(Operator::Eventually, {unary()}, at);
+    visits_.insert(visit);
+    return visit;
+  }
   if (accept("G") || accept("always")) return add(Operator::Always, {unary()}, at);
   if (accept("never") || accept("avoid")) {
-    const SyntaxId no = add(Operator::Not, {unary()}, at);
-    if (accept("before")) return add(Operator::WeakUntil, {no, unary()}, at);
-    return add(Operator::Always, {no}, at);
+    const SyntaxId avoided = unary();
+    if (!accept("before")) return add(Operator::Always, {add(Operator::Not, {avoided}, at)}, at);
+    const SyntaxId no = add(Operator::Not, {point(avoided)}, at);
+    return add(Operator::WeakUntil, {no, point(unary())}, at);
   }
   return primary();
 }
@@ -336,8 +360,18 @@ SyntaxId Parser::timed(TimedKind kind, SyntaxId of, SyntaxId answer, Place at) {
   return node;
 }
 
-// What is reached does not come later than the deadline: the first scan at or behind it still counts.
-SyntaxId Parser::within(SyntaxId reached, Place at) {
+// What is reached does not come later than the deadline: the first scan at or behind it still counts. A later
+// part of a formula would have no deadline, so that there must be none.
+SyntaxId Parser::within(SyntaxId first, Place at) {
+  if (error_) return 0;
+  const SyntaxId reached = visited(first);
+  if (speaks_of_later(reached)) {
+    const SyntaxId blamed = temporal_part(tree_, reached);
+    fail("L0008", tree_.nodes[blamed].at,
+         "a deadline is that of one instant, and '" + to_text(tree_, blamed, 60) + "' speaks of later ones",
+         "one visit of what a single scan can see: 'visit (a & b) within T#5s'");
+    return 0;
+  }
   const SyntaxId over = timed(TimedKind::Elapsed, reached, reached, at);
   return add(Operator::Until, {add(Operator::Not, {over}, at), reached}, at);
 }
@@ -353,10 +387,16 @@ bool Parser::speaks_of_later(SyntaxId node) const {
   return node >= temporal_.size() || temporal_[node];
 }
 
+// Beside `before` the word `visit` means what is visited. All others, `F a` as well, stay the formulas that
+// they are.
+SyntaxId Parser::point(SyntaxId node) const {
+  return visits_.contains(node) ? visited(node) : node;
+}
+
 SyntaxId Parser::before(SyntaxId first, SyntaxId later, Place at) {
   if (error_) return 0;
-  const SyntaxId no = add(Operator::Not, {visited(later)}, at);
-  return add(Operator::Until, {no, visited(first)}, at);
+  const SyntaxId no = add(Operator::Not, {point(later)}, at);
+  return add(Operator::Until, {no, point(first)}, at);
 }
 
 SyntaxId Parser::then(SyntaxId first, SyntaxId later, Place at) {

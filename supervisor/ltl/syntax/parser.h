@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <unordered_set>
 #include <vector>
 
 #include "supervisor/ltl/syntax/formula.h"
@@ -58,8 +59,9 @@ class Parser {
   bool times(std::string_view word) const;
   // Reads them and adds the proposition of a timer. After an error: 0.
   SyntaxId timed(TimedKind kind, SyntaxId of, SyntaxId answer, Place at);
-  SyntaxId within(SyntaxId reached, Place at);
+  SyntaxId within(SyntaxId first, Place at);
   SyntaxId visited(SyntaxId node) const;
+  SyntaxId point(SyntaxId node) const;
   bool speaks_of_later(SyntaxId node) const;
 
   std::vector<Token> tokens_;
@@ -68,7 +70,8 @@ class Parser {
   std::size_t at_ = 0, depth_ = 0, operators_ = 0;
   std::optional<result::Diagnostics> error_;
   SyntaxTree tree_;
-  std::vector<bool> temporal_;  // of each node: whether it speaks of later letters
+  std::vector<bool> temporal_;           // of each node: whether it speaks of later letters
+  std::unordered_set<SyntaxId> visits_;  // nodes that the word `visit` made
 };
 
 }  // namespace stepwright::ltl

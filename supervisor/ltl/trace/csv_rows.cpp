@@ -1,11 +1,15 @@
 #include "supervisor/ltl/trace/csv_rows.h"
 
-#include <utility>
-
 namespace stepwright::ltl {
 
+namespace {
+
+constexpr std::uint32_t kMostRowBytes = 1u << 20;
+
+}  // namespace
+
 bool CsvRows::next() {
-  while (at_ < text_.size() && !error_) {
+  while (!error_ && !at_end()) {
     row();
     const bool empty = fields_.size() == 1 && fields_.front().empty();
     if (!empty) return !error_;
@@ -17,44 +21,52 @@ void CsvRows::row() {
   fields_.clear();
   columns_.clear();
   line_ = next_line_;
-  const std::size_t begin = at_;
-  for (bool more = true; more && !error_;) {
-    columns_.push_back(static_cast<std::uint32_t>(at_ - begin + 1));
-    std::string field;
-    if (at_ < text_.size() && text_[at_] == '"') {
+  bytes_ = 0;
+  for (bool more = true; more;) {
+    columns_.push_back(bytes_ + 1);
+    std::string& field = fields_.emplace_back();
+    if (sees('"')) {
       if (!quoted(field)) return;
     } else {
-      const std::size_t end = std::min(text_.find_first_of(",\r\n", at_), text_.size());
-      field = text_.substr(at_, end - at_);
-      at_ = end;
+      while (!at_end() && !sees(',') && !sees('\r') && !sees('\n'))
+        if (!take(&field)) return;
     }
-    fields_.push_back(std::move(field));
-    more = at_ < text_.size() && text_[at_] == ',';
-    if (more) ++at_;
+    more = sees(',');
+    if (more && !take(nullptr)) return;
   }
-  if (at_ < text_.size() && text_[at_] == '\r') ++at_;
-  if (at_ < text_.size() && text_[at_] == '\n') ++at_;
+  if (sees('\r')) in_.sbumpc();
+  if (sees('\n')) in_.sbumpc();
   ++next_line_;
 }
 
 bool CsvRows::quoted(std::string& field) {
   const result::Location begin = where(columns_.size() - 1);
-  for (++at_; at_ < text_.size(); ++at_) {
-    if (text_[at_] == '\n') ++next_line_;
-    if (text_[at_] != '"') {
-      field += text_[at_];
-    } else if (at_ + 1 < text_.size() && text_[at_ + 1] == '"') {
-      field += text_[++at_];
-    } else {
-      ++at_;
-      if (at_ == text_.size() || text_[at_] == ',' || text_[at_] == '\r' || text_[at_] == '\n') return true;
-      error_ = result::fail("L0041", begin, "behind the quotes of this field stands something else",
-                            "a quote within a field is written twice")
-                   .value();
-      return false;
+  take(nullptr);
+  while (!at_end()) {
+    if (sees('\n')) ++next_line_;
+    if (!sees('"')) {
+      if (!take(&field)) return false;
+      continue;
     }
+    if (!take(nullptr)) return false;
+    if (at_end() || sees(',') || sees('\r') || sees('\n')) return true;
+    if (!sees('"'))
+      return fail(begin, "behind the quotes of this field stands something else",
+                  "a quote within a field is written twice");
+    if (!take(&field)) return false;
   }
-  error_ = result::fail("L0041", begin, "the quotes of this field do not end", "close them with \"").value();
+  return fail(begin, "the quotes of this field do not end", "close them with \"");
+}
+
+bool CsvRows::take(std::string* into) {
+  const auto c = static_cast<char>(in_.sbumpc());
+  if (into != nullptr) *into += c;
+  if (++bytes_ <= kMostRowBytes) return true;
+  return fail(where(0), "this row is longer than a mebibyte", "a row ends with its line: is this a table?");
+}
+
+bool CsvRows::fail(const result::Location& at, const char* message, const char* hint) {
+  error_ = result::fail("L0041", at, message, hint).value();
   return false;
 }
 

@@ -1,16 +1,19 @@
 #pragma once
 
-// The rows of a table of comma-separated values (RFC 4180), one after the other. Private to this library.
+// The rows of a table of comma-separated values (RFC 4180), one after the other: of the table no more than
+// one row is in memory, and of a row no more than a mebibyte. Private to this library.
 //
 // Thread rule: one thread at a time. Example:
-//   CsvRows rows(text, "trace.csv");
+//   CsvRows rows(stream, "trace.csv");
 //   while (rows.next()) use(rows.fields());
 //   if (rows.error()) ...
 
 #include <cstdint>
+#include <istream>
 #include <optional>
+#include <streambuf>
 #include <string>
-#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "runtime/ground/result/result.h"
@@ -19,7 +22,8 @@ namespace stepwright::ltl {
 
 class CsvRows {
  public:
-  CsvRows(std::string_view text, std::string file) : text_(text), file_(std::move(file)) {}
+  // The stream outlives this.
+  CsvRows(std::istream& in, std::string file) : in_(*in.rdbuf()), file_(std::move(file)) {}
 
   // False at the end, and at what is no table (L0041). Lines without anything in them are no rows.
   bool next();
@@ -32,10 +36,17 @@ class CsvRows {
  private:
   void row();
   bool quoted(std::string& field);
+  bool fail(const result::Location& at, const char* message, const char* hint);
 
-  std::string_view text_;
+  int peek() { return in_.sgetc(); }  // the end is none of the characters
+  bool sees(char c) { return peek() == c; }
+  bool at_end() { return peek() == std::char_traits<char>::eof(); }
+  // The next one; false, with an error, where the row is longer than its bound.
+  bool take(std::string* into);
+
+  std::streambuf& in_;
   std::string file_;
-  std::size_t at_ = 0;
+  std::uint32_t bytes_ = 0;  // of the row, so far
   std::uint32_t next_line_ = 1, line_ = 0;
   std::vector<std::string> fields_;
   std::vector<std::uint32_t> columns_;

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <optional>
+#include <sstream>
+#include <utility>
 
 #include "runtime/ground/naming/ascii_names.h"
 #include "runtime/ground/result/closest.h"
@@ -19,6 +22,28 @@ std::optional<double> number(std::string_view text) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
   return value;
+}
+
+// A whole number of any length, without its leading zeros; of zero there is neither a sign nor a digit.
+struct Whole {
+  bool negative = false;
+  std::string_view digits;
+};
+
+std::optional<Whole> whole(std::string_view text) {
+  const bool negative = text.starts_with('-');
+  if (negative) text.remove_prefix(1);
+  if (text.empty() || text.find_first_not_of("0123456789") != std::string_view::npos) return std::nullopt;
+  text.remove_prefix(std::min(text.find_first_not_of('0'), text.size()));
+  return Whole{negative && !text.empty(), text};
+}
+
+// Below, at or above 0 as a is less than, equal to or greater than b.
+int order(const Whole& a, const Whole& b) {
+  if (a.negative != b.negative) return a.negative ? -1 : 1;
+  const auto key = [](const Whole& each) { return std::pair(each.digits.size(), each.digits); };
+  const int size = key(a) < key(b) ? -1 : key(b) < key(a) ? 1 : 0;
+  return a.negative ? -size : size;
 }
 
 std::optional<bool> truth(std::string_view text) {
@@ -54,6 +79,9 @@ std::optional<bool> satisfied(const Binding& binding, const std::string& field) 
     if (!value) return std::nullopt;
     return *value == (binding.relation == Relation::Holds);
   }
+  // A LINT or an ULINT may have more digits than a double.
+  const auto a = whole(field), b = whole(binding.value);
+  if (a && b) return compare(binding.relation, order(*a, *b), 0);
   const auto left = number(field), right = number(binding.value);
   if (left && right) return compare(binding.relation, *left, *right);
   if (binding.relation != Relation::Equal && binding.relation != Relation::Unequal) return std::nullopt;
@@ -69,18 +97,22 @@ std::string without_unit(const std::string& column) {
 
 class Reader {
  public:
-  Reader(std::string_view text, const std::string& file) : rows_(text, file), file_(file) {}
+  Reader(std::istream& in, const std::string& file) : rows_(in, file), file_(file) {}
 
   result::Result<Trace> run(const SyntaxTree& formula, const std::vector<Binding>& bindings) {
     if (!rows_.next())
       return failed("L0041", {file_, 1, 1}, "there is no table", "its first line names the columns");
     names_ = rows_.fields();
     if (auto bound = bind(formula, bindings); !bound) return result::forward(bound);
-    const auto scan = column("scan"), time = column("time_s");
+    const auto scan_column = column("scan"), time_column = column("time_s");
+    if (!scan_column) return tl::unexpected<result::Diagnostics>(scan_column.error());
+    if (!time_column) return tl::unexpected<result::Diagnostics>(time_column.error());
+    const auto scan = *scan_column, time = *time_column;
     if (!formula.timed.empty() && !time)
       return failed("L0042", {file_, 1, 1}, "no column 'time_s' for '" + formula.timed.front().duration + "'",
                     "`stepwright exec --csv` writes one");
     TimedLetters timers(formula);
+    std::int64_t last_ns = 0;
     Trace trace;
     while (rows_.next()) {
       if (rows_.fields().size() != names_.size())
@@ -95,7 +127,13 @@ class Reader {
         if (!seconds || !(std::abs(*seconds) < 1e9))
           return failed("L0044", rows_.where(*time), "'" + rows_.fields()[*time] + "' is no time",
                         "seconds since the first scan");
-        *letter = timers.with_timed(*letter, std::llround(*seconds * 1e9));
+        const std::int64_t now_ns = std::llround(*seconds * 1e9);
+        if (trace.rows > 0 && now_ns < last_ns)
+          return failed("L0044", rows_.where(*time),
+                        "'" + rows_.fields()[*time] + "' is before the time of the row above it",
+                        "timers need rows in the order of time");
+        last_ns = now_ns;
+        *letter = timers.with_timed(*letter, now_ns);
       }
       ++trace.rows;
       if (!trace.changes.empty() && trace.changes.back().letter == *letter) continue;
@@ -114,16 +152,22 @@ class Reader {
     return result::fail(code, where, std::move(message), std::move(hint));
   }
 
-  std::optional<std::size_t> column(std::string_view name) const {
-    const auto find = [&](const auto& same) -> std::optional<std::size_t> {
-      const auto found = std::ranges::find_if(names_, same);
-      if (found == names_.end()) return std::nullopt;
-      return static_cast<std::size_t>(found - names_.begin());
-    };
-    if (const auto exact = find([&](const std::string& each) { return each == name; })) return exact;
-    return find([&](const std::string& each) {
-      return naming::same_name(each, name) || naming::same_name(without_unit(each), name);
-    });
+  // Nothing without such a column. Exact names go before those that differ in case or in a unit.
+  result::Result<std::optional<std::size_t>> column(std::string_view name) const {
+    std::vector<std::size_t> exact, similar;
+    for (std::size_t k = 0; k < names_.size(); ++k) {
+      if (names_[k] == name)
+        exact.push_back(k);
+      else if (naming::same_name(names_[k], name) || naming::same_name(without_unit(names_[k]), name))
+        similar.push_back(k);
+    }
+    const std::vector<std::size_t>& found = exact.empty() ? similar : exact;
+    if (found.empty()) return std::nullopt;
+    if (found.size() > 1)
+      return result::fail("L0046", rows_.where(found[1]),
+                          "two columns are called '" + std::string(name) + "'",
+                          "case and units do not tell columns apart: leave one of them out");
+    return found.front();
   }
 
   result::Result<void> bind(const SyntaxTree& formula, const std::vector<Binding>& bindings) {
@@ -138,11 +182,15 @@ class Reader {
         return result::fail("L0045", {}, "the formula has no proposition '" + each.proposition + "'",
                             propositions.empty() ? "it has none at all" : "it has " + listed(propositions));
     for (const std::string& name : propositions) {
+      if (std::ranges::count(bindings, name, &Binding::proposition) > 1)
+        return result::fail("L0046", {}, "two bindings say what '" + name + "' means",
+                            "leave one of them out");
       const auto given = std::ranges::find(bindings, name, &Binding::proposition);
       bindings_.push_back(given != bindings.end() ? *given : Binding{name, name, Relation::Holds, ""});
       const auto found = column(bindings_.back().column);
-      if (!found) return missing(bindings_.back());
-      columns_.push_back(*found);
+      if (!found) return tl::unexpected<result::Diagnostics>(found.error());
+      if (!*found) return missing(bindings_.back());
+      columns_.push_back(**found);
     }
     return {};
   }
@@ -192,17 +240,30 @@ class Reader {
 
 }  // namespace
 
-result::Result<Trace> read_trace(std::string_view text, const std::string& file,
+result::Result<Trace> read_trace(std::istream& in, const std::string& file, const SyntaxTree& formula,
+                                 const std::vector<Binding>& bindings) {
+  return Reader(in, file).run(formula, bindings);
+}
+
+result::Result<Trace> read_trace(std::istream& in, const std::string& file,
                                  const std::vector<std::string>& propositions,
                                  const std::vector<Binding>& bindings) {
   SyntaxTree tree;
   tree.propositions = propositions;
-  return Reader(text, file).run(tree, bindings);
+  return read_trace(in, file, tree, bindings);
 }
 
 result::Result<Trace> read_trace(std::string_view text, const std::string& file, const SyntaxTree& formula,
                                  const std::vector<Binding>& bindings) {
-  return Reader(text, file).run(formula, bindings);
+  std::istringstream in{std::string(text)};
+  return read_trace(in, file, formula, bindings);
+}
+
+result::Result<Trace> read_trace(std::string_view text, const std::string& file,
+                                 const std::vector<std::string>& propositions,
+                                 const std::vector<Binding>& bindings) {
+  std::istringstream in{std::string(text)};
+  return read_trace(in, file, propositions, bindings);
 }
 
 }  // namespace stepwright::ltl

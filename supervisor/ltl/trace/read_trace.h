@@ -10,6 +10,7 @@
 //   auto trace = read_trace(text, "run.csv", formula->tree.propositions, {*read_binding("full=MAIN.level >
 //   20")});
 
+#include <iosfwd>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -35,16 +36,25 @@ struct Trace {
   std::uint64_t rows = 0;
 };
 
-// L0041: no table; L0042: a proposition has no column; L0044: a field is neither 0 nor 1, or no number;
-// L0045: a binding for no proposition.
-[[nodiscard]] result::Result<Trace> read_trace(std::string_view text, const std::string& file,
-                                               const std::vector<std::string>& propositions,
+// With the propositions of the formula but for those of its timers, which have no columns. L0041: no table,
+// or a row of more than a mebibyte; L0042: a proposition has no column, or there are timers and no column
+// `time_s`; L0044: a field is neither 0 nor 1, or no number; L0045: a binding for no proposition; L0046: a
+// proposition with two bindings, or two columns of a name that is asked for.
+//
+// Of the table no more than a row is in memory, so that traces may be of any length.
+[[nodiscard]] result::Result<Trace> read_trace(std::istream& in, const std::string& file,
+                                               const SyntaxTree& formula,
                                                const std::vector<Binding>& bindings);
-
-// The same with the propositions of the formula's timers, which have no columns. L0042, too: there are timers
-// and no column `time_s`.
 [[nodiscard]] result::Result<Trace> read_trace(std::string_view text, const std::string& file,
                                                const SyntaxTree& formula,
+                                               const std::vector<Binding>& bindings);
+
+// The same of propositions without timers.
+[[nodiscard]] result::Result<Trace> read_trace(std::istream& in, const std::string& file,
+                                               const std::vector<std::string>& propositions,
+                                               const std::vector<Binding>& bindings);
+[[nodiscard]] result::Result<Trace> read_trace(std::string_view text, const std::string& file,
+                                               const std::vector<std::string>& propositions,
                                                const std::vector<Binding>& bindings);
 
 }  // namespace stepwright::ltl

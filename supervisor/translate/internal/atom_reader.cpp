@@ -55,10 +55,7 @@ void AtomReader::problem(const char* code, const TomlTable& table, std::string_v
 std::optional<Pattern> AtomReader::atom(const TomlTable& table, std::string_view key, AtomKind kind,
                                         const Pattern* scope) {
   const std::string text = table.required_text(key);
-  if (text.empty()) {
-    if (table.has(key)) table.report(key, "'" + std::string(key) + "' is empty");
-    return std::nullopt;
-  }
+  if (text.empty()) return std::nullopt;  // told
   return parse(table, key, text, kind, scope);
 }
 

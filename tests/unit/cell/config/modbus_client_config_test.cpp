@@ -161,6 +161,8 @@ TEST(ModbusClientConfig, WhenATagIsWrong_ThenItsPlaceIsTold) {
       {"{ address = \"%QW3\", holding = 1, loss_value = 2 }", {"9 C0525"}},
       {"{ address = \"%IW3\", holding = 1, quality = \"%IW5\" }", {"9 C0302"}},
       {"{ address = \"%IW3\", holding = 1, quality = \"%QB5\" }", {"9 C0303"}},
+      {"{ address = \"%IW3\", holding = 1, quality = \"\" }", {"9 C0302"}},
+      {"{ address = \"\", holding = 1 }", {"9 C0006"}},
       {"{ address = \"%IW3\", holding = 1, facto = 2 }", {"9 C0002"}},
       {"{ address = \"%IW3\", holding = 1 },\n{ address = \"%IX6.3\", coil = 1 }", {"10 C0524"}},
       {"{ address = \"%IW3\", holding = 1 },\n{ address = \"%IW4\", holding = 2, quality = \"%IB7\" }",

@@ -39,11 +39,16 @@ TEST(WrongMonitors, WhenRead_ThenTheFirstProblemHasItsPlace) {
       {monitor("formula = \"never main.at_wash\"\n"), "sound"},
       {"[[monitors]]\nname = \"2m\"\nformula = \"never a\"\n", "2 C0551"},
       {"[[monitors]]\nname = \"m__x\"\nformula = \"never a\"\n", "2 C0551"},
+      {"[[monitors]]\nname = \"\"\nformula = \"never a\"\n", "2 C0551"},
+      {"[[monitors]]\nname = \" \"\nformula = \"never a\"\n", "2 C0551"},
       {"[[monitors]]\nformula = \"never a\"\n", "1 C0005"},
       {monitor("formula = \"never main.at_wash\"\n") + "[[monitors]]\nname = \"M\"\nformula = \"F a\"\n",
        "5 C0552"},
       {monitor(""), "1 C0553"},
       {monitor("formula = \"never a\"\nformula_file = \"a.ltl\"\n"), "4 C0553"},
+      {monitor("formula = \"\"\n"), "3 C0553"},
+      {monitor("formula = \"\"\nformula_file = \"a.ltl\"\n"), "4 C0553"},
+      {monitor("formula = \"never a\"\nformula_file = \"\"\n"), "4 C0553"},
       {monitor("formula = \"never a\"\non_false = [\"explode\"]\n"), "4 C0554"},
       {monitor("formula = \"never a\"\nlet = { a = \"main.level >= 2; x := 1\" }\n"), "4 C0555"},
       {monitor("formula = \"never a\"\nlet = { a = \" \" }\n"), "4 C0555"},
@@ -67,6 +72,21 @@ TEST(WrongMonitors, WhenRead_ThenTheFirstProblemHasItsPlace) {
     SCOPED_TRACE(each.toml);
     EXPECT_EQ(first_of(each.toml), each.found);
   }
+}
+
+TEST(WrongMonitors, WhenAKeyIsUnknown_ThenTheHintHasAllThatAreKnown) {
+  result::Diagnostics problems;
+  (void)test::cell_of(monitor("formula = \"never a\"\ncolour = \"red\"\n"), &problems);
+  ASSERT_EQ(problems.size(), 1u) << result::to_string(problems);
+  EXPECT_EQ(problems.front().code, "C0002");
+  EXPECT_EQ(problems.front().hint, "known here: formula, formula_file, let, name, on_false");
+}
+
+TEST(WrongMonitors, WhenTheFileOfAFormulaHasNoEnd_ThenRefused) {
+  const auto monitors = cell_monitors(test::cell_of(monitor("formula_file = \"/dev/zero\"\n")));
+  ASSERT_FALSE(monitors);
+  EXPECT_EQ(monitors.error().front().code, "E0001");
+  EXPECT_EQ(monitors.error().front().where.file, "/dev/zero");
 }
 
 TEST(WrongMonitors, WhenProgramsOfSeveralTasksAreRead_ThenRefused) {

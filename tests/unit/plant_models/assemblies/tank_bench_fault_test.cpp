@@ -113,6 +113,19 @@ TEST(TankBenchFault, WhenValueIsOutOfRange_ThenRefusedAndNothingChanges) {
   EXPECT_EQ(rig.sensor("fc1"), 1);
 }
 
+TEST(TankBenchFault, WhenItsValueIsVeryLargeOrSmall_ThenTheMessageSaysItShortAndRight) {
+  BenchRig rig;
+  const std::pair<double, const char*> wrong[] = {{1e300, "the value 1e+300"},
+                                                  {-1e-9, "the value -1e-09"},
+                                                  {-123456.5, "the value -123456.5"},
+                                                  {-20.0, "the value -20"}};
+  for (const auto& [value, text] : wrong) {
+    const auto failed = rig.plant().inject_fault("leak_a1", value);
+    ASSERT_FALSE(failed) << text;
+    EXPECT_TRUE(failed.error().front().message.ends_with(text)) << failed.error().front().message;
+  }
+}
+
 TEST(TankBenchFault, WhenEveryFaultHolds_ThenThePlantGoesOnAndKeepsItsLiquid) {
   BenchRig rig;
   for (const core::Quantity& fault : rig.plant().faults()) {

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "tests/support/command_run.h"
@@ -92,6 +93,28 @@ TEST_F(LtlCommand, Check_WhenTheInputIsWrong_ThenItsPlaceIsNamed) {
   EXPECT_EQ(run("ltl check \"visit x\" " + path("nothing.csv")), 1);
   EXPECT_EQ(run("ltl check"), 2);
   EXPECT_EQ(run("ltl"), 2);
+}
+
+TEST_F(LtlCommand, Help_WhenAnOptionIsOneOfSomeWords_ThenItNamesThem) {
+  EXPECT_EQ(run("ltl automaton --help"), 0);
+  EXPECT_THAT(output, HasSubstr("{bad,good}"));
+  EXPECT_EQ(run("ltl monitor --help"), 0);
+  EXPECT_THAT(output, HasSubstr("{branches,table}"));
+  EXPECT_EQ(output.find('\0'), std::string::npos);
+  EXPECT_EQ(run("ltl automaton \"F a\" --part good"), 0) << errors;
+  EXPECT_EQ(run("ltl monitor a --form leaves"), 2);
+  EXPECT_THAT(errors, HasSubstr("leaves not in {branches,table}"));
+}
+
+TEST_F(LtlCommand, File_WhenItHasNoEnd_ThenRefusedAtOnce) {
+  for (const char* name : {"zero.ltl", "zero.hoa", "zero.json", "zero.csv"})
+    std::filesystem::create_symlink("/dev/zero", path(name));
+  for (const std::string& command :
+       {"automaton " + path("zero.ltl"), "automaton " + path("zero.hoa"), "monitor " + path("zero.ltl"),
+        "check a " + path("zero.csv"), path("zero.json")}) {
+    EXPECT_EQ(run("ltl " + command), 1) << command;
+    EXPECT_THAT(errors, HasSubstr("E0001")) << command;
+  }
 }
 
 TEST_F(LtlCommand, Automaton_WhenWritten_ThenItIsReadAgainInItsPlace) {

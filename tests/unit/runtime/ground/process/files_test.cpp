@@ -72,5 +72,33 @@ TEST(Files, WhenADeviceIsFull_ThenE0002) {
   EXPECT_TRUE(fs::is_character_file("/dev/full"));
 }
 
+TEST(Files, WhenAFileIsReadWithABound_ThenOneByteMoreIsRefused) {
+  const support::TemporaryFolder folder;
+  std::ofstream(folder / "text") << std::string(70'000, 'x');
+  EXPECT_EQ(read_file(folder / "text", 70'000).value().size(), 70'000u);
+  EXPECT_EQ(read_file(folder / "text", 69'999).error().front().code, "E0001");
+  EXPECT_EQ(read_file("/proc/self/cmdline").value().find('\0') != std::string::npos, true);
+  EXPECT_EQ(read_file(folder / "none").error().front().code, "E0001");
+  EXPECT_EQ(read_file(folder.path()).error().front().code, "E0001");
+}
+
+// Neither waits for somebody who writes, nor takes memory without an end.
+TEST(Files, WhenAPipeADeviceOrAFileOfGigabytesIsRead_ThenRefusedAtOnce) {
+  const support::TemporaryFolder folder;
+  ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
+  std::ofstream(folder / "large").put('x');
+  fs::resize_file(folder / "large", std::uintmax_t{3} << 30);
+  for (const std::string& path :
+       {(folder / "pipe").string(), (folder / "large").string(), std::string("/dev/zero")}) {
+    const auto refused = read_file(path);
+    ASSERT_FALSE(refused) << path;
+    EXPECT_EQ(refused.error().front().code, "E0001");
+    EXPECT_EQ(refused.error().front().where.file, path);
+    EXPECT_FALSE(refused.error().front().hint.empty());
+  }
+  EXPECT_FALSE(open_file(folder / "pipe"));
+  EXPECT_TRUE(open_file(folder / "large"));
+}
+
 }  // namespace
 }  // namespace stepwright::process

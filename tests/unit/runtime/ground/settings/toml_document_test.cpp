@@ -62,6 +62,39 @@ TEST(TomlDocument, WhenAKeyIsMisspelt_ThenTheHintNamesTheKnownOne) {
   EXPECT_EQ(problems[0].hint, "did you mean 'speed'?");
 }
 
+// Whoever reads a key only where it stands knows it all the same.
+TEST(TomlDocument, WhenAKeyIsReadOnlyWhereItStands_ThenHintsHaveItAndItIsNotTakenForRead) {
+  const auto document = parsed("[clock]\nquik = 2\nslow = 3\n");
+  const TomlTable clock = document->root().table("clock");
+  (void)clock.text("zone", "");
+  EXPECT_FALSE(clock.has("quick"));
+  EXPECT_TRUE(clock.has("slow"));
+  const result::Diagnostics problems = document->finish();
+  ASSERT_EQ(problems.size(), 2u);
+  EXPECT_EQ(problems[0].hint, "did you mean 'quick'?");
+  EXPECT_EQ(problems[1].message, "unknown key 'clock.slow'");
+  EXPECT_EQ(problems[1].hint, "known here: quick, zone");
+}
+
+TEST(TomlDocument, WhenAValueIsNoNumber_ThenTheHintNamesNoRangeWithoutEnds) {
+  const auto document = parsed("n = nan\n");
+  (void)document->root().number("n", 1.0);
+  const result::Diagnostics problems = document->finish();
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_EQ(problems[0].hint, "it must be a number");
+}
+
+TEST(TomlDocument, WhenARequiredTextIsMissingOrEmpty_ThenItIsToldOnce) {
+  const auto document = parsed("a = \"\"\nb = \"\"\nc = 3\ne = \" \"\n");
+  const TomlTable root = document->root();
+  for (const char* key : {"a", "c", "d"}) EXPECT_EQ(root.required_text(key), "");
+  EXPECT_EQ(root.required_text("b", "0551"), "");
+  EXPECT_EQ(root.required_text("e"), " ");
+  std::vector<std::string> codes;
+  for (const result::Diagnostic& each : document->finish()) codes.push_back(each.code);
+  EXPECT_EQ(codes, (std::vector<std::string>{"C0006", "C0003", "C0005", "C0551"}));
+}
+
 TEST(TomlDocument, WhenATableIsUnknown_ThenItIsReportedOnce) {
   const auto document = parsed("[clocks]\nspeed = 2.0\n");
   (void)document->root().table("clock");

@@ -51,6 +51,25 @@ TEST(Parse, Formula_WhenWrittenInWords_ThenItIsTheFormulaOfThem) {
   EXPECT_EQ(read("eventually next a implies b or c"), "F X a -> b | c");
 }
 
+TEST(Parse, Address_WhenItIsAName_ThenItStandsInQuotes) {
+  EXPECT_EQ(read("never \"%IX0.3\""), "G !\"%IX0.3\"");
+  EXPECT_EQ(refusal("never %IX0.3"), "1:7 L0001");
+}
+
+TEST(Parse, Before_WhenAFormulaStandsBesideIt_ThenOnlyTheWordVisitMeansItsPlace) {
+  EXPECT_EQ(read("(visit a) before b"), "!b U a");
+  EXPECT_EQ(read("never visit b before visit a"), "!b W a");
+  EXPECT_EQ(read("b before F a"), "!F a U b");
+  EXPECT_EQ(read("eventually a before b"), "!b U F a");
+  EXPECT_EQ(read("F F b before a"), "!a U F F b");
+  EXPECT_EQ(read("!F b before a"), "!a U !F b");
+  EXPECT_EQ(read("b before G a"), "!G a U b");
+  EXPECT_EQ(read("never F b before a"), "!F b W a");
+  EXPECT_EQ(read("visit visit a before b"), "!b U F a");
+  EXPECT_EQ(read("(visit a and visit b) before c"), "!c U (F a & F b)");
+  EXPECT_EQ(read("never visit a"), "G !F a");
+}
+
 TEST(Parse, Deadline_WhenWritten_ThenATimerMakesAPropositionOfIt) {
   EXPECT_EQ(read("s responds to p within T#5s"), "G !\"p since T#5s without s\"");
   EXPECT_EQ(read("visit p within T#1m30s"), "!\"T#1m30s over\" U p");
@@ -76,6 +95,24 @@ TEST(Parse, Deadline_WhenItCannotBeMeant_ThenRefusedAtItsPlace) {
   EXPECT_EQ(refusal("after q: s responds to p within T#5s"), "1:26 L0008");
   EXPECT_EQ(refusal("\"p for T#5s\" & p for T#5s"), "1:16 L0008");
   EXPECT_EQ(refusal("p T#5s"), "1:3 L0002");
+}
+
+TEST(Parse, Deadline_WhenItIsOfAFormulaThatSpeaksOfLaterLetters_ThenThatPartIsBlamed) {
+  EXPECT_EQ(refusal("a then b within T#1s"), "1:3 L0008");
+  EXPECT_EQ(refusal("never a within T#1s"), "1:1 L0008");
+  EXPECT_EQ(refusal("visit a and b within T#1s"), "1:1 L0008");
+  EXPECT_EQ(refusal("a U b within T#1s"), "1:3 L0008");
+  EXPECT_EQ(refusal("X a within T#1s"), "1:1 L0008");
+  EXPECT_EQ(refusal("F F a within T#1s"), "1:3 L0008");
+  EXPECT_EQ(refusal("a, visit (p & F q) within T#1s"), "1:15 L0008");
+  EXPECT_EQ(refusal("(s responds to p) within T#1s"), "1:2 L0008");
+  EXPECT_EQ(refusal("(p within T#5s) within T#1s"), "1:2 L0008");
+  const auto refused = parse_formula("visit (a & X b) within T#1s");
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().front().message.find("'X b'"), std::string::npos);
+  EXPECT_EQ(read("visit (a & !b) within T#1s"), "!\"T#1s over\" U (a & !b)");
+  EXPECT_EQ(read("F a within T#1s, b for T#1s within T#2s"),
+            "!\"T#1s over\" U a & !\"T#2s over\" U \"b for T#1s\"");
 }
 
 TEST(Parse, Refusal_WhenTheTextIsWrong_ThenTheFirstPlaceIsNamed) {

@@ -42,6 +42,33 @@ TEST(ReadTrace, Changes_WhenColumnsAreBound_ThenTheyAreTheWordOfLabels) {
   EXPECT_EQ(trace->changes[2].letter, 0b1111u);
 }
 
+// The letter of one field, as '1' or '0', for each of the comparisons.
+std::string compared(const std::string& field, const std::string& value) {
+  std::string bits;
+  for (const char* sign : {"<", "<=", "=", "<>", ">=", ">"}) {
+    const auto trace = read_trace("v\n" + field + "\n", "run.csv", std::vector<std::string>{"x"},
+                                  {*read_binding("x=v" + std::string(sign) + value)});
+    bits += !trace ? '?' : trace->changes.at(0).letter == 1 ? '1' : '0';
+  }
+  return bits;
+}
+
+TEST(ReadTrace, Comparison_WhenNumbersHaveSixtyFourBits_ThenItIsExact) {
+  const std::string less = "110100", equal = "011010", greater = "000111";
+  EXPECT_EQ(compared("9007199254740993", "9007199254740992"), greater);
+  EXPECT_EQ(compared("9223372036854775806", "9223372036854775807"), less);
+  EXPECT_EQ(compared("-9223372036854775808", "-9223372036854775807"), less);
+  EXPECT_EQ(compared("18446744073709551615", "18446744073709551615"), equal);
+  EXPECT_EQ(compared("18446744073709551615", "18446744073709551616"), less);
+  EXPECT_EQ(compared("18446744073709551615", "-1"), greater);
+  EXPECT_EQ(compared("-0", "00"), equal);
+  EXPECT_EQ(compared("007", "7"), equal);
+  EXPECT_EQ(compared("-12", "-7"), less);
+  EXPECT_EQ(compared("9", "10"), less);
+  EXPECT_EQ(compared("20", "19.5"), greater);
+  EXPECT_EQ(compared("-", "0").front(), '?');
+}
+
 TEST(ReadTrace, Refusal_WhenATableOrAColumnIsWrong_ThenThePlaceIsNamed) {
   EXPECT_EQ(refusal("", {"a"}), "1:1 L0041");
   EXPECT_EQ(refusal("a\n1\n\n0,1\n", {"a"}), "4:1 L0041");
@@ -53,6 +80,23 @@ TEST(ReadTrace, Refusal_WhenATableOrAColumnIsWrong_ThenThePlaceIsNamed) {
   EXPECT_EQ(refusal(kTable, {"x"}, {*read_binding("y=MAIN.run")}), "0:0 L0045");
   const auto misspelt = read_trace(kTable, "run.csv", {"MAIN.runs"}, {});
   EXPECT_NE(misspelt.error().front().hint.find("did you mean 'MAIN.run'"), std::string::npos);
+}
+
+TEST(ReadTrace, Refusal_WhenAMeaningOrAColumnIsThereTwice_ThenNeitherIsTaken) {
+  EXPECT_EQ(refusal("a,b\n1,0\n", {"x"}, {*read_binding("x=a"), *read_binding("x=b")}), "0:0 L0046");
+  EXPECT_EQ(refusal("a,b,a\n1,0,0\n", {"a"}), "1:5 L0046");
+  EXPECT_EQ(refusal("A,b,a [s]\n1,0,0\n", {"a"}), "1:5 L0046");
+  EXPECT_EQ(refusal("time_s,a,time_s\n0,1,0\n", {"a"}), "1:10 L0046");
+  EXPECT_EQ(refusal("A,a,b,b\n1,0,x,x\n", {"a"}), "read") << "the exact name; b is not asked for";
+}
+
+// As many as memory has: an endless line of an endless file must end somewhere.
+TEST(ReadTrace, Row_WhenItIsLongerThanAMebibyte_ThenRefusedAtItsLine) {
+  const std::string wide(std::size_t{1} << 20, ' ');
+  EXPECT_EQ(refusal(wide + ",a\n", {"a"}), "1:1 L0041");
+  EXPECT_EQ(refusal("a,b\n1,x\n0," + wide + "\n", {"a"}), "3:1 L0041");
+  EXPECT_EQ(refusal("a,b\n1,x\n0,\"" + wide + "\"\n", {"a"}), "3:1 L0041");
+  EXPECT_EQ(refusal("a,b\n1," + std::string(500'000, 'x') + "\n", {"a"}), "read");
 }
 
 // Letters of a, in hundredths of a second from 0 on, as those of the timer's proposition.
@@ -85,6 +129,16 @@ TEST(ReadTrace, Timer_WhenThereAreNoTimes_ThenRefused) {
   const auto formula = parse_formula("never a for T#20ms");
   EXPECT_EQ(read_trace("a\n1\n", "run.csv", formula->tree, {}).error().front().code, "L0042");
   EXPECT_EQ(read_trace("time_s,a\nx,1\n", "run.csv", formula->tree, {}).error().front().code, "L0044");
+}
+
+TEST(ReadTrace, Timer_WhenTimeGoesBackwards_ThenRefusedAtItsRow) {
+  const auto formula = parse_formula("never a for T#20ms");
+  const auto refused = read_trace("time_s,a\n-1,1\n0.5,1\n0.5,0\n0.499,1\n", "run.csv", formula->tree, {});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().front().code, "L0044");
+  EXPECT_EQ(refused.error().front().where.line, 5u);
+  EXPECT_EQ(refused.error().front().where.column, 1u);
+  EXPECT_EQ(refusal("time_s,a\n2,1\n1,0\n", {"a"}), "read") << "nobody asks for the time";
 }
 
 TEST(ReadTrace, Text_WhenBytesAreChanged_ThenReadOrRefused) {
