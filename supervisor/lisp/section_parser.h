@@ -43,6 +43,32 @@ class SectionParser {
   // "(:length (:serial 5) (:parallel 3))" of PDDL 1.2: what its author knew of plans binds none.
   bool length();
 
+  // What stands in parentheses, one by one, up to the end of the section. An error in one ends that one only.
+  template <typename Element>
+  bool elements(const Element& element) {
+    while (tokens_.at(TokenKind::Open)) {
+      const std::size_t depth = tokens_.depth();
+      if (!element()) tokens_.recover(depth);
+    }
+    return tokens_.at(TokenKind::Close) || tokens_.unexpected("'(' or ')'");
+  }
+
+  // The declarations of a section of functions. They may carry a result type, which can only be a number
+  // here.
+  template <typename Declaration>
+  bool numeric_functions(const Declaration& declaration) {
+    while (!tokens_.at(TokenKind::Close)) {
+      if (!tokens_.at(TokenKind::Operator, "-")) {
+        if (!declaration()) return false;
+        continue;
+      }
+      tokens_.take();
+      if (!tokens_.at(TokenKind::Name, "number")) return tokens_.unexpected("'number'");
+      tokens_.take();
+    }
+    return true;
+  }
+
   TokenStream tokens_;
 
  private:

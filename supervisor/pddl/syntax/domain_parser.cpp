@@ -40,19 +40,11 @@ class DomainParser : private lisp::SectionParser {
     return true;
   }
 
-  // Functions may carry a result type, which can only be a number here.
   bool functions() {
-    while (!tokens_.at(TokenKind::Close)) {
-      if (tokens_.at(TokenKind::Operator, "-")) {
-        tokens_.take();
-        if (!tokens_.at(TokenKind::Name, "number")) return tokens_.unexpected("'number'");
-        tokens_.take();
-        continue;
-      }
+    return numeric_functions([&] {
       domain_.functions.emplace_back();
-      if (!formulas_.declaration(domain_.functions.back())) return false;
-    }
-    return true;
+      return formulas_.declaration(domain_.functions.back());
+    });
   }
 
   bool axiom() {

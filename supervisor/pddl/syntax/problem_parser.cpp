@@ -42,13 +42,8 @@ class ProblemParser : private lisp::SectionParser {
     return unknown(keyword, at, {":domain", ":requirements", ":objects", ":init", ":goal", ":metric"});
   }
 
-  // An error in one element of the initial state ends that element only.
   bool init() {
-    while (tokens_.at(TokenKind::Open)) {
-      const std::size_t depth = tokens_.depth();
-      if (!element()) tokens_.recover(depth);
-    }
-    return tokens_.at(TokenKind::Close) || tokens_.unexpected("'(' or ')'");
+    return elements([&] { return element(); });
   }
 
   bool element() {
