@@ -25,7 +25,13 @@ export async function cellInFolder(program, name, optionsOf) {
     pid: processes.pid,
     logs: processes.logs,
     run: (...words) => execFileSync(program, words, { encoding: 'utf8', stdio: ['ignore', 'pipe', 'pipe'] }),
-    runtimeListens: () => until('the runtime listens', () => processes.read('runtime').includes('listens on')),
+    // Says so once for each time that it was started: its log goes on.
+    startRuntime: async () => {
+      const said = () => processes.read('runtime').split('listens on').length;
+      const before = said();
+      self.start('runtime');
+      await until('the runtime listens', () => said() > before);
+    },
     pageIsServed: () => until('the page is served', () => fetch(url).then((response) => response.ok, () => false)),
     serve: async () => {
       self.start('hmi');
@@ -88,8 +94,7 @@ export async function cellWithFiles(program, name, { domain, files, more = '' })
     },
     runs: (load) =>
       cell.begins(async () => {
-        cell.start('runtime');
-        await cell.runtimeListens();
+        await cell.startRuntime();
         load();
         cell.start('link');
         await cell.serve();

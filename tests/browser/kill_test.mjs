@@ -218,7 +218,7 @@ async function theRuntimeIsKilled(page, cell) {
   await page.keyboard.press('Escape');
   await isAccessible(page, 'a page without a runtime');
   await shot(page, 'runtime');
-  cell.startAgain();
+  await cell.startAgain();
   await waitFor(page, 'the page comes back by itself', () => document.querySelector('[data-testid=runtime-state]').innerText === 'running');
   await tellsNothing(page, 'and has nothing more to say');
   await wasNotLoadedAgain(page);

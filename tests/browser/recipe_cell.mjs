@@ -84,8 +84,8 @@ export async function startMixer(program, files = {}, more = '') {
   Object.assign(cell, {
     recipes: cell.file('state/recipes'),
     // A runtime that was killed begins empty.
-    startAgain: () => {
-      cell.start('runtime');
+    startAgain: async () => {
+      await cell.startRuntime();
       cell.download('main.swb');
     },
   });
