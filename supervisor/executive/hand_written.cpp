@@ -1,14 +1,13 @@
 #include "supervisor/executive/hand_written.h"
 
 #include <algorithm>
-#include <fstream>
 #include <iterator>
-#include <sstream>
 #include <string>
 #include <utility>
 
 #include "ladder/exchange/plcopen_reader.h"
 #include "ladder/graphic/identifier.h"
+#include "runtime/ground/process/files.h"
 
 namespace stepwright::executive {
 namespace {
@@ -115,15 +114,12 @@ result::Result<HandWritten> HandWritten::load(const std::vector<std::filesystem:
   HandWritten programs;
   result::Diagnostics problems;
   for (const std::filesystem::path& file : files) {
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream) {
-      problems.push_back(
-          {"E0001", result::Severity::Error, {file.string(), 0, 0}, "the file cannot be read", ""});
+    const auto text = process::read_file(file.string());
+    if (!text) {
+      problems.insert(problems.end(), text.error().begin(), text.error().end());
       continue;
     }
-    std::stringstream text;
-    text << stream.rdbuf();
-    auto project = exchange::read_plcopen(file.string(), text.str(), dialect);
+    auto project = exchange::read_plcopen(file.string(), *text, dialect);
     if (!project) {
       std::move(project.error().begin(), project.error().end(), std::back_inserter(problems));
       continue;

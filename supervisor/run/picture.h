@@ -32,7 +32,7 @@ struct FloorPicture {
   struct Place {
     PictureArea area;
     std::string at{};      // variable: the body is in it
-    bool visited = false;  // by an earlier plan of this run
+    bool visited = false;  // by an earlier plan for this task
   };
   // What the body covers from one arc of its way to another; outlines as of union_outlines.
   struct Swept {

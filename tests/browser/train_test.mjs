@@ -6,7 +6,7 @@ import { join } from 'node:path';
 import { startDemo } from './demo_process.mjs';
 import { hiddenFocus, unreadable } from './narrow.mjs';
 import { leadOverPage } from './page_run.mjs';
-import { asks, BY_OPERATOR, isAccessible, startsTheRun } from './people.mjs';
+import { asks, BY_OPERATOR, dialog, dialogIsGone, isAccessible, startsTheRun } from './people.mjs';
 import { check, fitsEachLook, options, waitFor } from './support.mjs';
 
 const SPEED = 2;
@@ -128,6 +128,29 @@ async function holdsStill(page) {
   check((await covered(page)) > 3, 'the page still knows how far it has come');
 }
 
+async function does(page, action, what) {
+  await dialog(page).getByRole('button', { name: action }).click();
+  await dialogIsGone(page, what);
+}
+
+// A station is out of service, and in service again: a place of the floor by its name.
+async function blocksAPlaceAndFreesIt(page) {
+  await page.getByRole('button', { name: 'Block a place' }).click();
+  await page.getByLabel('What is blocked').selectOption('another area');
+  check((await dialog(page).getByLabel('Lowest x (m)').count()) === 1, 'any area may be blocked by its sides');
+  await page.getByLabel('What is blocked').selectOption('rack_b');
+  check((await dialog(page).getByLabel('Lowest x (m)').count()) === 0, 'a place of the floor as a whole');
+  await isAccessible(page, 'blocking a place');
+  await shot(page, 'block');
+  await does(page, 'Block the place', 'the supervisor has accepted the place');
+  await waitFor(page, 'it is told to everybody, and drawn', () =>
+    document.querySelector('[data-testid=blocked]').innerText.includes('rack_b is blocked') && document.querySelector('[data-blocked=rack_b]') !== null);
+  await shot(page, 'blocked', '[data-panel=plan-floor]');
+  await page.getByRole('button', { name: 'Free rack_b' }).click();
+  await does(page, 'Free the place', 'the supervisor has accepted that it is free');
+  await waitFor(page, 'and it is', () => document.querySelector('[data-testid=blocked]').innerText.trim() === '');
+}
+
 async function drawsAnotherPlan(page) {
   const task = 'visit unload then visit wash';
   await deed(page, '/api/plan/goal', { goal: task }, 'another task is asked for');
@@ -137,11 +160,10 @@ async function drawsAnotherPlan(page) {
   await deed(page, '/api/plan/resume', {}, 'the run goes on');
   // Where the train rests is not the same each time: it may be in the first of these places, which is visited then.
   await waitFor(page, 'the new plan is drawn, its places in their order, and what was swept before stays', () => {
-    const rows = [...document.querySelectorAll('[data-testid=stops] tr[data-place]')];
-    const counting = rows.filter(({ dataset: { state } }) => ['done', 'next', 'ahead'].includes(state)).map(({ dataset }) => dataset.place);
+    const numbered = [...document.querySelectorAll('[data-testid=stops] tr[data-place]')].filter((row) => row.querySelector('.order').innerText !== '');
     return (
       document.querySelectorAll('[data-stop]').length === 2 &&
-      counting.join() === 'unload,wash' &&
+      numbered.map(({ dataset }) => dataset.place).join() === 'unload,wash' &&
       document.querySelector('[data-swept=earlier]').getAttribute('d').length > 50
     );
   });
@@ -176,6 +198,7 @@ await leadOverPage(given, {
     await page.evaluate(() => scrollTo(0, 0));
     await page.screenshot({ path: join(given.out, 'train-overview.png'), clip: { x: 0, y: 0, width: 1440, height: 548 } }); // hmi_web/doc/train.png
     await holdsStill(page);
+    await blocksAPlaceAndFreesIt(page);
     await isReadEverywhere(page);
     await obeysTheKeyboard(page);
     await drawsAnotherPlan(page);

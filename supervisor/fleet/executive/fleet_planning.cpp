@@ -1,10 +1,9 @@
 #include "supervisor/fleet/executive/fleet_planning.h"
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 #include <utility>
 
+#include "runtime/ground/process/files.h"
 #include "supervisor/fleet/executive/standing.h"
 #include "supervisor/fleet/mission/problem_reader.h"
 #include "supervisor/map/row_span.h"
@@ -42,14 +41,9 @@ FleetPlanning::FleetPlanning(FleetPlanningOptions options, MissionProblem proble
     : options_(std::move(options)), problem_(std::move(problem)), floor_(std::move(floor)) {}
 
 result::Result<FleetPlanning> FleetPlanning::open(const FleetPlanningOptions& options) {
-  std::ifstream in(options.problem);
-  if (!in) {
-    return result::fail("E0001", {options.problem.string(), 0, 0}, "the file cannot be read",
-                        "name the problem of the fleet");
-  }
-  std::stringstream text;
-  text << in.rdbuf();
-  auto problem = read_mission_problem(text.str(), options.problem);
+  auto text = process::read_file(options.problem.string());
+  if (!text) return result::forward(text);
+  auto problem = read_mission_problem(*text, options.problem);
   if (!problem) return result::forward(problem);
   for (const MissionVehicle& vehicle : problem->vehicles) {
     if (!vehicle.path && !vehicle.envelope) continue;

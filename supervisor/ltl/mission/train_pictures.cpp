@@ -147,6 +147,7 @@ void TrainPictures::keep_what_was_driven() {
 
 void TrainPictures::drive(const PreparedTrain& plan, std::string program) {
   keep_what_was_driven();
+  if (task_ != plan.watch.text) visited_.clear();
   plan_.program = std::move(program);
   plan_.swept = swept_by(plan.train, plan.answer.plan);
   plan_.way = drawn_way(plan.way.samples);

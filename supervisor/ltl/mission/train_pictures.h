@@ -39,7 +39,7 @@ class TrainPictures {
 
   const TrainPlanning& planning_;
   run::FloorPicture plan_;               // its part of the floor's picture
-  std::vector<std::string> visited_;     // places, by earlier plans
+  std::vector<std::string> visited_;     // places, by earlier plans for the task
   std::string task_;                     // of the plan
   std::vector<WayLabel> labels_;         // that it reads
   std::optional<std::uint32_t> begins_;  // state of its task where it begins

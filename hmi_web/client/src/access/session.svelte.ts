@@ -13,7 +13,9 @@ const RANK: Record<Role, number> = { none: 0, viewer: 1, operator: 2, engineer: 
 export type Dialog =
   | { kind: 'login' | 'password' | 'users' | 'audit' }
   | { kind: 'goal' }
-  | { kind: 'abort' | 'stop' | 'hold' | 'resume' | 'start' | 'order' | 'block' }
+  | { kind: 'abort' | 'stop' | 'hold' | 'resume' | 'start' | 'order' }
+  // `places`: of the floor; one of them may be blocked as a whole.
+  | { kind: 'block'; places?: string[] }
   | { kind: 'unblock' | 'return'; name: string }
   | { kind: 'force'; tag: string; type: string; value: string }
   | { kind: 'alarm'; deed: 'shelve' | 'suppress' | 'remove'; alarm: string; text: string; most: number }

@@ -123,6 +123,11 @@ TEST_F(TrainPicturesTest, WhenAnotherPlanTakesOver_ThenWhatWasDrivenStays) {
   EXPECT_LT(after.earlier.size(), before.swept.size());
   EXPECT_TRUE(after.places[0].visited) << "the press";
   EXPECT_FALSE(after.places[1].visited);
+  PreparedTrain another = prepared_;
+  another.watch.text = "visit rack then visit press";
+  pictures.drive(another, "third");
+  EXPECT_FALSE(pictures.draw(planning_->first_task(), "", {}).floors[0].places[0].visited)
+      << "for another task it is still to be visited";
   pictures.clear();
   EXPECT_TRUE(
       pictures.draw(planning_->first_task(), "visit press then visit rack", {}).floors[0].earlier.empty());
