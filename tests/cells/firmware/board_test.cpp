@@ -120,8 +120,8 @@ TEST_P(Board, Program_WhenPowerGoes_ThenIsThereAgainWithItsRetainedValues) {
 TEST_P(Board, Silence_WhenTheMasterIsAway_ThenOutputsAreSafe) {
   Rig rig(GetParam());
   rig.controller().download(compiled(kCounting));
-  // By the board's own clock, which a busy machine makes late. The last sign of life is between the two times:
-  // reading is none. Where the machine has held up the master for so long already, once more.
+  // By the board's own clock, which a busy machine makes late. The last sign of life is between the two
+  // times: reading is none. Where the machine has held up the master for so long already, once more.
   std::uint32_t before_ms = 0;
   auto status = rig.controller().status();
   for (int tries = 0; tries < 100 && status.state != State::Running; ++tries) {
