@@ -1,7 +1,7 @@
 #pragma once
 
-// A path as the samples that MC_MovePath takes (ladder/driver/library/vehicle_path.st): places of rest twice,
-// speeds that curves, the steering and braking allow. Pure functions; any thread.
+// A path as the samples that MC_DrivePath takes (ladder/driver/library/vehicle_path.st): places of rest
+// twice, speeds that curves, the steering and braking allow. Pure functions; any thread.
 //
 //   std::vector<PathLeg> legs = {{{{0, 0, 0}, 0.0}, {{1, 0, 0}, 1.0}}};
 //   std::vector<PathSample> samples = path_samples(legs, {.wheelbase_m = 1.0});

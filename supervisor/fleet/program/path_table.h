@@ -1,6 +1,6 @@
 #pragma once
 
-// A vehicle's path as the samples that MC_MovePath takes: places of rest twice, speeds that curves, the
+// A vehicle's path as the samples that MC_DrivePath takes: places of rest twice, speeds that curves, the
 // steering and braking allow, and how far the polygons let the vehicle go to either side. Pure functions.
 //
 //   const std::vector<PathSample> samples = path_table(mission, options);

@@ -51,7 +51,7 @@ standing_{0} := vehicle_{0}.Standing;
 constexpr const char* kDriving = R"(
 reset_{0}(Execute := fleet_reset, Vehicle := vehicle_{0});
 IF no_load_{0} THEN
-  failed := MC_GroupFail(ErrorID := 29, Vehicle := vehicle_{0});
+  failed := MC_VehicleFail(ErrorID := 29, Vehicle := vehicle_{0});
 END_IF;
 power_{0}(Enable := NOT done_{0}, Vehicle := vehicle_{0});
 )";
@@ -286,11 +286,11 @@ std::vector<Variable> driving_blocks(const std::vector<VehicleNames>& vehicles,
   std::vector<Variable> blocks = {instance("failed", "BOOL")};
   for (std::size_t v = 0; v < vehicles.size(); ++v) {
     const VehicleNames& names = vehicles[v];
-    if (resets(options, v)) blocks.push_back(instance(reset_block(names, options), "MC_GroupReset"));
-    blocks.push_back(instance("reset_" + names.name, "MC_GroupReset"));
-    blocks.push_back(instance("power_" + names.name, "MC_GroupPower"));
-    blocks.push_back(names.path.empty() ? instance("stop_" + names.name, "MC_GroupStop")
-                                        : instance("move_" + names.name, "MC_MovePath"));
+    if (resets(options, v)) blocks.push_back(instance(reset_block(names, options), "MC_VehicleReset"));
+    blocks.push_back(instance("reset_" + names.name, "MC_VehicleReset"));
+    blocks.push_back(instance("power_" + names.name, "MC_VehiclePower"));
+    blocks.push_back(names.path.empty() ? instance("stop_" + names.name, "MC_VehicleStop")
+                                        : instance("move_" + names.name, "MC_DrivePath"));
     blocks.push_back(instance("forks_" + names.name, "MC_MoveForks"));
     blocks.push_back(instance("run_" + names.name, "MC_RunVehicle"));
   }

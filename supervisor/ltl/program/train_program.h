@@ -1,7 +1,7 @@
 #pragma once
 
 // A plan of a train as a program that runs in the scan: a chart whose steps are the progress of the task's
-// automaton, the way as data for MC_MovePath, and the task's monitor as a function block that judges what is
+// automaton, the way as data for MC_DrivePath, and the task's monitor as a function block that judges what is
 // really driven (supervisor/doc/train_program.md). The same without a way, which only observes, and one that
 // comes to rest along the way that it is on.
 //

@@ -132,7 +132,7 @@ std::string train_sensing(const TrainProgramInput& input, const TrainProgramOpti
   const double most = options.fold_rad / 1.745329e-4;
   for (std::size_t k = 0; k < input.train->trailers; ++k)
     text += fmt::format(
-        "IF ABS({}) > {} THEN\n  failed := MC_GroupFail(ErrorID := 31, Vehicle := "
+        "IF ABS({}) > {} THEN\n  failed := MC_VehicleFail(ErrorID := 31, Vehicle := "
         "vehicle_train);\nEND_IF;\n",
         hitch(k), static_cast<int>(most));
   text += fmt::format(
@@ -163,10 +163,10 @@ std::string train_driving(const TrainProgramOptions& options, const std::string&
 
 std::vector<Variable> train_driving_blocks(const TrainProgramOptions& options, const std::string& path) {
   std::vector<Variable> blocks;
-  if (options.reset != 0) blocks.push_back(instance(reset_block(options), "MC_GroupReset"));
-  blocks.push_back(instance("power_train", "MC_GroupPower"));
-  blocks.push_back(path.empty() ? instance("stop_train", "MC_GroupStop")
-                                : instance("move_train", "MC_MovePath"));
+  if (options.reset != 0) blocks.push_back(instance(reset_block(options), "MC_VehicleReset"));
+  blocks.push_back(instance("power_train", "MC_VehiclePower"));
+  blocks.push_back(path.empty() ? instance("stop_train", "MC_VehicleStop")
+                                : instance("move_train", "MC_DrivePath"));
   blocks.push_back(instance("run_train", "MC_RunVehicle"));
   return blocks;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-// The way of a plan as a controller drives it: samples for MC_MovePath, when it is where, and where along it
+// The way of a plan as a controller drives it: samples for MC_DrivePath, when it is where, and where along it
 // the labels change. Trailers follow the car's way whatever the speed, so that the samples' speeds are chosen
 // by what the drives can, not by the plan's.
 //

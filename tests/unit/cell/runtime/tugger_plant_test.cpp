@@ -119,7 +119,7 @@ VAR
   Bumper AT %IX22.0 : BOOL; EstopOk AT %IX22.1 : BOOL; WayFree AT %IX22.2 : BOOL;
   SetSpeed AT %QW0 : INT; SetLock AT %QW1 : INT; Enable AT %QX4.0 : BOOL; ErrorID AT %QW3 : UINT;
   Tractor : VEHICLE_REF := (Wheelbase := 1.0, MaxSpeed := 2.0, MaxLock := 1.0, LockRate := 1.0);
-  Read : MC_ReadVehicle; Power : MC_GroupPower; Run : MC_RunVehicle;
+  Read : MC_ReadVehicle; Power : MC_VehiclePower; Run : MC_RunVehicle;
   Refusal : UINT;
 END_VAR
   Tractor.MeasuredX := INT_TO_REAL(X) * 0.01;
@@ -132,7 +132,7 @@ END_VAR
   Read(CYCLE := T#10ms, Vehicle := Tractor);
   Power(Enable := TRUE, Vehicle := Tractor);
   IF Tractor.State = mcGroupStandby THEN
-    Refusal := MC_BeginGroup(State := mcGroupMoving, Vehicle := Tractor);
+    Refusal := MC_BeginVehicle(State := mcGroupMoving, Vehicle := Tractor);
   END_IF;
   Tractor.WishSpeed := SEL(WayFree, 0.0, 1.5);
   Tractor.WishLock := 0.0;
