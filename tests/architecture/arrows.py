@@ -125,6 +125,8 @@ ARROWS = {
     "supervisor/motion/collision": ["supervisor/motion/kinematics", "supervisor/motion/spheres"],
     "supervisor/motion/recheck": ["supervisor/motion/collision"],
     "supervisor/motion/path": ["supervisor/motion/recheck"],
+    "supervisor/motion/blend": ["supervisor/motion/path"],
+    "supervisor/motion/timing": ["supervisor/motion/blend"],
     "supervisor/motion/moveit": ["supervisor/motion/collision"],
     "supervisor/geometry": [],
     "supervisor/vehicle": ["supervisor/geometry", "ladder/graphic"],

@@ -30,4 +30,17 @@ struct CheckFigures {
 // Plain arithmetic, each instruction set of this machine, FCL with the same spheres and FCL with the bodies.
 std::vector<CheckFigures> measure_checks(const MotionScene& scene);
 
+struct TimingFigures {
+  double blend_and_timing_ms = 0.0;  // a path of ten way-points, seven joints
+  double rows = 0.0;                 // of its table, mean
+  double straight_us = 0.0;          // double S of seven joints
+  // Durations over what there is on grids four times as fine (plan_timing.h): minima, and bounds.
+  double mean_ratio = 0.0, worst_ratio = 0.0;
+  double mean_bound_ratio = 0.0, worst_bound_ratio = 0.0,
+         within_one_percent = 0.0;        // the last: of the bounds
+  std::size_t paths = 0, violations = 0;  // paths judged by samples; those with a limit exceeded by 1e-9
+  double worst_share = 0.0;               // greatest use of a limit
+};
+TimingFigures measure_timing();
+
 }  // namespace stepwright::bench
