@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <string>
@@ -78,7 +79,7 @@ class Both {
     double first = 0.0, second = 0.0;
     std::memcpy(&first, &vm_.memory()[address], 8);
     std::memcpy(&second, &native_.memory()[address], 8);
-    EXPECT_EQ(std::memcmp(&first, &second, 8), 0);
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(first), std::bit_cast<std::uint64_t>(second));
     return first;
   }
 
