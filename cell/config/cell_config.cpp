@@ -36,13 +36,15 @@ EngineKind read_engine(const TomlTable& table) {
 void read_plant(const TomlTable& table, const std::filesystem::path& folder, PlantConfig& plant) {
   // A plant that nobody describes is none; one that is misspelt has no ports that could be wrong.
   const std::string otherwise = table.has("kind") || !plant.described ? "none" : plant.kind;
-  plant.kind = table.choice("kind", otherwise, {"tank_bench", "sorting_line", "fleet", "tugger", "none"});
+  plant.kind = table.choice("kind", otherwise,
+                            {"tank_bench", "sorting_line", "fleet", "tugger", "robot_cell", "none"});
   plant.seed = static_cast<std::uint64_t>(table.integer("seed", 1, {0, 1e15}));
   plant.uncertainty = table.boolean("uncertainty", plant.uncertainty);
   plant.diverters = static_cast<std::size_t>(table.integer("diverters", 2, {1, 4}));
   plant.boxes = static_cast<std::size_t>(table.integer("boxes", 5, {1, 9}));
   if (plant.kind == "fleet") plant.fleet = read_fleet_plant(table, folder);
   if (plant.kind == "tugger") plant.tugger = read_tugger_plant(table, folder);
+  if (plant.kind == "robot_cell") plant.robot_cell = read_robot_cell_plant(table, folder);
   const TomlTable ports = table.table("ports");
   for (const std::string& port : ports.keys())
     plant.ports.push_back({port, ports.text(port, {}), ports.where(port)});

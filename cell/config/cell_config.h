@@ -25,6 +25,7 @@
 #include "cell/config/monitor_config.h"
 #include "cell/config/record_config.h"
 #include "cell/config/retain_config.h"
+#include "cell/config/robot_cell_config.h"
 #include "cell/config/safety_config.h"
 #include "cell/config/task_config.h"
 #include "cell/config/tugger_config.h"
@@ -54,15 +55,16 @@ struct PortAddress {
 };
 
 struct PlantConfig {
-  std::string kind = "tank_bench";  // or "sorting_line", "fleet" or "tugger"; or "none": outputs go nowhere,
-                                    // inputs stay 0
+  std::string kind = "tank_bench";  // or "sorting_line", "fleet", "tugger" or "robot_cell"; or "none":
+                                    // outputs go nowhere, inputs stay 0
   std::uint64_t seed = 1;           // of all that is uncertain
   bool uncertainty = true;          // the bench: sensor bias, drift and noise; the line: boxes that differ; a
-                                    // fleet and a tugger train: noise of their sensors
+                                    // fleet, a tugger train and a robot cell: noise of their sensors
   std::size_t diverters = 2;        // of the line; 1 to 4
   std::size_t boxes = 5;            // of the line's order list; 1 to 9
   FleetPlantConfig fleet;           // of kind "fleet" only
   TuggerPlantConfig tugger;         // of kind "tugger" only
+  RobotCellPlantConfig robot_cell;  // of kind "robot_cell" only
   std::vector<PortAddress> ports;
   bool described = false;  // the file has a table [plant]; without one there is none
 };

@@ -8,8 +8,10 @@
 
 #include "cell/runtime/fleet_plant.h"
 #include "cell/runtime/plant_memory.h"
+#include "cell/runtime/robot_cell_plant.h"
 #include "cell/runtime/tugger_plant.h"
 #include "plant_models/assemblies/fleet_floor.h"
+#include "plant_models/assemblies/robot_cell.h"
 #include "plant_models/assemblies/sorting_line.h"
 #include "plant_models/assemblies/tank_bench.h"
 #include "plant_models/assemblies/tugger.h"
@@ -170,10 +172,21 @@ result::Result<std::unique_ptr<core::Plant>> make_tugger(const config::PlantConf
   return std::unique_ptr<core::Plant>(std::move(*tugger));
 }
 
+result::Result<std::unique_ptr<core::Plant>> make_robot_cell(const config::PlantConfig& plant,
+                                                             const Kept& left) {
+  auto parameters = robot_cell_parameters(plant);
+  if (!parameters) return result::forward(parameters);
+  auto cell = assemblies::RobotCell::create(*parameters);
+  if (!cell) return result::forward(cell);
+  if (left) (void)(*cell)->resume(*left);  // the same
+  return std::unique_ptr<core::Plant>(std::move(*cell));
+}
+
 result::Result<std::unique_ptr<core::Plant>> make_plant(const config::PlantConfig& plant,
                                                         const Kept& left = std::nullopt) {
   if (plant.kind == "fleet") return make_fleet(plant, left);
   if (plant.kind == "tugger") return make_tugger(plant, left);
+  if (plant.kind == "robot_cell") return make_robot_cell(plant, left);
   return plant.kind == "sorting_line" ? make_line(plant, left) : make_bench(plant, left);
 }
 
@@ -201,9 +214,10 @@ result::Diagnostics check_no_plant(const config::CellConfig& config) {
   result::Diagnostics problems;
   for (const config::ScheduledFault& fault : config.faults) {
     if (config::is_goal_change(fault)) continue;
-    problems.push_back({"C0448", result::Severity::Error, fault.where,
-                        "fault '" + fault.name + "' is of a simulated plant, and this cell has none",
-                        "[plant] kind = \"tank_bench\", \"sorting_line\", \"fleet\" or \"tugger\""});
+    problems.push_back(
+        {"C0448", result::Severity::Error, fault.where,
+         "fault '" + fault.name + "' is of a simulated plant, and this cell has none",
+         "[plant] kind = \"tank_bench\", \"sorting_line\", \"fleet\", \"tugger\" or \"robot_cell\""});
   }
   return problems;
 }
@@ -220,6 +234,7 @@ std::vector<bridge::PortWire> plant_wires(const config::CellConfig& config) {
     wires = bridge::default_fleet_wires(config.plant.fleet.vehicles.size());
   }
   if (wires.empty() && config.plant.kind == "tugger") wires = tugger_wires(config.plant);
+  if (wires.empty() && config.plant.kind == "robot_cell") wires = robot_cell_wires(config.plant);
   return wires;
 }
 

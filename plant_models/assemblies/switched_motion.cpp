@@ -15,7 +15,13 @@ ode::CvodeSettings motion_settings(std::size_t states) {
 
 result::Result<SwitchedMotion> SwitchedMotion::create(const ode::OdeSystem& system,
                                                       std::span<const double> y0) {
-  auto solver = ode::CvodeSolver::create(system, y0, 0.0, motion_settings(y0.size()));
+  return create(system, y0, motion_settings(y0.size()));
+}
+
+result::Result<SwitchedMotion> SwitchedMotion::create(const ode::OdeSystem& system,
+                                                      std::span<const double> y0,
+                                                      const ode::CvodeSettings& settings) {
+  auto solver = ode::CvodeSolver::create(system, y0, 0.0, settings);
   if (!solver) return result::forward(solver);
   return SwitchedMotion(std::move(*solver));
 }

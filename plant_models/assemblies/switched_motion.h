@@ -25,6 +25,11 @@ class SwitchedMotion {
   [[nodiscard]] static result::Result<SwitchedMotion> create(const ode::OdeSystem& system,
                                                              std::span<const double> y0);
 
+  // With other settings than those of vehicles.
+  [[nodiscard]] static result::Result<SwitchedMotion> create(const ode::OdeSystem& system,
+                                                             std::span<const double> y0,
+                                                             const ode::CvodeSettings& settings);
+
   // Modes or state are others from now on.
   void note_change() { changed_ = true; }
 

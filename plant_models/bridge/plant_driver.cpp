@@ -69,6 +69,41 @@ std::vector<PortWire> default_tugger_wires(std::size_t trailers, std::span<const
   return wires;
 }
 
+std::vector<PortWire> default_robot_cell_wires(std::span<const std::string> arms, std::size_t slots) {
+  std::vector<std::string> inputs;
+  std::vector<std::string> outputs;
+  for (const std::string& arm : arms) {
+    for (int joint = 1; joint <= 7; ++joint) {
+      inputs.push_back("pos_" + arm + "_" + std::to_string(joint));
+      outputs.push_back("set_" + arm + "_" + std::to_string(joint));
+    }
+    inputs.push_back("width_" + arm);
+    outputs.push_back("grip_" + arm);
+  }
+  inputs.insert(inputs.end(), {"camera_pictures", "camera_seen"});
+  for (std::size_t k = 1; k <= slots; ++k)
+    for (const char* what : {"_kind", "_x", "_y", "_z", "_yaw"})
+      inputs.push_back("seen_" + std::to_string(k) + what);
+  std::vector<PortWire> wires;
+  for (std::size_t k = 0; k < inputs.size(); ++k) wires.push_back({inputs[k], "%IW" + std::to_string(k), {}});
+  for (std::size_t k = 0; k < outputs.size(); ++k)
+    wires.push_back({outputs[k], "%QW" + std::to_string(k), {}});
+  const auto bit = [&](const std::string& name, const char* area, std::size_t byte, int place) {
+    wires.push_back({name, area + std::to_string(byte) + "." + std::to_string(place), {}});
+  };
+  const std::size_t in = 2 * inputs.size();
+  const std::size_t out = 2 * outputs.size();
+  for (std::size_t k = 0; k < arms.size(); ++k) {
+    bit("ready_" + arms[k], "%IX", in + k, 0);
+    bit("trip_" + arms[k], "%IX", in + k, 1);
+    bit("grasp_" + arms[k], "%IX", in + k, 2);
+    bit("enable_" + arms[k], "%QX", out + k, 0);
+  }
+  bit("estop_ok", "%IX", in + arms.size(), 0);
+  bit("camera_trigger", "%QX", out + arms.size(), 0);
+  return wires;
+}
+
 result::Result<PlantDriver> PlantDriver::create(core::Plant& plant, std::span<const PortWire> wires,
                                                 AreaSizes sizes) {
   auto checked = check_wires(plant, wires, sizes);

@@ -44,6 +44,13 @@ std::vector<PortWire> default_fleet_wires(std::size_t vehicles);
 // place. Outputs: set_speed in %QW0, set_lock in %QW1, enable in %QX4.0.
 std::vector<PortWire> default_tugger_wires(std::size_t trailers, std::span<const std::string> places);
 
+// The wiring of a robot cell with those arms and so many slots of its camera, when a cell file gives none.
+// Inputs: of each arm pos_ARM_1 to _7 and width_ARM; then camera_pictures, camera_seen and kind, x, y, z, yaw
+// of each slot; behind all words a byte for each arm with ready, trip and grasp, and a byte with estop_ok.
+// Outputs: of each arm set_ARM_1 to _7 and grip_ARM; then a byte for each arm with enable, and a byte with
+// camera_trigger.
+std::vector<PortWire> default_robot_cell_wires(std::span<const std::string> arms, std::size_t slots);
+
 // Sizes of the areas that the scan passes to the driver.
 struct AreaSizes {
   std::size_t input_bytes = 0;

@@ -178,8 +178,9 @@ ARROWS = {
     ],
     "cell/device_status": ["runtime/ground/result"],
     "cell/hall": ["cell/config", "plant_models/assemblies", "supervisor/ltl/scene", "supervisor/map"],
+    "cell/robot": ["cell/config", "plant_models/assemblies", "runtime/ground/process", "supervisor/motion/kinematics"],
     "cell/runtime": [
-        "cell/config", "cell/device_status", "cell/hall", "plant_models/assemblies", "plant_models/bridge", "runtime/io_memory", "runtime/service", "supervisor/map",
+        "cell/config", "cell/device_status", "cell/hall", "cell/robot", "plant_models/assemblies", "plant_models/bridge", "runtime/io_memory", "runtime/service", "supervisor/map",
     ],
     "cell/monitor_check": ["cell/config", "runtime/bytecode/reader"],
     "cell/monitors": ["cell/monitor_check", "ladder/driver", "ladder/graphic", "runtime/bytecode/reader", "supervisor/ltl/monitor"],

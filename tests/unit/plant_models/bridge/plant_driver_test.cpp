@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "plant_models/assemblies/robot_cell.h"
 #include "plant_models/assemblies/tank_bench.h"
 #include "plant_models/assemblies/tugger.h"
 #include "tests/support/malloc_guard.h"
@@ -178,6 +179,30 @@ TEST(TuggerWires, WhenACellGivesNone_ThenEveryTerminalHasAPlaceOfItsOwn) {
   EXPECT_EQ(inputs[20], std::byte{0b110});  // estop_ok and way_free
   EXPECT_EQ(wires[5 + 4 + 1 + 3 + 9].port, "at_p9");
   EXPECT_EQ(wires[5 + 4 + 1 + 3 + 9].address, "%IX22.1");
+}
+
+TEST(RobotCellWires, WhenACellGivesNone_ThenEveryTerminalHasAPlaceOfItsOwn) {
+  assemblies::RobotCellParameters parameters;
+  for (const char* name : {"left", "right"}) {
+    parameters.arms.emplace_back();
+    parameters.arms.back().name = name;
+  }
+  parameters.camera.slots = 4;
+  const auto cell = assemblies::RobotCell::create(parameters).value();
+  const std::vector<std::string> arms = {"left", "right"};
+  const auto wires = default_robot_cell_wires(arms, 4);
+  EXPECT_EQ(wires.size(), cell->sensors().size() + cell->actuators().size());
+  auto driver = PlantDriver::create(*cell, wires, {.input_bytes = 79, .output_bytes = 35});
+  ASSERT_TRUE(driver) << result::to_string(driver.error());
+  std::array<std::byte, 79> inputs{};
+  std::array<std::byte, 35> outputs{};
+  outputs[33] = std::byte{1};  // enable_right
+  driver->write_outputs(0, outputs);
+  driver->read_inputs(0, inputs);
+  EXPECT_EQ(word(inputs, 15), 900);     // width_right
+  EXPECT_EQ(inputs[76], std::byte{0});  // ready_left
+  EXPECT_EQ(inputs[77], std::byte{1});  // ready_right
+  EXPECT_EQ(inputs[78], std::byte{1});  // estop_ok
 }
 
 TEST_F(PlantDriverTest, WhenScanning_ThenNothingIsAllocated) {
