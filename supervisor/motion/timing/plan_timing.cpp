@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "supervisor/motion/blend/blend.h"
 #include "supervisor/motion/blend/codes.h"

@@ -71,7 +71,7 @@ class SpeedOptimiser {
   };
   // A constraint f >= 0 with its multiplier.
   struct Constraint {
-    double f = 0.0, slope = 0.0, z = 0.0, change = 0.0;
+    double f = 0.0, z = 0.0, change = 0.0;
   };
   // By how much limits of jerk are exceeded at a station that has a price for it, with its multiplier; what
   // is left of its row of the equations: h times (b, a, g) + diagonal times the step = -gradient.
