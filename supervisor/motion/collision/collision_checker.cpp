@@ -10,10 +10,14 @@ namespace stepwright::motion {
 result::Result<CollisionChecker> CollisionChecker::make(const Robot& robot, const SphereModel& spheres,
                                                         const Semantics* semantics, const World& world,
                                                         std::span<const int> coordinates,
-                                                        std::span<const double> rest) {
+                                                        std::span<const double> rest,
+                                                        const std::vector<AttachedBody>& attached) {
   if (auto sound = check_world(world); !sound) return result::forward(sound);
+  if (auto sound = check_attached(robot, attached); !sound) return result::forward(sound);
   CollisionChecker checker;
-  checker.program_ = internal::make_program(robot, spheres, semantics, world, coordinates, rest, kRounding_m);
+  const CarryingRobot all = carrying(robot, &spheres, nullptr, semantics, attached);
+  checker.program_ =
+      internal::make_program(all.robot, all.spheres, all.semantics, world, coordinates, rest, kRounding_m);
   return checker;
 }
 

@@ -9,7 +9,8 @@
 //
 // A configuration here has a number for each of the coordinates given to make(), in their order; all others
 // stay at `rest`. What they do not move is checked against what they move, but neither against the world nor
-// itself. Does not change after it was made; any thread.
+// itself. What the robot carries (attached_body.h) is checked as its links are. Does not change after it was
+// made; any thread.
 //
 // Works with vectors of the machine's own width (library Highway, chosen when the program runs) in single
 // precision. Radii are larger by kRounding_m, which single precision does not come near, and spheres contain
@@ -22,6 +23,7 @@
 #include <vector>
 
 #include "runtime/ground/result/result.h"
+#include "supervisor/motion/collision/attached_body.h"
 #include "supervisor/motion/collision/internal/program.h"
 #include "supervisor/motion/collision/world.h"
 #include "supervisor/motion/robot/semantics.h"
@@ -34,11 +36,12 @@ class CollisionChecker {
   static constexpr double kRounding_m = 2e-5;
 
   // `rest` has a value for each coordinate of the robot; without semantics only links that are joined to each
-  // other are not checked. Fails with A0301 (check_world).
+  // other are not checked. Fails with A0301 (check_world) and A0302 (check_attached).
   [[nodiscard]] static result::Result<CollisionChecker> make(const Robot& robot, const SphereModel& spheres,
                                                              const Semantics* semantics, const World& world,
                                                              std::span<const int> coordinates,
-                                                             std::span<const double> rest);
+                                                             std::span<const double> rest,
+                                                             const std::vector<AttachedBody>& attached = {});
 
   std::size_t columns() const { return program_.columns; }
 

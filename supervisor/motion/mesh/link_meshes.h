@@ -28,5 +28,10 @@ using Bodies = std::vector<std::vector<Body>>;
 
 // Fails with A0110 and A0201, for all meshes at once.
 [[nodiscard]] result::Result<Bodies> read_bodies(const Robot& robot, const MeshLocator& meshes);
+// Where the file of a mesh is not found, the link has the bodies of the link of its name in `instead`,
+// another description of the same robot, if these are no meshes; `noted` gets a warning A0112 for each such
+// link.
+[[nodiscard]] result::Result<Bodies> read_bodies(const Robot& robot, const MeshLocator& meshes,
+                                                 const Robot& instead, result::Diagnostics& noted);
 
 }  // namespace stepwright::motion

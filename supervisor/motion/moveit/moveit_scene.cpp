@@ -1,7 +1,10 @@
 #include "supervisor/motion/moveit/moveit_scene.h"
 
 #include <algorithm>
+#include <utility>
 
+#include "runtime/ground/result/closest.h"
+#include "supervisor/motion/moveit/internal/yaml_mesh.h"
 #include "supervisor/motion/moveit/internal/yaml_reader.h"
 
 namespace stepwright::motion {
@@ -10,7 +13,7 @@ namespace {
 
 class SceneReader {
  public:
-  explicit SceneReader(std::string name) : reader_(std::move(name)) {}
+  SceneReader(std::string name, const MeshLocator* meshes) : reader_(std::move(name)), meshes_(meshes) {}
 
   result::Result<MoveItScene> read(std::string_view text) {
     const bool sound = reader_.read(text, [&](const YAML::Node& root) {
@@ -19,7 +22,9 @@ class SceneReader {
       read_state(reader_.member(root, "robot_state", false));
       read_matrix(reader_.member(root, "allowed_collision_matrix", false));
     });
-    if (!sound) return tl::unexpected(reader_.take());
+    result::Diagnostics wrong = reader_.take();
+    wrong.insert(wrong.end(), of_files_.begin(), of_files_.end());
+    if (!sound || !wrong.empty()) return tl::unexpected(std::move(wrong));
     return std::move(scene_);
   }
 
@@ -34,34 +39,60 @@ class SceneReader {
       reader_.complain(code::kNotRead, world, "the world has an octomap, which is not read");
     for (const YAML::Node& object :
          reader_.items(reader_.member(world, "collision_objects", false), "collision_objects"))
-      read_object(object);
+      read_object(object, scene_.world.obstacles);
   }
 
-  void read_object(const YAML::Node& object) {
+  void read_object(const YAML::Node& object, std::vector<Obstacle>& into) {
     const std::string id = reader_.text(object, "id");
-    for (const char* other : {"meshes", "planes", "mesh_poses", "plane_poses"})
+    for (const char* other : {"planes", "plane_poses"})
       if (has_some(object, other))
         reader_.complain(code::kNotRead, object,
                          "the object '" + id + "' has " + other + ", which are not read",
-                         "make it of boxes, cylinders and spheres");
+                         "make it of boxes, cylinders, spheres and meshes");
     const Transform of_object = reader_.pose(reader_.member(object, "pose", false));
-    const auto solids = reader_.items(reader_.member(object, "primitives", false), "primitives");
-    const auto poses = reader_.items(reader_.member(object, "primitive_poses", false), "primitive_poses");
-    if (solids.size() != poses.size()) {
-      reader_.complain(code::kBadSceneMember, object,
-                       "the object '" + id + "' has " + std::to_string(solids.size()) + " primitives and " +
-                           std::to_string(poses.size()) + " poses of them");
-      return;
-    }
-    for (std::size_t k = 0; k < solids.size(); ++k)
-      read_solid(id, solids[k], of_object * reader_.pose(poses[k]));
+    for (const auto& [solid, place] : placed(object, id, "primitives", "primitive_poses"))
+      read_solid(id, solid, of_object * place, into);
+    for (const auto& [given, place] : placed(object, id, "meshes", "mesh_poses"))
+      read_mesh_of(id, given, of_object * place, into);
   }
 
-  void read_solid(const std::string& id, const YAML::Node& solid, const Transform& place) {
-    if (scene_.world.obstacles.size() == kMostObstacles) {
-      reader_.complain(code::kBadYaml, solid, "there are more than 4096 primitives");
+  // Items of a list with the poses of another one.
+  std::vector<std::pair<YAML::Node, Transform>> placed(const YAML::Node& object, const std::string& id,
+                                                       const char* list, const char* poses_list) {
+    const auto items = reader_.items(reader_.member(object, list, false), list);
+    const auto poses = reader_.items(reader_.member(object, poses_list, false), poses_list);
+    std::vector<std::pair<YAML::Node, Transform>> all;
+    if (items.size() != poses.size())
+      reader_.complain(code::kBadSceneMember, object,
+                       "the object '" + id + "' has " + std::to_string(items.size()) + " " + list + " and " +
+                           std::to_string(poses.size()) + " poses of them");
+    else
+      for (std::size_t k = 0; k < items.size(); ++k) all.emplace_back(items[k], reader_.pose(poses[k]));
+    return all;
+  }
+
+  bool too_many(const YAML::Node& at, const std::vector<Obstacle>& into) {
+    if (into.size() < kMostObstacles) return false;
+    reader_.complain(code::kBadYaml, at, "there are more than 4096 primitives");
+    return true;
+  }
+
+  void read_mesh_of(const std::string& id, const YAML::Node& given, const Transform& place,
+                    std::vector<Obstacle>& into) {
+    if (too_many(given, into)) return;
+    if (++meshes_read_ > kMostMeshes) {
+      reader_.complain(code::kBadYaml, given, "there are more than 256 meshes");
       return;
     }
+    auto found = internal::read_yaml_mesh(reader_, given, id, meshes_);
+    if (!found.wrong.empty()) of_files_.insert(of_files_.end(), found.wrong.begin(), found.wrong.end());
+    if (!found.mesh.triangles.empty())
+      into.push_back(mesh(id, place, std::make_shared<const TriangleMesh>(std::move(found.mesh))));
+  }
+
+  void read_solid(const std::string& id, const YAML::Node& solid, const Transform& place,
+                  std::vector<Obstacle>& into) {
+    if (too_many(solid, into)) return;
     // By name, or by the number that shape_msgs/SolidPrimitive has for it.
     const std::string type = reader_.text(solid, "type");
     const YAML::Node given = reader_.member(solid, "dimensions", true);
@@ -79,15 +110,27 @@ class SceneReader {
       reader_.complain(code::kBadSceneMember, given, "'dimensions' of '" + id + "' are not above zero");
       return;
     }
-    scene_.world.obstacles.push_back(is_box ? box(id, place, {sizes[0], sizes[1], sizes[2]})
-                                     : is_cylinder
-                                         ? cylinder(id, place, sizes[1], sizes[0])  // height, radius
-                                         : sphere(id, place.position_m, sizes[0]));
+    into.push_back(is_box        ? box(id, place, {sizes[0], sizes[1], sizes[2]})
+                   : is_cylinder ? cylinder(id, place, sizes[1], sizes[0])  // height, radius
+                                 : sphere(id, place.position_m, sizes[0]));
   }
 
   void read_state(const YAML::Node& state) {
-    if (!state.IsNull() && has_some(state, "attached_collision_objects"))
-      reader_.complain(code::kNotRead, state, "an object hangs on the robot, which is not read");
+    if (state.IsNull()) return;
+    const char* const name = "attached_collision_objects";
+    for (const YAML::Node& each : reader_.items(reader_.member(state, name, false), name)) {
+      MoveItScene::Hanging hanging;
+      hanging.where = reader_.place(each);
+      hanging.link = reader_.text(each, "link_name");
+      const YAML::Node object = reader_.member(each, "object", true);
+      if (object.IsNull()) continue;
+      read_object(object, hanging.solids);
+      for (const YAML::Node& link : reader_.items(reader_.member(each, "touch_links", false), "touch_links"))
+        hanging.touching.push_back(link.IsScalar() ? link.Scalar() : "");
+      if (hanging.solids.empty())
+        reader_.complain(code::kBadSceneMember, object, "an object that hangs on the robot has no body");
+      scene_.hanging.push_back(std::move(hanging));
+    }
   }
 
   void read_matrix(const YAML::Node& matrix) {
@@ -113,13 +156,52 @@ class SceneReader {
   }
 
   internal::YamlReader reader_;
+  const MeshLocator* meshes_;
+  result::Diagnostics of_files_;  // of meshes that are files of their own
+  std::size_t meshes_read_ = 0;
   MoveItScene scene_;
 };
 
 }  // namespace
 
-result::Result<MoveItScene> read_moveit_scene(std::string_view text, std::string name) {
-  return SceneReader(std::move(name)).read(text);
+result::Result<MoveItScene> read_moveit_scene(std::string_view text, std::string name,
+                                              const MeshLocator* meshes) {
+  return SceneReader(std::move(name), meshes).read(text);
+}
+
+result::Result<std::vector<AttachedBody>> attached_to(const Robot& robot, const MoveItScene& scene) {
+  std::vector<std::string> names;
+  for (const Link& each : robot.links) names.push_back(each.name);
+  std::vector<AttachedBody> all;
+  for (const MoveItScene::Hanging& each : scene.hanging) {
+    std::vector<int> links;
+    for (const std::string& name : each.touching) links.push_back(robot.link(name));
+    links.push_back(robot.link(each.link));
+    for (std::size_t k = 0; k < links.size(); ++k) {
+      if (links[k] >= 0) continue;
+      const std::string& name = k < each.touching.size() ? each.touching[k] : each.link;
+      const std::string* meant = result::closest(name, names, 2);
+      return result::fail(code::kNotOfRobot, each.where, "the robot has no link '" + name + "'",
+                          meant ? "did you mean '" + *meant + "'?" : "");
+    }
+    const int link = links.back();
+    links.pop_back();
+    std::vector<Body> bodies;
+    for (const Obstacle& solid : each.solids) bodies.push_back({solid.shape, solid.mesh});
+    all.push_back(attach(each.solids.front().name, link, std::move(bodies), std::move(links)));
+  }
+  return all;
+}
+
+void allow_pairs(const Robot& robot, MoveItScene& scene, Semantics& semantics) {
+  for (const auto& [a, b] : scene.allowed) {
+    const int first = robot.link(a), second = robot.link(b);
+    if (first >= 0 && second >= 0)
+      semantics.disabled.emplace_back(std::min(first, second), std::max(first, second));
+    else
+      scene.world.allowed.emplace_back(a, b);
+  }
+  std::sort(semantics.disabled.begin(), semantics.disabled.end());
 }
 
 }  // namespace stepwright::motion

@@ -1,13 +1,15 @@
 #pragma once
 
-// Scenes of MoveIt as files (moveit_msgs/PlanningScene as YAML): the world, and pairs that may touch.
+// Scenes of MoveIt as files (moveit_msgs/PlanningScene as YAML): the world, what hangs on the robot, and
+// pairs that may touch.
 //
 //   const auto scene = read_moveit_scene(text, "scene0001.yaml");
 //   if (!scene) std::cerr << to_string(scene.error());        // "scene0001.yaml:34:9: A0402: ..."
+//   const auto attached = attached_to(robot, *scene);
 //
-// A function without state; any thread. Objects of boxes, cylinders and spheres are read; meshes, planes and
-// objects that hang on the robot are refused, since a world without them would be another one. Frames and
-// states that change nothing are passed over.
+// Functions without state; any thread. Objects of boxes, cylinders, spheres and meshes are read, meshes with
+// their triangles in the file or as files of their own; planes are refused, since a world without them would
+// be another one. Frames and states that change nothing are passed over.
 
 #include <string>
 #include <string_view>
@@ -15,6 +17,7 @@
 #include <vector>
 
 #include "runtime/ground/result/result.h"
+#include "supervisor/motion/collision/attached_body.h"
 #include "supervisor/motion/collision/world.h"
 
 namespace stepwright::motion {
@@ -24,19 +27,40 @@ inline constexpr const char* kBadYaml = "A0401";  // no YAML, or too large
 inline constexpr const char* kBadSceneMember =
     "A0402";                                         // a member is missing, of another kind or out of range
 inline constexpr const char* kNotRead = "A0403";     // what MoveIt knows and this does not
-inline constexpr const char* kNotOfRobot = "A0404";  // a joint or group that the robot does not have
+inline constexpr const char* kNotOfRobot = "A0404";  // a joint, link or group that the robot does not have
 }  // namespace code
 
 inline constexpr std::size_t kMostYamlBytes = std::size_t{4} << 20U;
 inline constexpr std::size_t kMostObstacles = 4096;
 
+inline constexpr std::size_t kMostMeshes = 256;
+
 struct MoveItScene {
+  // What hangs on the robot: the object's own places are in the frame of the link.
+  struct Hanging {
+    std::string link;
+    std::vector<Obstacle> solids;
+    std::vector<std::string> touching;  // links
+    result::Location where;
+  };
+
   World world;  // an object of several solids is several obstacles of its name
+  std::vector<Hanging> hanging;
   std::vector<std::pair<std::string, std::string>>
       allowed;  // names of links or objects, from the collision matrix
 };
 
-// `name` is the file for messages. Fails with A0401 to A0403, all that is wrong at once.
-[[nodiscard]] result::Result<MoveItScene> read_moveit_scene(std::string_view text, std::string name);
+// `name` is the file for messages. Fails with A0401 to A0403, all that is wrong at once; of meshes that are
+// files, which `meshes` finds, with A0110 and A0201.
+[[nodiscard]] result::Result<MoveItScene> read_moveit_scene(std::string_view text, std::string name,
+                                                            const MeshLocator* meshes = nullptr);
+
+// Fails with A0404: a link that the robot does not have.
+[[nodiscard]] result::Result<std::vector<AttachedBody>> attached_to(const Robot& robot,
+                                                                    const MoveItScene& scene);
+
+// The collision matrix, where it is to count: pairs of links are disabled as SRDF does it, pairs of a link
+// and an object are World::allowed.
+void allow_pairs(const Robot& robot, MoveItScene& scene, Semantics& semantics);
 
 }  // namespace stepwright::motion

@@ -53,15 +53,15 @@ class Tree {
 
 class Planner {
  public:
-  Planner(const CollisionChecker& checker, const JointSpace& space, const PathOptions& options)
-      : checker_(checker), space_(space), options_(options), random_(options.seed) {}
+  Planner(const FreeSpace& free, const JointSpace& space, const PathOptions& options)
+      : free_(free), space_(space), options_(options), random_(options.seed) {}
 
   PathAnswer plan(const Configuration& from, const std::vector<Configuration>& goals) {
-    if (!inside(from) || !checker_.is_free(from)) return ended(PathAnswer::Ending::StartCollides);
+    if (!inside(space_, from) || !free_.is_free(from)) return ended(PathAnswer::Ending::StartCollides);
     Tree start(space_.lower.size()), end(space_.lower.size());
     start.add(from, 0);
     for (const Configuration& each : goals)
-      if (inside(each) && checker_.is_free(each)) end.add(each, end.size());
+      if (inside(space_, each) && free_.is_free(each)) end.add(each, end.size());
     if (end.size() == 0) return ended(PathAnswer::Ending::GoalsCollide);
     for (std::size_t k = 0; k < end.size(); ++k)
       if (free(from, end.node(k))) return found({from, {end.node(k).begin(), end.node(k).end()}});
@@ -86,17 +86,9 @@ class Planner {
   }
 
  private:
-  bool inside(const Configuration& q) const {
-    constexpr double kRounded = 1e-6;
-    if (q.size() != space_.lower.size()) return false;
-    for (std::size_t k = 0; k < q.size(); ++k)
-      if (!(q[k] >= space_.lower[k] - kRounded && q[k] <= space_.upper[k] + kRounded)) return false;
-    return true;
-  }
-
   bool free(std::span<const double> from, std::span<const double> to) {
     ++answer_.motions;
-    return checker_.motion_is_free(from, to, options_.step);
+    return free_.motion_is_free(from, to, options_.step);
   }
 
   // One step from a node towards the target; nothing where it is blocked.
@@ -137,7 +129,7 @@ class Planner {
     return ended(PathAnswer::Ending::Found);
   }
 
-  const CollisionChecker& checker_;
+  const FreeSpace& free_;
   const JointSpace& space_;
   const PathOptions& options_;
   Random random_;
@@ -156,9 +148,22 @@ JointSpace joint_space(const Robot& robot, std::span<const int> coordinates) {
   return space;
 }
 
+bool inside(const JointSpace& space, std::span<const double> q) {
+  constexpr double kRounded = 1e-6;
+  if (q.size() != space.lower.size()) return false;
+  for (std::size_t k = 0; k < q.size(); ++k)
+    if (!(q[k] >= space.lower[k] - kRounded && q[k] <= space.upper[k] + kRounded)) return false;
+  return true;
+}
+
+PathAnswer plan_path(const FreeSpace& free, const JointSpace& space, const Configuration& from,
+                     const std::vector<Configuration>& goals, const PathOptions& options) {
+  return Planner(free, space, options).plan(from, goals);
+}
+
 PathAnswer plan_path(const CollisionChecker& checker, const JointSpace& space, const Configuration& from,
                      const std::vector<Configuration>& goals, const PathOptions& options) {
-  return Planner(checker, space, options).plan(from, goals);
+  return plan_path(by_spheres(checker), space, from, goals, options);
 }
 
 }  // namespace stepwright::motion

@@ -16,7 +16,7 @@
 
 #include <cstdint>
 
-#include "supervisor/motion/collision/collision_checker.h"
+#include "supervisor/motion/path/free_space.h"
 #include "supervisor/motion/path/path.h"
 
 namespace stepwright::motion {
@@ -48,7 +48,12 @@ struct PathAnswer {
   std::size_t motions = 0;  // that were checked
 };
 
+PathAnswer plan_path(const FreeSpace& free, const JointSpace& space, const Configuration& from,
+                     const std::vector<Configuration>& goals, const PathOptions& options = {});
 PathAnswer plan_path(const CollisionChecker& checker, const JointSpace& space, const Configuration& from,
                      const std::vector<Configuration>& goals, const PathOptions& options = {});
+
+// Within the limits, but for rounding in the sixth digit.
+bool inside(const JointSpace& space, std::span<const double> q);
 
 }  // namespace stepwright::motion

@@ -1,6 +1,7 @@
 #include "supervisor/motion/path/shorten.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "supervisor/motion/spatial/random.h"
 
@@ -30,10 +31,10 @@ Place place_at(const JointPath& path, double along) {
 }
 
 // Points between which straight motions pass over others.
-void drop_points(const CollisionChecker& checker, JointPath& path, double step) {
+void drop_points(const FreeSpace& free, JointPath& path, double step) {
   for (std::size_t k = 0; k + 2 < path.size();) {
     std::size_t next = path.size() - 1;
-    while (next > k + 1 && !checker.motion_is_free(path[k], path[next], step)) --next;
+    while (next > k + 1 && !free.motion_is_free(path[k], path[next], step)) --next;
     path.erase(path.begin() + static_cast<std::ptrdiff_t>(k + 1),
                path.begin() + static_cast<std::ptrdiff_t>(next));
     ++k;
@@ -42,9 +43,9 @@ void drop_points(const CollisionChecker& checker, JointPath& path, double step) 
 
 }  // namespace
 
-JointPath shorten(const CollisionChecker& checker, JointPath path, const ShortenOptions& options) {
+JointPath shorten(const FreeSpace& free, JointPath path, const ShortenOptions& options) {
   if (path.size() < 3) return path;
-  drop_points(checker, path, options.step);
+  drop_points(free, path, options.step);
   Random random(options.seed);
   std::size_t in_vain = 0;
   for (std::size_t k = 0; k < options.tries && in_vain < options.most_in_vain && path.size() > 2; ++k) {
@@ -56,10 +57,10 @@ JointPath shorten(const CollisionChecker& checker, JointPath path, const Shorten
     constexpr double kWorth = 1e-3;
     if (a.after == b.after) continue;
     const double saved = second - first - joint_distance(a.q, b.q);
-    if (saved < kWorth * whole || !checker.motion_is_free(a.q, b.q, options.step)) continue;
+    if (saved < kWorth * whole || !free.motion_is_free(a.q, b.q, options.step)) continue;
     // What is left of the motions that are cut is tried at other places than before.
-    if (!checker.motion_is_free(path[a.after], a.q, options.step) ||
-        !checker.motion_is_free(b.q, path[b.after + 1], options.step))
+    if (!free.motion_is_free(path[a.after], a.q, options.step) ||
+        !free.motion_is_free(b.q, path[b.after + 1], options.step))
       continue;
     in_vain = 0;
     JointPath shorter(path.begin(), path.begin() + static_cast<std::ptrdiff_t>(a.after) + 1);
@@ -68,8 +69,12 @@ JointPath shorten(const CollisionChecker& checker, JointPath path, const Shorten
     shorter.insert(shorter.end(), path.begin() + static_cast<std::ptrdiff_t>(b.after) + 1, path.end());
     path = std::move(shorter);
   }
-  drop_points(checker, path, options.step);
+  drop_points(free, path, options.step);
   return path;
+}
+
+JointPath shorten(const CollisionChecker& checker, JointPath path, const ShortenOptions& options) {
+  return shorten(by_spheres(checker), std::move(path), options);
 }
 
 }  // namespace stepwright::motion

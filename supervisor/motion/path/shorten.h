@@ -9,7 +9,7 @@
 
 #include <cstdint>
 
-#include "supervisor/motion/collision/collision_checker.h"
+#include "supervisor/motion/path/free_space.h"
 #include "supervisor/motion/path/path.h"
 
 namespace stepwright::motion {
@@ -21,6 +21,7 @@ struct ShortenOptions {
   std::size_t most_in_vain = 60;  // one after the other, then it ends
 };
 
+JointPath shorten(const FreeSpace& free, JointPath path, const ShortenOptions& options = {});
 JointPath shorten(const CollisionChecker& checker, JointPath path, const ShortenOptions& options = {});
 
 }  // namespace stepwright::motion

@@ -19,7 +19,7 @@ struct Placed {
   ExactSolid solid;
   int link = -1;
   std::string name;
-  Shape shape{};  // of an obstacle
+  Obstacle obstacle = {};
 };
 
 // A joint that moves two bodies of a pair against each other, and by how much at most per unit of its
@@ -38,25 +38,63 @@ struct CheckedPair {
 
 class ExactChecker::Scene {
  public:
-  Scene(const Robot& robot, const Bodies& bodies, const Semantics* semantics, const World& world,
-        std::span<const int> coordinates, std::span<const double> rest, const SphereModel* spheres)
-      : robot_(robot),
-        kinematics_(robot),
-        coordinates_(coordinates.begin(), coordinates.end()),
+  // The robot as it was given, its bodies as solids: what scenes of the same robot share.
+  struct Base {
+    Robot robot;
+    Bodies bodies;
+    SphereModel spheres;
+    bool has_spheres = false;
+    std::optional<Semantics> semantics;
+    std::vector<int> coordinates;
+    std::vector<ExactSolid> solids;  // of all bodies, link after link
+  };
+
+  static std::shared_ptr<const Base> base(const Robot& robot, const Bodies& bodies,
+                                          const Semantics* semantics, std::span<const int> coordinates,
+                                          const SphereModel* spheres) {
+    Base made{robot,
+              bodies,
+              spheres ? *spheres : SphereModel{},
+              spheres != nullptr,
+              std::nullopt,
+              {coordinates.begin(), coordinates.end()},
+              {}};
+    if (semantics) made.semantics = *semantics;
+    for (const std::vector<Body>& link : bodies)
+      for (const Body& each : link) made.solids.emplace_back(each);
+    return std::make_shared<const Base>(std::move(made));
+  }
+
+  Scene(std::shared_ptr<const Base> base, const World& world, std::span<const double> rest,
+        const std::vector<AttachedBody>& attached)
+      : base_(std::move(base)),
+        all_(carrying(base_->robot, base_->has_spheres ? &base_->spheres : nullptr, &base_->bodies,
+                      base_->semantics ? &*base_->semantics : nullptr, attached)),
+        robot_(all_.robot),
+        kinematics_(robot_),
+        coordinates_(base_->coordinates),
         rest_(rest.begin(), rest.end()),
-        spheres_(spheres ? *spheres : SphereModel{}) {
-    for (std::size_t link = 0; link < bodies.size(); ++link)
-      for (const Body& each : bodies[link])
-        placed_.push_back({ExactSolid(each), static_cast<int>(link), robot.links[link].name, {}});
+        spheres_(all_.spheres) {
+    std::size_t known = 0;
+    for (std::size_t link = 0; link < all_.bodies.size(); ++link)
+      for (const Body& each : all_.bodies[link]) {
+        placed_.push_back({known < base_->solids.size() ? base_->solids[known] : ExactSolid(each),
+                           static_cast<int>(link), robot_.links[link].name});
+        ++known;
+      }
     const std::size_t of_robot = placed_.size();
     for (const LinkSpheres& link : spheres_.links)
       first_sphere_.push_back(first_sphere_.back() + link.spheres.size());
     for (const Obstacle& each : world.obstacles)
-      placed_.push_back({ExactSolid({each.shape, nullptr}), -1, each.name, each.shape});
+      placed_.push_back({ExactSolid({each.shape, each.mesh}), -1, each.name, each});
     for (std::size_t a = 0; a < of_robot; ++a)
-      for (std::size_t b = a + 1; b < placed_.size(); ++b) add_pair(a, b, semantics);
+      for (std::size_t b = a + 1; b < placed_.size(); ++b)
+        if (placed_[b].link >= 0 || !world.may_touch(placed_[a].name, placed_[b].name)) add_pair(a, b);
   }
+  Scene(const Scene&) = delete;  // members look at each other
+  Scene& operator=(const Scene&) = delete;
 
+  const std::shared_ptr<const Base>& base() const { return base_; }
   std::size_t columns() const { return coordinates_.size(); }
 
   std::optional<Contact> contact(std::span<const double> configuration) const {
@@ -109,7 +147,7 @@ class ExactChecker::Scene {
            std::abs(joint.offset);
   }
 
-  void add_pair(std::size_t a, std::size_t b, const Semantics* semantics) {
+  void add_pair(std::size_t a, std::size_t b) {
     const Placed &of_a = placed_[a], &of_b = placed_[b];
     if (of_a.link == of_b.link) return;
     CheckedPair pair{a, b, {}};
@@ -124,11 +162,7 @@ class ExactChecker::Scene {
           {static_cast<std::size_t>(column - coordinates_.begin()), std::abs(joint.multiplier) * far_m});
     }
     if (pair.levers.empty()) return;  // they do not move against each other
-    if (of_b.link >= 0) {
-      const bool joined =
-          robot_.parent_link(of_a.link) == of_b.link || robot_.parent_link(of_b.link) == of_a.link;
-      if (semantics ? semantics->is_disabled(of_a.link, of_b.link) : joined) return;
-    }
+    if (of_b.link >= 0 && all_.semantics.is_disabled(of_a.link, of_b.link)) return;
     pairs_.push_back(std::move(pair));
   }
 
@@ -173,7 +207,7 @@ class ExactChecker::Scene {
       const Vector3 centre = placement.centres[i];
       const double radius = spheres_.links[link_a].spheres[i - first_sphere_[link_a]].radius_m;
       if (b.link < 0) {
-        least = std::min(least, distance_to(b.shape, centre) - radius);
+        least = std::min(least, distance_below(b.obstacle, centre) - radius);
       } else {
         const auto link_b = static_cast<std::size_t>(b.link);
         for (std::size_t k = first_sphere_[link_b]; k < first_sphere_[link_b + 1]; ++k)
@@ -227,11 +261,13 @@ class ExactChecker::Scene {
 
   static constexpr double kCoarse_m = 0.02;
 
-  const Robot robot_;
+  std::shared_ptr<const Base> base_;
+  CarryingRobot all_;
+  const Robot& robot_;
   LinkFrames kinematics_;
   std::vector<int> coordinates_;
   std::vector<double> rest_;
-  SphereModel spheres_;
+  const SphereModel& spheres_;
   std::vector<std::size_t> first_sphere_{0};  // of each link, in Placement::centres
   std::vector<Placed> placed_;
   std::vector<CheckedPair> pairs_;
@@ -240,10 +276,19 @@ class ExactChecker::Scene {
 result::Result<ExactChecker> ExactChecker::make(const Robot& robot, const Bodies& bodies,
                                                 const Semantics* semantics, const World& world,
                                                 std::span<const int> coordinates,
-                                                std::span<const double> rest, const SphereModel* spheres) {
+                                                std::span<const double> rest, const SphereModel* spheres,
+                                                const std::vector<AttachedBody>& attached) {
   if (auto sound = check_world(world); !sound) return result::forward(sound);
-  return ExactChecker(
-      std::make_unique<const Scene>(robot, bodies, semantics, world, coordinates, rest, spheres));
+  if (auto sound = check_attached(robot, attached); !sound) return result::forward(sound);
+  return ExactChecker(std::make_unique<const Scene>(
+      Scene::base(robot, bodies, semantics, coordinates, spheres), world, rest, attached));
+}
+
+result::Result<ExactChecker> ExactChecker::with(const World& world, std::span<const double> rest,
+                                                const std::vector<AttachedBody>& attached) const {
+  if (auto sound = check_world(world); !sound) return result::forward(sound);
+  if (auto sound = check_attached(scene_->base()->robot, attached); !sound) return result::forward(sound);
+  return ExactChecker(std::make_unique<const Scene>(scene_->base(), world, rest, attached));
 }
 
 ExactChecker::ExactChecker(std::unique_ptr<const Scene> scene) : scene_(std::move(scene)) {}

@@ -46,12 +46,17 @@ class ExactChecker {
   static constexpr double kTooClose_m = 5e-5;
 
   // `spheres` must contain the bodies (cover()); they change no answer, but with meshes checks take a
-  // fraction of the time. Fails with A0301 as CollisionChecker does.
+  // fraction of the time. Fails with A0301 and A0302 as CollisionChecker does.
   [[nodiscard]] static result::Result<ExactChecker> make(const Robot& robot, const Bodies& bodies,
                                                          const Semantics* semantics, const World& world,
                                                          std::span<const int> coordinates,
                                                          std::span<const double> rest,
-                                                         const SphereModel* spheres = nullptr);
+                                                         const SphereModel* spheres = nullptr,
+                                                         const std::vector<AttachedBody>& attached = {});
+  // The same robot elsewhere, or carrying other things. The trees of its meshes, which take long to make, are
+  // shared.
+  [[nodiscard]] result::Result<ExactChecker> with(const World& world, std::span<const double> rest,
+                                                  const std::vector<AttachedBody>& attached = {}) const;
   ~ExactChecker();
   ExactChecker(ExactChecker&&) noexcept;
   ExactChecker& operator=(ExactChecker&&) noexcept;

@@ -15,5 +15,7 @@ inline constexpr const char* kUnits = "A0108";      // lengths that no robot has
 inline constexpr const char* kJointType = "A0109";  // a type of joint that is not planned for
 inline constexpr const char* kNoMesh = "A0110";     // the file of a mesh is not found
 inline constexpr const char* kNoChain = "A0111";    // the ends of a chain are not one below the other
+inline constexpr const char* kInstead = "A0112";    // other bodies stand for a mesh that is not found
+inline constexpr const char* kNoSpheres = "A0113";  // links that spheres cannot judge, or that always meet
 
 }  // namespace stepwright::motion::code

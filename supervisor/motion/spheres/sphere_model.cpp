@@ -174,6 +174,8 @@ class Cover {
   std::vector<Covered> pieces_;
 };
 
+}  // namespace
+
 // Around spheres: their centres' sphere is a start; each then takes in what stands out.
 Sphere bound_of(const std::vector<Sphere>& spheres) {
   std::vector<Vector3> centres;
@@ -184,8 +186,6 @@ Sphere bound_of(const std::vector<Sphere>& spheres) {
     bound.radius_m = std::max(bound.radius_m, distance(each.centre_m, bound.centre_m) + each.radius_m);
   return bound;
 }
-
-}  // namespace
 
 TriangleMesh surface_of(const Body& body) {
   const Shape& shape = body.shape;

@@ -41,6 +41,9 @@ SphereModel cover(const Bodies& bodies, const CoverOptions& options = {});
 // Spheres around a closed body, in its own frame.
 std::vector<Sphere> cover(const TriangleMesh& body, const CoverOptions& options);
 
+// A sphere around spheres. Requires one.
+Sphere bound_of(const std::vector<Sphere>& spheres);
+
 // The triangles of a body, in its link's frame; of a cylinder a prism that contains it. Requires no sphere.
 TriangleMesh surface_of(const Body& body);
 

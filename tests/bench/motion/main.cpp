@@ -1,8 +1,6 @@
-// The ground of motion planning, measured (figures.h), and problems of others planned (problems.h).
+// The ground of motion planning, measured (figures.h). Whole problems: bench_arm.
 //
 //   bench_motion [--json FILE] [--robot FOLDER]
-//   bench_motion --problems FOLDER --urdf FILE --srdf FILE [--package BEGINNING=FOLDER] [--protrusion M]
-//   [--json FILE]
 
 #include <cstdio>
 #include <exception>
@@ -11,7 +9,6 @@
 #include <string>
 
 #include "tests/bench/motion/figures.h"
-#include "tests/bench/motion/problems.h"
 
 namespace stepwright::bench {
 namespace {
@@ -71,40 +68,11 @@ int run(const std::string& json_file, const std::string& folder) {
   return file.flush() ? 0 : 1;
 }
 
-int run_problems(const ProblemFolders& folders, const std::string& json_file) {
-  const ProblemFigures found = plan_problems(folders);
-  const std::size_t valid = found.problems - found.ends_collide_exactly;
-  std::printf(
-      "%zu problems, %zu valid, %zu solved; ends collide by spheres alone %zu, tries ended %zu; %zu "
-      "spheres\n",
-      found.problems, valid, found.solved, found.ends_collide_by_spheres, found.exhausted, found.spheres);
-  std::printf("planned and shortened: median %.2f ms, p95 %.2f ms\n", found.median_ms, found.p95_ms);
-  std::printf(
-      "with every motion judged by FCL: median %.1f ms, p95 %.1f ms; first path refused %zu times; of the "
-      "paths "
-      "returned %zu refused\n",
-      found.certain_median_ms, found.certain_p95_ms, found.refused_once, found.recheck_refuses);
-  const nlohmann::json out = {{"motion_problems", found.problems},
-                              {"motion_valid", valid},
-                              {"motion_solved", found.solved},
-                              {"motion_median_ms", found.median_ms},
-                              {"motion_p95_ms", found.p95_ms},
-                              {"motion_certain_median_ms", found.certain_median_ms},
-                              {"motion_certain_p95_ms", found.certain_p95_ms},
-                              {"motion_refused_once", found.refused_once},
-                              {"motion_recheck_refuses", found.recheck_refuses}};
-  if (json_file.empty()) return 0;
-  std::ofstream file(json_file);
-  file << out.dump(2) << "\n";
-  return file.flush() ? 0 : 1;
-}
-
 }  // namespace
 }  // namespace stepwright::bench
 
 int main(int argc, char** argv) {
   std::string json_file, folder = "tests/cells/robot_cell";
-  stepwright::bench::ProblemFolders problems;
   bool sound = argc % 2 == 1;
   try {
     for (int k = 1; k + 1 < argc; k += 2) {
@@ -113,29 +81,14 @@ int main(int argc, char** argv) {
         json_file = value;
       else if (option == "--robot")
         folder = value;
-      else if (option == "--problems")
-        problems.problems = value;
-      else if (option == "--urdf")
-        problems.urdf = value;
-      else if (option == "--srdf")
-        problems.srdf = value;
-      else if (option == "--protrusion")
-        problems.protrusion_m = std::stod(value);
-      else if (const auto equals = value.find('='); option == "--package" && equals != std::string::npos)
-        problems.packages.emplace_back(value.substr(0, equals), value.substr(equals + 1));
       else
         sound = false;
     }
-    if (sound)
-      return problems.problems.empty() ? stepwright::bench::run(json_file, folder)
-                                       : stepwright::bench::run_problems(problems, json_file);
+    if (sound) return stepwright::bench::run(json_file, folder);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "bench_motion: %s\n", error.what());
     return 1;
   }
-  std::fprintf(stderr,
-               "usage: bench_motion [--json FILE] [--robot FOLDER]\n"
-               "       bench_motion --problems FOLDER --urdf FILE --srdf FILE [--package BEGINNING=FOLDER]\n"
-               "                    [--protrusion M] [--json FILE]\n");
+  std::fprintf(stderr, "usage: bench_motion [--json FILE] [--robot FOLDER]\n");
   return 2;
 }

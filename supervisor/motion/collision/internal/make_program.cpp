@@ -37,11 +37,14 @@ class ProgramMaker {
     reach_.push_back({});
   }
 
-  Program make(const SphereModel& spheres, const Semantics* semantics, const World& world) {
+  Program make(const SphereModel& spheres, const Semantics& semantics, const World& world) {
     for (std::size_t j = 0; j < robot_.joints.size(); ++j) add_joint(j);
     add_parts(spheres);
-    for (const Obstacle& each : world.obstacles) program_.solids.push_back(solid(each.shape));
-    for (std::size_t k = 0; k < program_.moving_parts; ++k) add_obstacles(program_.parts[k], world);
+    for (const Obstacle& each : world.obstacles)
+      if (each.shape.kind == ShapeKind::Mesh)
+        add_mesh(each, world);
+      else
+        add_solid(each, world);
     add_pairs(semantics);
     return std::move(program_);
   }
@@ -146,30 +149,46 @@ class ProgramMaker {
     return out;
   }
 
-  void add_obstacles(Part& part, const World& world) const {
-    const Reach& reach = reach_[part.body];
+  // How far from where its way begins any point of a part can be.
+  double far_of(const Part& part) const {
     const Vector3 centre{part.bound.centre[0], part.bound.centre[1], part.bound.centre[2]};
-    const double far_m = reach.far_m + length(centre) + static_cast<double>(part.bound.radius) + rounding_m_;
-    for (std::size_t k = 0; k < world.obstacles.size(); ++k)
-      if (distance_to(world.obstacles[k].shape, reach.from_m) <= far_m)
-        part.obstacles.push_back(static_cast<std::uint32_t>(k));
+    return reach_[part.body].far_m + length(centre) + static_cast<double>(part.bound.radius) + rounding_m_;
   }
 
-  bool joined(std::size_t a, std::size_t b) const {
-    return robot_.parent_link(static_cast<int>(a)) == static_cast<int>(b) ||
-           robot_.parent_link(static_cast<int>(b)) == static_cast<int>(a);
+  bool comes_near(const Part& part, std::size_t link, const Obstacle& obstacle, const World& world) const {
+    return distance_below(obstacle, reach_[part.body].from_m) <= far_of(part) &&
+           !world.may_touch(robot_.links[link].name, obstacle.name);
   }
 
-  void add_pairs(const Semantics* semantics) {
+  void add_solid(const Obstacle& obstacle, const World& world) {
+    const auto number = static_cast<std::uint32_t>(program_.solids.size());
+    program_.solids.push_back(solid(obstacle.shape));
+    for (std::size_t k = 0; k < program_.moving_parts; ++k)
+      if (comes_near(program_.parts[k], links_[k], obstacle, world))
+        program_.parts[k].obstacles.push_back(number);
+  }
+
+  // The spheres of a mesh are a part that stands still.
+  void add_mesh(const Obstacle& obstacle, const World& world) {
+    Part part;
+    part.bound = ball(bound_of(*obstacle.spheres), obstacle.shape.origin);
+    part.bound.radius += static_cast<float>(rounding_m_);
+    part.first = program_.balls.size();
+    for (const Sphere& each : *obstacle.spheres) program_.balls.push_back(ball(each, obstacle.shape.origin));
+    part.end = program_.balls.size();
+    const auto number = static_cast<std::uint32_t>(program_.parts.size());
+    program_.parts.push_back(std::move(part));
+    for (std::size_t k = 0; k < program_.moving_parts; ++k)
+      if (comes_near(program_.parts[k], links_[k], obstacle, world))
+        program_.pairs.emplace_back(static_cast<std::uint32_t>(k), number);
+  }
+
+  void add_pairs(const Semantics& semantics) {
     for (std::size_t a = 0; a < program_.moving_parts; ++a)
-      for (std::size_t b = a + 1; b < program_.parts.size(); ++b) {
-        if (program_.parts[a].body == program_.parts[b].body) continue;
-        const bool skipped =
-            semantics ? semantics->is_disabled(static_cast<int>(links_[a]), static_cast<int>(links_[b]))
-                      : joined(links_[a], links_[b]);
-        if (!skipped)
+      for (std::size_t b = a + 1; b < links_.size(); ++b)
+        if (program_.parts[a].body != program_.parts[b].body &&
+            !semantics.is_disabled(static_cast<int>(links_[a]), static_cast<int>(links_[b])))
           program_.pairs.emplace_back(static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b));
-      }
   }
 
   const Robot& robot_;
@@ -178,13 +197,13 @@ class ProgramMaker {
   double rounding_m_;
   std::vector<Carried> carried_;
   std::vector<Reach> reach_;
-  std::vector<std::size_t> links_;  // of the parts
+  std::vector<std::size_t> links_;  // of the parts but for those of meshes
   Program program_;
 };
 
 }  // namespace
 
-Program make_program(const Robot& robot, const SphereModel& spheres, const Semantics* semantics,
+Program make_program(const Robot& robot, const SphereModel& spheres, const Semantics& semantics,
                      const World& world, std::span<const int> coordinates, std::span<const double> rest,
                      double rounding_m) {
   return ProgramMaker(robot, coordinates, rest, rounding_m).make(spheres, semantics, world);

@@ -11,7 +11,7 @@
 
 namespace stepwright::motion::internal {
 
-Program make_program(const Robot& robot, const SphereModel& spheres, const Semantics* semantics,
+Program make_program(const Robot& robot, const SphereModel& spheres, const Semantics& semantics,
                      const World& world, std::span<const int> coordinates, std::span<const double> rest,
                      double rounding_m);
 

@@ -8,6 +8,7 @@
 #include <fcl/narrowphase/collision.h>
 #include <fcl/narrowphase/distance.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace stepwright::motion::internal {
@@ -80,11 +81,19 @@ ExactSolid::ExactSolid(const Body& body)
       mesh_(body.mesh),
       place_(body.shape.origin),
       around_(sphere_around(body)) {
-  if (mesh_ && !mesh_->points.empty()) point_m_ = mesh_->points.front();
+  if (!mesh_ || mesh_->points.empty()) return;
+  point_m_ = low_m_ = high_m_ = mesh_->points.front();
+  for (const Vector3& each : mesh_->points) {
+    low_m_ = {std::min(low_m_.x, each.x), std::min(low_m_.y, each.y), std::min(low_m_.z, each.z)};
+    high_m_ = {std::max(high_m_.x, each.x), std::max(high_m_.y, each.y), std::max(high_m_.z, each.z)};
+  }
 }
 
 bool ExactSolid::holds(Vector3 point) const {
-  return mesh_ && std::abs(winding_number(*mesh_, point)) > 0.5;
+  // The box first: the number takes a look at every triangle.
+  return mesh_ && point.x >= low_m_.x && point.x <= high_m_.x && point.y >= low_m_.y &&
+         point.y <= high_m_.y && point.z >= low_m_.z && point.z <= high_m_.z &&
+         std::abs(winding_number(*mesh_, point)) > 0.5;
 }
 
 bool meet(const ExactSolid& a, const Transform& at_a, const ExactSolid& b, const Transform& at_b) {

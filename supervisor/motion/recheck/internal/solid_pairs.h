@@ -34,6 +34,7 @@ class ExactSolid {
   std::shared_ptr<const SolidGeometry> geometry_;  // shared by copies: it is large and does not change
   std::shared_ptr<const TriangleMesh> mesh_;       // of a mesh
   Vector3 point_m_;                                // one of its points, in its own frame
+  Vector3 low_m_, high_m_;                         // corners of the box around its points, in its own frame
   Transform place_;
   Sphere around_;
 };

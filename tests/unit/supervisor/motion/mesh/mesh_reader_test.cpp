@@ -81,6 +81,31 @@ TEST_F(MeshFiles, WhenLinksNameMeshes_ThenEachFileIsReadOnceAndMissingOnesAreTol
   EXPECT_EQ(read_bodies(*missing, MeshLocator(folder_)).error().size(), 2u);
 }
 
+TEST_F(MeshFiles, WhenAMeshIsNotFound_ThenBodiesOfTheOtherDescriptionStandForItAndItIsSaid) {
+  const auto link = [](const std::string& name, const std::string& shape) {
+    return "<link name='" + name + "'><collision><geometry>" + shape + "</geometry></collision></link>";
+  };
+  const std::string joint = "<joint name='j' type='fixed'><parent link='a'/><child link='b'/></joint>";
+  const auto robot = read_urdf("<robot name='r'>" + link("a", "<mesh filename='none.stl'/>") +
+                                   link("b", "<mesh filename='gone.stl'/>") + joint + "</robot>",
+                               "r");
+  const auto other = [&](const std::string& of_b) {
+    return *read_urdf(
+        "<robot name='r'>" + link("a", "<sphere radius='0.1'/>") + link("b", of_b) + joint + "</robot>", "o");
+  };
+  result::Diagnostics noted;
+  const auto bodies = read_bodies(*robot, MeshLocator(folder_), other("<box size='1 1 1'/>"), noted);
+  ASSERT_TRUE(bodies) << to_string(bodies.error());
+  EXPECT_EQ((*bodies)[0].at(0).shape.radius_m, 0.1);
+  EXPECT_EQ((*bodies)[1].at(0).shape.kind, ShapeKind::Box);
+  ASSERT_EQ(noted.size(), 2u);
+  EXPECT_EQ(noted[1].code, "A0112");
+  EXPECT_NE(noted[1].message.find("'gone.stl' of link 'b'"), std::string::npos);
+  const auto refused = read_bodies(*robot, MeshLocator(folder_), other("<mesh filename='gone.stl'/>"), noted);
+  ASSERT_FALSE(refused) << "a mesh that is not found either stands for nothing";
+  EXPECT_EQ(refused.error().size(), 1u);
+}
+
 TEST_F(MeshFiles, WhenARobotOfOthersIsThere_ThenItsMeshesAreRead) {
   const auto panda = tests::data_of_others("arms/panda/panda.urdf");
   if (!panda) GTEST_SKIP() << "data/arms is not on this machine";

@@ -83,10 +83,68 @@ TEST(MoveItScene, WhenItIsWrong_ThenThePlaceIsSaid) {
   EXPECT_EQ(wrong("[0.12, 0.03]", "[0.12, .inf]"), "13:56 A0402");
   EXPECT_EQ(wrong("0.70710678, 0.70710678]", "0, 0]"), "15:53 A0402");
   EXPECT_EQ(wrong(", {position: [0, 0, 2], orientation: [0, 0, 0, 1]}", ""), "16:7 A0402");
-  EXPECT_EQ(wrong("pose: {position: [1, 0, 0]}", "meshes: [{}]"), "16:7 A0403");
+  EXPECT_EQ(wrong("pose: {position: [1, 0, 0]}", "planes: [{}]"), "16:7 A0403");
+  EXPECT_EQ(wrong("pose: {position: [1, 0, 0]}", "meshes: [{}]"), "16:7 A0402");
+  EXPECT_EQ(wrong("pose: {position: [1, 0, 0]}", "meshes: [{resource: a.stl}]\n      mesh_poses: [{}]"),
+            "17:16 A0403");
   EXPECT_EQ(wrong("    - [true, false, false]\n", ""), "5:3 A0402");
   EXPECT_EQ(wrong("joint_state: {name: [left_joint_1], position: [0]}", "attached_collision_objects: [{}]"),
-            "3:3 A0403");
+            "3:32 A0402");
+}
+
+TEST(MoveItScene, WhenObjectsHaveMeshes_ThenTheirTrianglesStandThere) {
+  const auto with = [](const std::string& triangles, const std::string& points) {
+    return read_moveit_scene(
+        replaced(kScene, "primitives: [{type: cylinder, dimensions: [0.12, 0.03]}]\n      primitive_poses:",
+                 "meshes: [{triangles: [" + triangles + "], vertices: [" + points + "]}]\n      mesh_poses:"),
+        "f.yaml");
+  };
+  const std::string points = "[0, 0, 0], {x: 1, y: 0, z: 0}, [0, 1, 0], [0, 0, 1]";
+  const auto scene = with("{vertex_indices: [0, 2, 1]}, [0, 1, 3], [0, 3, 2], [1, 2, 3], [1, 1, 1]", points);
+  ASSERT_TRUE(scene) << to_string(scene.error());
+  const Obstacle& can = scene->world.obstacles[0];
+  ASSERT_EQ(can.shape.kind, ShapeKind::Mesh);
+  EXPECT_EQ(can.mesh->triangles.size(), 4u);
+  EXPECT_EQ(can.shape.origin.position_m, (Vector3{0.3, 0.8, 0.29}));
+  EXPECT_TRUE(check_world(scene->world));
+  EXPECT_EQ(first_wrong(with("[0, 1, 4]", points)).substr(3), "29 A0402");
+  EXPECT_FALSE(with("[1, 1, 1]", points));
+  EXPECT_FALSE(with("[0, 1, 2]", "[0, 0, x]"));
+}
+
+TEST(MoveItScene, WhenAnObjectHangsOnTheRobot_ThenItIsCarriedByItsLink) {
+  const auto hanging = [](const std::string& link, const std::string& touching) {
+    return read_moveit_scene(
+        replaced(kScene, "joint_state: {name: [left_joint_1], position: [0]}",
+                 "attached_collision_objects:\n    - link_name: " + link + "\n      touch_links: [" +
+                     touching +
+                     "]\n      object: {id: cup, primitives: [{type: sphere, dimensions: [0.04]}], "
+                     "primitive_poses: [{position: [0, 0, 0.1]}]}"),
+        "f.yaml");
+  };
+  const Robot robot = tests::two_arms();
+  const auto scene = hanging("left_hand", "left_finger_1");
+  ASSERT_TRUE(scene) << to_string(scene.error());
+  const auto attached = attached_to(robot, *scene);
+  ASSERT_TRUE(attached) << to_string(attached.error());
+  ASSERT_EQ(attached->size(), 1u);
+  EXPECT_EQ(attached->front().name, "cup");
+  EXPECT_EQ(attached->front().link, robot.link("left_hand"));
+  EXPECT_EQ(attached->front().touching, std::vector{robot.link("left_finger_1")});
+  EXPECT_EQ(attached->front().spheres.at(0).centre_m, (Vector3{0, 0, 0.1}));
+  EXPECT_EQ(first_wrong(attached_to(robot, *hanging("left_hnd", ""))), "4:7 A0404");
+  EXPECT_EQ(first_wrong(attached_to(robot, *hanging("left_hand", "hand"))), "4:7 A0404");
+}
+
+TEST(MoveItScene, WhenItsMatrixAllowsPairs_ThenLinksAreDisabledAndObjectsMayBeTouched) {
+  const Robot robot = tests::two_arms();
+  auto scene = *read_moveit_scene(replaced(kScene, "[a, b, c]", "[left_hand, torso, can]"), "f.yaml");
+  scene.allowed.emplace_back("can", "left_hand");
+  Semantics semantics;
+  allow_pairs(robot, scene, semantics);
+  EXPECT_TRUE(semantics.is_disabled(robot.link("left_hand"), robot.link("torso")));
+  EXPECT_TRUE(scene.world.may_touch("left_hand", "can"));
+  EXPECT_FALSE(scene.world.may_touch("torso", "can"));
 }
 
 TEST(MoveItRequest, WhenItIsSound_ThenGroupStartAndGoalAreRead) {

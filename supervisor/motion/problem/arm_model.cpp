@@ -1,0 +1,48 @@
+#include "supervisor/motion/problem/arm_model.h"
+
+#include "runtime/ground/process/files.h"
+#include "supervisor/motion/robot/srdf_reader.h"
+#include "supervisor/motion/robot/urdf_reader.h"
+
+namespace stepwright::motion {
+
+namespace {
+
+result::Result<Robot> load_urdf(const std::filesystem::path& file) {
+  const auto text = process::read_file(file.string());
+  if (!text) return tl::unexpected(text.error());
+  return read_urdf(*text, file.string());
+}
+
+}  // namespace
+
+result::Result<ArmModel> load_arm(const ArmFiles& files) {
+  auto robot = load_urdf(files.urdf);
+  if (!robot) return result::forward(robot);
+  ArmModel model;
+  model.robot = std::move(*robot);
+  if (!files.srdf.empty()) {
+    const auto text = process::read_file(files.srdf.string());
+    if (!text) return tl::unexpected(text.error());
+    auto semantics = read_srdf(*text, files.srdf.string(), model.robot);
+    if (!semantics) return result::forward(semantics);
+    model.semantics = std::move(*semantics);
+  }
+  model.meshes = MeshLocator(files.urdf.parent_path());
+  for (const auto& [beginning, folder] : files.packages) model.meshes.map(beginning, folder);
+  if (files.instead.empty()) {
+    auto bodies = read_bodies(model.robot, model.meshes);
+    if (!bodies) return result::forward(bodies);
+    model.bodies = std::move(*bodies);
+  } else {
+    auto instead = load_urdf(files.instead);
+    if (!instead) return result::forward(instead);
+    auto bodies = read_bodies(model.robot, model.meshes, *instead, model.notes);
+    if (!bodies) return result::forward(bodies);
+    model.bodies = std::move(*bodies);
+  }
+  model.spheres = cover(model.bodies, files.cover);
+  return model;
+}
+
+}  // namespace stepwright::motion
