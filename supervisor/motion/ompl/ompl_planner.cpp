@@ -236,8 +236,8 @@ class OmplProblem {
     information_->setup();  // registers OMPL's projections
     constexpr std::size_t kFew = 2;
     if (columns_ <= kFew)
-      information_->getStateSpace()->registerDefaultProjection(std::make_shared<AllCoordinates>(
-          information_->getStateSpace()->as<ob::RealVectorStateSpace>()));
+      information_->getStateSpace()->registerDefaultProjection(
+          std::make_shared<AllCoordinates>(information_->getStateSpace()->as<ob::RealVectorStateSpace>()));
     definition_ = std::make_shared<ob::ProblemDefinition>(information_);
   }
 

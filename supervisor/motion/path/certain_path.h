@@ -39,9 +39,9 @@ struct CertainOptions {
   // What is free after a path was refused, if that is to be more careful than `fast`; it must outlive the
   // call.
   const FreeSpace* careful = nullptr;
-  std::size_t most_rounds = 6;      // each is a path that was refused
-  std::size_t sphere_tries = 4000;  // of a round on spheres, if PathOptions do not say less
-  std::size_t body_tries = 3000;    // of a round on bodies
+  std::size_t most_rounds = 6;       // each is a path that was refused
+  std::size_t sphere_tries = 20000;  // of a round on spheres, if PathOptions do not say less
+  std::size_t body_tries = 3000;     // of a round on bodies
 };
 
 // Both checkers must be made of the same robot, world and coordinates.

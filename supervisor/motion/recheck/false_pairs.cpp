@@ -89,7 +89,7 @@ class PairSample {
     for (const std::size_t each : overlapping) meeting += exact->contact(rows_[each]).has_value();
     if (meeting == rows_.size())
       found_.always.emplace_back(a, b);
-    else if (2 * meeting < overlapping.size())
+    else if (10 * meeting < overlapping.size())
       found_.pairs.emplace_back(a, b);
   }
 
