@@ -38,6 +38,7 @@ constexpr std::array kCommands = {
     Command{"reach", "stepwright-reach",
             "what a sequence of picks and places leaves to poses, or why it cannot be done"},
     Command{"arm", "stepwright-arm", "plan a path of a robot's arm among obstacles, judged by its bodies"},
+    Command{"tamp", "stepwright-tamp", "plan tasks and motions of a robot cell together"},
     Command{"translate", "stepwright-translate",
             "turn a plan into SFC, Ladder, PLCopen XML or Omron mnemonics"},
     Command{"compile", "stepwright-compile", "compile ST and PLCopen sources to a bytecode image"},

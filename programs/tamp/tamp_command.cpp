@@ -1,0 +1,170 @@
+#include "programs/tamp/tamp_command.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
+
+#include "runtime/ground/process/command_line.h"
+#include "runtime/ground/process/files.h"
+#include "runtime/ground/process/interruption.h"
+#include "supervisor/htn/plan/validate.h"
+#include "supervisor/htn/task/read_task.h"
+#include "supervisor/tamp/drawing/plan_json.h"
+#include "supervisor/tamp/drawing/plan_svg.h"
+#include "supervisor/tamp/judge/plan_judge.h"
+#include "supervisor/tamp/planner/tamp_planner.h"
+#include "supervisor/tamp/predicates/grounding.h"
+#include "supervisor/tamp/scene/cell_file.h"
+
+namespace stepwright::tamp_program {
+
+namespace {
+
+using nlohmann::json;
+using result::ExitCode;
+using tamp::planner::TampOutcome;
+
+ExitCode fail(const result::Diagnostics& diagnostics) {
+  (void)process::fail(diagnostics, ExitCode::BadInput);
+  return ExitCode::BadInput;
+}
+
+const char* name_of(model::OutcomeKind kind) {
+  switch (kind) {
+    case model::OutcomeKind::Solved:
+      return "solved";
+    case model::OutcomeKind::Infeasible:
+      return "infeasible";
+    case model::OutcomeKind::Cancelled:
+      return "cancelled";
+    default:
+      return "exhausted";
+  }
+}
+
+ExitCode exit_of(model::OutcomeKind kind) {
+  if (kind == model::OutcomeKind::Solved) return ExitCode::Done;
+  return kind == model::OutcomeKind::Infeasible ? ExitCode::NoPlan : ExitCode::BudgetExhausted;
+}
+
+json figures_of(const TampOutcome& outcome, double prepare_ms) {
+  const tamp::planner::TampFigures& figures = outcome.figures;
+  return {{"outcome", name_of(outcome.kind)},
+          {"reason", outcome.reason},
+          {"prepare_ms", prepare_ms},
+          {"plan_ms", figures.plan_ms},
+          {"plan_cpu_ms", figures.plan_cpu_ms},
+          {"certify_ms", figures.certify_ms},
+          {"configurations", figures.configurations},
+          {"failed_configurations", figures.failed},
+          {"configurations_in_backtracking", figures.configurations_again},
+          {"failed_in_backtracking", figures.failed_again},
+          {"paths", figures.paths},
+          {"failed_paths", figures.failed_paths},
+          {"sequences", figures.sequences},
+          {"refuted_by_intervals", figures.refuted},
+          {"proved_nogoods", figures.proved_nogoods},
+          {"budget_nogoods", figures.budget_nogoods},
+          {"backjumps", figures.backjumps},
+          {"jumped_over", figures.jumped_over}};
+}
+
+void print(const tamp::scene::RobotCell& cell, const TampOutcome& outcome) {
+  if (!outcome.plan) {
+    const bool none = outcome.kind == model::OutcomeKind::Infeasible;
+    std::fprintf(stderr, "%s: %s\n", none ? "no plan exists" : "no plan was found", outcome.reason.c_str());
+    return;
+  }
+  for (const tamp::scene::PlannedAction& each : outcome.plan->actions)
+    std::printf("%s\n", text_of(cell, each.what).c_str());
+  const tamp::planner::TampFigures& figures = outcome.figures;
+  std::printf("; %zu actions; planned in %.2f ms, certified in %.2f ms; %llu configurations, %llu failed\n",
+              outcome.plan->actions.size(), figures.plan_ms, figures.certify_ms,
+              static_cast<unsigned long long>(figures.configurations),
+              static_cast<unsigned long long>(figures.failed));
+  std::fflush(stdout);  // before what --json writes, which may go the same way
+}
+
+// A plan that a judge refuses is a fault of this program, and nobody should drive it.
+bool is_valid(const tamp::scene::RobotCell& cell, const TampOutcome& outcome, const lisp::Source& domain,
+              const lisp::Source& problem) {
+  const auto& names = tamp::predicates::geometric_predicates();
+  const htn::Validation tasks = htn::validate(domain, problem, *outcome.tasks, {names.begin(), names.end()});
+  const tamp::judge::Judgement motions = tamp::judge::judge(cell, *outcome.plan);
+  if (!tasks.valid) std::fprintf(stderr, "the validator refuses the plan: %s\n", tasks.reason.c_str());
+  if (!motions.sound) std::fprintf(stderr, "the judge refuses the plan: %s\n", motions.reason.c_str());
+  return tasks.valid && motions.sound;
+}
+
+ExitCode write(const std::string& file, const std::string& text) {
+  if (file.empty()) return ExitCode::Done;
+  const result::Diagnostics unwritten = process::write_file(file, text);
+  return unwritten.empty() ? ExitCode::Done : fail(unwritten);
+}
+
+TampOutcome search(const tamp::scene::RobotCell& cell, const htn::PlanningTask& task,
+                   const TampArguments& arguments, double& prepare_ms) {
+  using Clock = std::chrono::steady_clock;
+  const process::Interruption interruption;
+  tamp::planner::TampOptions options;
+  using tamp::planner::Method;
+  options.method = arguments.method == "paper-literal"     ? Method::PaperLiteral
+                   : arguments.method == "paper-first-way" ? Method::PaperFirstWay
+                                                           : Method::Ours;
+  options.seed = arguments.seed;
+  options.cancel = interruption.flag();
+  const Clock::time_point began = Clock::now();
+  std::optional<tamp::planner::IntervalModel> model;
+  if (options.method == tamp::planner::Method::Ours) model.emplace(cell);
+  prepare_ms = std::chrono::duration<double, std::milli>(Clock::now() - began).count();
+  constexpr double kLongestS = 1e6;  // twelve days: no clock overflows
+  options.until =
+      began + std::chrono::microseconds(std::llround(std::min(arguments.time_s, kLongestS) * 1e6));
+  return tamp::planner::plan(cell, task, model ? &*model : nullptr, options);
+}
+
+}  // namespace
+
+ExitCode run_tamp(const TampArguments& arguments) {
+  for (const std::string& file : {arguments.json_file, arguments.svg_file}) {
+    if (file.empty()) continue;
+    if (const auto unwritable = process::check_writable(file); !unwritable.empty()) return fail(unwritable);
+  }
+  auto file = tamp::scene::load_cell(arguments.problem);
+  if (!file) return fail(file.error());
+  const auto domain_text = process::read_file(file->domain.string()),
+             problem_text = process::read_file(file->problem.string());
+  if (!domain_text) return fail(domain_text.error());
+  if (!problem_text) return fail(problem_text.error());
+  const lisp::Source domain{file->domain.string(), *domain_text},
+      problem{file->problem.string(), *problem_text};
+  const auto read = htn::read_task(domain, problem, tamp::predicates::geometric_predicates());
+  if (!read) return fail(read.error());
+  if (!read->warnings.empty()) (void)fail(read->warnings);
+  if (arguments.grasps > 0) file->cell.manner.grasps = arguments.grasps;
+  if (arguments.places > 0) file->cell.manner.places = arguments.places;
+  double prepare_ms = 0.0;
+  const TampOutcome outcome = search(file->cell, read->task, arguments, prepare_ms);
+  if (outcome.plan && !is_valid(file->cell, outcome, domain, problem)) return ExitCode::RuntimeFault;
+  if (arguments.json_file != "-" && arguments.svg_file != "-") print(file->cell, outcome);
+  if (!arguments.json_file.empty()) {
+    json document = figures_of(outcome, prepare_ms);
+    if (outcome.plan) document["plan"] = tamp::drawing::plan_json(file->cell, *outcome.plan);
+    const ExitCode written =
+        write(arguments.json_file, document.dump(1, ' ', false, json::error_handler_t::replace) + "\n");
+    if (written != ExitCode::Done) return written;
+  }
+  if (!arguments.svg_file.empty()) {
+    const tamp::scene::TampPlan none;
+    const ExitCode drawn =
+        write(arguments.svg_file, tamp::drawing::plan_svg(file->cell, outcome.plan ? *outcome.plan : none));
+    if (drawn != ExitCode::Done) return drawn;
+  }
+  return exit_of(outcome.kind);
+}
+
+}  // namespace stepwright::tamp_program

@@ -1,0 +1,25 @@
+#pragma once
+
+// The samples of geometric choices: van der Corput's sequence for angles, Halton's for places (Kuipers,
+// Niederreiter 2005), as Karlsson et al. 2012 take them. Pure functions; any thread.
+//
+//   radical_inverse(3, 2)          // 0.75: 0, 1/2, 1/4, 3/4, ...
+
+#include <cstdint>
+
+#include "supervisor/tamp/scene/robot_cell.h"
+
+namespace stepwright::tamp::predicates {
+
+// Number k of the sequence in this base, from 0 on; in [0, 1).
+double radical_inverse(std::uint64_t k, std::uint64_t base);
+
+// Of the hand's angle, seen from what it grasps: base 2 over a whole turn.
+double grasp_sample(std::size_t k);
+// Of a place on a surface: bases 2 and 3 over the places at which all of the thing lies within it; of a thing
+// that turns also its angle, base 5.
+scene::Pose place_sample(const scene::Surface& surface, const scene::Thing& thing, std::size_t k);
+// A place in the surface's own frame, from its middle.
+scene::Pose place_on(const scene::Surface& surface, double along_m, double across_m, double angle_rad);
+
+}  // namespace stepwright::tamp::predicates

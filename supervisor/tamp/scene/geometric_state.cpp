@@ -1,0 +1,98 @@
+#include "supervisor/tamp/scene/geometric_state.h"
+
+#include <bit>
+#include <utility>
+
+namespace stepwright::tamp::scene {
+
+namespace {
+
+class Mixer {
+ public:
+  void add(std::uint64_t number) {
+    hash_ ^= number + 0x9E3779B97F4A7C15U + (hash_ << 6U) + (hash_ >> 2U);
+    hash_ = (hash_ ^ (hash_ >> 30U)) * 0xBF58476D1CE4E5B9U;
+    hash_ = (hash_ ^ (hash_ >> 27U)) * 0x94D049BB133111EBU;
+  }
+  void add(double number) { add(std::bit_cast<std::uint64_t>(number)); }
+  void add(int number) { add(static_cast<std::uint64_t>(static_cast<std::int64_t>(number))); }
+  std::uint64_t hash() const { return hash_; }
+
+ private:
+  std::uint64_t hash_ = 0x5DEECE66DU;
+};
+
+// Hangs a thing on the tool of the arm that holds it.
+void add_held(const RobotCell& cell, const ThingState& held, const Thing& thing, double shrunk_m,
+              HoldingRobot& out, int which) {
+  const ArmModel& arm = cell.arms[static_cast<std::size_t>(held.holder)];
+  // The tool stands above the thing, turned: seen from it the thing hangs below.
+  const motion::Transform tool = tool_pose(0.0, 0.0, cell.tool_above(which), held.hand_rad);
+  motion::Joint joint;
+  joint.name = "held " + thing.name;
+  joint.parent = arm.tip;
+  joint.origin = inverse(tool);
+  out.robot.joints.push_back(std::move(joint));
+  motion::Link link;
+  link.name = thing.name;
+  link.shapes = {obstacle_of(thing.name, thing.form, {}, shrunk_m).shape};
+  out.bodies.push_back({{link.shapes.front(), nullptr}});
+  out.spheres.links.push_back(cell.thing_spheres[static_cast<std::size_t>(which)]);
+  out.robot.links.push_back(std::move(link));
+}
+
+}  // namespace
+
+GeometricState initial_state(const RobotCell& cell) {
+  GeometricState state;
+  for (const ArmModel& arm : cell.arms)
+    state.arms.push_back(
+        {arm.home, cell.robot.coordinates[static_cast<std::size_t>(arm.gripper)].upper, -1, -1, {}});
+  for (const Thing& thing : cell.things) state.things.push_back({thing.start, -1, 0.0});
+  return state;
+}
+
+std::uint64_t fingerprint(const GeometricState& state) {
+  Mixer mixer;
+  for (const ArmState& arm : state.arms) {
+    for (const double value : arm.at) mixer.add(value);
+    mixer.add(arm.half_open_m);
+    mixer.add(arm.holds);
+    mixer.add(arm.near);
+    for (const motion::Configuration& each : arm.line)
+      for (const double value : each) mixer.add(value);
+  }
+  for (const ThingState& thing : state.things) {
+    for (const double value :
+         {thing.pose.x_m, thing.pose.y_m, thing.pose.z_m, thing.pose.angle_rad, thing.hand_rad})
+      mixer.add(value);
+    mixer.add(thing.holder);
+  }
+  return mixer.hash();
+}
+
+std::vector<double> values_of(const RobotCell& cell, const GeometricState& state) {
+  std::vector<double> values = cell.rest;
+  for (std::size_t k = 0; k < cell.arms.size(); ++k) {
+    for (std::size_t j = 0; j < state.arms[k].at.size(); ++j)
+      values[static_cast<std::size_t>(cell.arms[k].coordinates[j])] = state.arms[k].at[j];
+    values[static_cast<std::size_t>(cell.arms[k].gripper)] = state.arms[k].half_open_m;
+  }
+  return values;
+}
+
+HoldingRobot holding_robot(const RobotCell& cell, const GeometricState& state, double shrunk_m) {
+  HoldingRobot out{cell.robot, cell.bodies, cell.spheres, {}};
+  for (const Furniture& each : cell.furniture)
+    out.world.obstacles.push_back(obstacle_of(each.name, each.form, each.pose));
+  for (std::size_t k = 0; k < cell.things.size(); ++k) {
+    const Thing& thing = cell.things[k];
+    if (state.things[k].holder < 0)
+      out.world.obstacles.push_back(obstacle_of(thing.name, thing.form, state.things[k].pose));
+    else
+      add_held(cell, state.things[k], thing, shrunk_m, out, static_cast<int>(k));
+  }
+  return out;
+}
+
+}  // namespace stepwright::tamp::scene
