@@ -10,25 +10,25 @@ const std::vector<OmplPlannerName>& ompl_planners() {
   // In the order of OMPL's folders. Left out: TSRRT, VFRRT, XXL, QRRT and those of experience, which need
   // more than a space and a checker; LazyLBTRRT, which ends the process by an assertion of its own (1.5.2).
   static const std::vector<OmplPlannerName> all{
-      {"RRTConnect", true, false}, {"RRT", true, false},
-      {"RRTstar", true, true},     {"InformedRRTstar", true, true},
-      {"SORRTstar", true, true},   {"RRTsharp", true, true},
-      {"RRTXstatic", true, true},  {"LBTRRT", true, true},
-      {"LazyRRT", true, false},    {"TRRT", true, false},
-      {"BiTRRT", true, false},     {"pRRT", false, false},
-      {"EST", true, false},        {"BiEST", true, false},
-      {"ProjEST", true, false},    {"KPIECE1", true, false},
-      {"BKPIECE1", true, false},   {"LBKPIECE1", true, false},
-      {"SBL", true, false},        {"pSBL", false, false},
-      {"PDST", true, false},       {"STRIDE", true, false},
-      {"SST", true, true},         {"RLRT", true, false},
-      {"BiRLRT", true, false},     {"PRM", false, false},
-      {"PRMstar", false, true},    {"LazyPRM", true, false},
+      {"RRTConnect", true, false},  {"RRT", true, false},
+      {"RRTstar", true, true},      {"InformedRRTstar", true, true},
+      {"SORRTstar", true, true},    {"RRTsharp", true, true},
+      {"RRTXstatic", true, true},   {"LBTRRT", true, true},
+      {"LazyRRT", true, false},     {"TRRT", true, false},
+      {"BiTRRT", true, false},      {"pRRT", false, false},
+      {"EST", true, false},         {"BiEST", true, false},
+      {"ProjEST", true, false},     {"KPIECE1", true, false},
+      {"BKPIECE1", true, false},    {"LBKPIECE1", true, false},
+      {"SBL", true, false},         {"pSBL", false, false},
+      {"PDST", true, false},        {"STRIDE", true, false},
+      {"SST", true, true},          {"RLRT", true, false},
+      {"BiRLRT", true, false},      {"PRM", false, false},
+      {"PRMstar", false, true},     {"LazyPRM", true, false},
       {"LazyPRMstar", false, true}, {"SPARS", false, true},
-      {"SPARStwo", false, true},   {"FMT", true, false},
-      {"BFMT", true, false},       {"BITstar", true, true},
-      {"ABITstar", true, true},    {"AITstar", true, true},
-      {"CForest", false, true},    {"AnytimePathShortening", false, true}};
+      {"SPARStwo", false, true},    {"FMT", true, false},
+      {"BFMT", true, false},        {"BITstar", true, true},
+      {"ABITstar", true, true},     {"AITstar", true, true},
+      {"CForest", false, true},     {"AnytimePathShortening", false, true}};
   return all;
 }
 
