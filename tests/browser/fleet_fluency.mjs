@@ -90,7 +90,7 @@ async function measure(context, url, [name, dist]) {
 }
 
 // A page that comes from elsewhere may not open a socket to this machine otherwise.
-const browser = await launchBrowser(given, ['--disable-features=LocalNetworkAccessChecks']);
+const browser = await launchBrowser(given, { flags: ['--disable-features=LocalNetworkAccessChecks'], reducedMotion: 'no-preference' });
 const cell = given.cell ?? join(import.meta.dirname, '../cells/fleet/large_hall.toml');
 const running = { url: given.url, end: () => {}, forget: () => {} };
 const demo = given.url ? running : await startDemo(given.server, Number(given.speed ?? 1), cell);

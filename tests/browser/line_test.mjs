@@ -40,6 +40,16 @@ async function takePictures(page) {
   }
 }
 
+async function glidesUnlessAskedNotTo(page) {
+  const duration = () => page.evaluate(() => getComputedStyle(document.querySelector('[data-pusher]')).transitionDuration);
+  const usual = await duration();
+  check(usual !== '0s', `pushers glide (${usual})`);
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  const reduced = await duration();
+  check(reduced === '0s', `and jump where somebody wants as little motion as possible (${reduced})`);
+  await page.emulateMedia({ reducedMotion: 'no-preference' });
+}
+
 async function sawTheLineWork(page) {
   const seen = await page.evaluate(() => ({
     boxes: Object.fromEntries(Object.entries(globalThis.seen.boxes).map(([box, places]) => [box, places.size])),
@@ -76,6 +86,7 @@ async function marksWhatIsForced(page) {
 
 await leadOverPage(given, {
   name: 'line',
+  look: { reducedMotion: 'no-preference' },
   watch: keepHistory,
   start: () => startDemo(given.server, SPEED, 'conveyor', BY_OPERATOR),
   steps: async (page, demo) => {
@@ -90,6 +101,7 @@ await leadOverPage(given, {
       document.querySelector('[data-testid=message]').textContent.includes('the goal is reached'));
     await waitFor(page, 'no box is on the line', () => document.querySelectorAll('[data-box]').length === 0);
     await sawTheLineWork(page);
+    await glidesUnlessAskedNotTo(page);
     await marksWhatIsForced(page);
     const code = await demo.end();
     check(code === 0, `the demo ends with 0 when it is told to end (${code})`);

@@ -6,10 +6,11 @@ import { axeFile } from './people.mjs';
 import { check, endInTime, launchBrowser, openPage } from './support.mjs';
 
 // `start` brings up a cell with url, logs and end; `steps` are taken on its page, in which `watch` has run before anything else.
+// `look`: how the browser is to draw.
 // The page may tell of answers with the statuses `expected`, which the server gives on purpose, and of nothing else.
-export async function leadOverPage(given, { name, start, steps, watch, expected = [] }) {
+export async function leadOverPage(given, { name, start, steps, watch, expected = [], look = {} }) {
   endInTime();
-  const browser = await launchBrowser(given);
+  const browser = await launchBrowser(given, look);
   let cell;
   let opened;
   try {

@@ -44,13 +44,15 @@ export async function startServer(program, port, speed, startS, ...more) {
   };
 }
 
-export async function launchBrowser({ modules, chromium }, more = []) {
+// Without motion, as people may ask of their browser: what glides is drawn at 60 pictures a second, which only Line looks at.
+export async function launchBrowser({ modules, chromium }, { flags = [], reducedMotion = 'reduce' } = {}) {
   const { chromium: driver } = createRequire(join(modules, 'playwright-core', 'package.json'))('playwright-core');
   const profile = mkdtempSync(join(tmpdir(), 'hmi-browser-'));
   const context = await driver.launchPersistentContext(profile, {
     executablePath: chromium,
     headless: true,
     viewport: { width: 1440, height: 900 },
+    reducedMotion,
     args: [
       '--no-sandbox',
       '--disable-gpu',
@@ -58,7 +60,7 @@ export async function launchBrowser({ modules, chromium }, more = []) {
       '--disable-background-networking',
       '--disable-component-update',
       '--disable-sync',
-      ...more,
+      ...flags,
     ],
   });
   return {

@@ -66,7 +66,7 @@ function randomFrom(seed) {
 
 const given = readOptions();
 const progress = (line) => process.stderr.write(`${line}\n`);
-const browser = await launchBrowser(given);
+const browser = await launchBrowser(given, { reducedMotion: 'no-preference' });
 const report = { clients: given.clients, changes: given.changes, tags: given.tags, seed: given.seed };
 
 async function timePixels(name, url, selector, set) {

@@ -5,16 +5,15 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <array>
 #include <cstdio>
 #include <fstream>
-#include <random>
 #include <string>
+#include <vector>
 
 #include "supervisor/ltl/planner/plan_train.h"
 #include "supervisor/ltl/scene/problem_reader.h"
 #include "tests/fuzz/corpus.h"
+#include "tests/fuzz/text_mutation.h"
 #include "tests/support/temporary_folder.h"
 
 namespace stepwright::fuzz::ltl_scene {
@@ -34,44 +33,12 @@ constexpr const char* kProblem = R"({"scene": "scene.geojson",
 "start": {"x_m": 4.0, "y_m": 4.0, "heading_rad": 0.5},
 "task": "visit rack then visit press"})";
 
-constexpr std::array kPieces = {"0",       "-1",      "1e308",       "-1e308",     "1e-300", "1e6",
-                                "1000001", "9",       "11",          "12.0000001", "20",     "0.1",
-                                "null",    "true",    "\"\"",        "[",          "]",      "{",
-                                "}",       ",",       ":",           "NaN",        "1e999",  "\"rack\"",
-                                "5",       "[0,0]",   "border",      "press",      "visit",  "!rack U press",
-                                "\xff",    "\\u0000", "\"printed\"", "15"};
-
-struct Fuzzer {
-  std::mt19937_64 dice;
-
-  std::size_t below(std::size_t most) { return most == 0 ? 0 : dice() % most; }
-
-  // Of a number or a word another one; a part away, twice, or somewhere else.
-  std::string mutated(std::string text) {
-    for (std::size_t k = 0, changes = 1 + below(2); k < changes && !text.empty(); ++k) {
-      const std::size_t at = below(text.size());
-      const std::size_t length = 1 + below(below(4) == 0 ? 60 : 4);
-      switch (below(20)) {
-        case 0:
-          text.erase(at, length);
-          break;
-        case 1:
-          text.insert(at, kPieces[below(kPieces.size())]);
-          break;
-        case 2:
-          text.insert(below(text.size()), text.substr(at, length));
-          break;
-        default: {
-          const std::size_t begin = text.find_first_of("-0123456789", at);
-          if (begin == std::string::npos) break;
-          const std::size_t end = std::min(text.find_first_not_of("-.0123456789e", begin), text.size());
-          text.replace(begin, end - begin, kPieces[below(kPieces.size())]);
-        }
-      }
-    }
-    return text;
-  }
-};
+const std::vector<std::string> kPieces = {
+    "0",           "-1",         "1e308",  "-1e308", "1e-300", "1e6",           "1000001", "9",
+    "11",          "12.0000001", "20",     "0.1",    "null",   "true",          "\"\"",    "[",
+    "]",           "{",          "}",      ",",      ":",      "NaN",           "1e999",   "\"rack\"",
+    "5",           "[0,0]",      "border", "press",  "visit",  "!rack U press", "\xff",    "\\u0000",
+    "\"printed\"", "15"};
 
 void expect_whole(const result::Diagnostics& found, const std::string& input) {
   ASSERT_FALSE(found.empty()) << input;
@@ -83,7 +50,7 @@ TEST(LtlScene, WhenScenesAndProblemsAreMutated_ThenTheyArePlannedForOrRefusedWit
   const support::TemporaryFolder folder;
   const std::string file = (folder / "problem.json").string();
   const std::uint64_t rounds = setting("STEPWRIGHT_FUZZ_ROUNDS", 1'500);
-  Fuzzer fuzzer{std::mt19937_64(setting("STEPWRIGHT_FUZZ_SEED", 1))};
+  TextMutation fuzzer(setting("STEPWRIGHT_FUZZ_SEED", 1), kPieces);
   std::size_t read = 0, planned = 0;
   for (std::uint64_t round = 0; round < rounds; ++round) {
     const std::string scene = round % 3 == 0 ? kScene : fuzzer.mutated(kScene);
