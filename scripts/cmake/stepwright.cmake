@@ -38,11 +38,11 @@ set(STEPWRIGHT_COMPILE_OPTIONS -Wall -Wextra -Wshadow -Wconversion -Wnon-virtual
 
 # For what computes little: tests, command lines, processes that wait for others, reading and writing of files. It makes the
 # build a good deal shorter (a fifth less than -O1). Benchmarks and the baselines in them are compiled like what they measure.
-# Not among them: what a simulated run does in every scan or for every plan, missions and the compiler's driver.
 set(STEPWRIGHT_LIGHT_OPTIONS $<$<CONFIG:Release>:-Og>)
 string(JOIN "|" STEPWRIGHT_LIGHT_FOLDERS
   "cell" "programs" "hmi_web/(access|alarms|api|client|protocol|recorder|server|storage)" "tests/support" "firmware/link"
-  "ladder/(exchange|print|source_files)" "runtime/(dds|exec|metrics|remote|replay|scan_test|trace)" "runtime/ground/(log|mqtt|process|settings)" "supervisor/model" "supervisor/fleet/(report|vda5050)")
+  "ladder/(driver|exchange|print|source_files)" "runtime/(dds|exec|metrics|remote|replay|scan_test|trace)" "runtime/ground/(log|mqtt|process|settings)" "supervisor/(executive|model|run|translate)"
+  "supervisor/fleet/(executive|program|report|vda5050)")
 set(STEPWRIGHT_LIGHT_FOLDERS "^(${STEPWRIGHT_LIGHT_FOLDERS})(/|$)")
 
 # g++ looks for garbage all the time while it reads headers; where there is memory that is a twentieth of the build.
