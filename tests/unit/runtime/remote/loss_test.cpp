@@ -108,9 +108,12 @@ TEST(Loss_WhenItIsCutWhileStopped, ThenItIsSaidAndNothingElse) {
   Bench bench;
   bench.driver.load(step_program());
   bench.world->cut = true;
-  EXPECT_TRUE(bench.driver.await([&] { return !bench.runtime->contact(); }));
+  // On a busy machine it may have been lost before for another reason, and found again.
+  EXPECT_TRUE(bench.driver.await([&] {
+    const host::RuntimeStatus status = bench.runtime->status();
+    return !bench.runtime->contact() && status.detail.find("does not answer") != std::string::npos;
+  })) << bench.runtime->status().detail;
   EXPECT_EQ(bench.runtime->status().state, RuntimeState::Stopped);
-  EXPECT_NE(bench.runtime->status().detail.find("does not answer"), std::string::npos);
   bench.world->cut = false;
   EXPECT_TRUE(bench.driver.await([&] { return bench.runtime->contact(); }));
   EXPECT_EQ(bench.driver.start(true).outcome, Outcome::Done);
