@@ -47,7 +47,7 @@ struct Options {
   int baseline_seeds = 1;   // of LTLPlanner and of the paper's, which take their time; 0: without them
   bool full = false;        // all settings of the paper's algorithm
   std::size_t threads = 0;  // of ours; 0: as many as the machine has, at most 2
-  double shorten_s = 1.0;
+  double shorten_s = 4.0;
   std::size_t shorten_rounds = std::numeric_limits<std::size_t>::max();  // of that
   bool all_lengths = false;  // shorter plans for every row, not only for phi1 on blocks
   std::string only;          // "blocks/phi1": this task on this scene; empty: all
@@ -96,7 +96,7 @@ struct Totals {
   int word_violations = 0, collision_violations = 0, tables_in_order = 0;
   std::map<std::size_t, std::vector<double>> ltlplanner;  // ratios, by trailers
   double paper_least = std::numeric_limits<double>::infinity();
-  nlohmann::json lengths;
+  nlohmann::json lengths = nlohmann::json::object();  // of phi1 on blocks
 };
 
 struct Ours {
@@ -281,7 +281,7 @@ int run(const Options& options) {
   std::printf("automata: %zu sizes compared, %zu other than known; threads of the planner: %zu\n",
               sizes.compared, sizes.mismatches, ltl::threads_of(options.threads));
   std::printf("%-8s %-8s %3s  %7s %9s %9s %7s %6s %6s %4s  %7s %9s %6s  %5s %9s %7s  %5s %9s %7s\n", "scene",
-              "task", "N", "solved", "median ms", "worst ms", "length", "/point", "+1 s", "ref", "uniform",
+              "task", "N", "solved", "median ms", "worst ms", "length", "/point", "short", "ref", "uniform",
               "median ms", "ratio", "OMPL", "median ms", "ratio", "paper", "median ms", "ratio");
   for (const std::string scene : {"blocks", "walls"}) {
     const std::pair<const char*, std::string> tasks[] = {{"phi1", ltl::test::in_succession(8)},
