@@ -63,29 +63,22 @@ class Judge {
 
   // Bodies as they are now; what hands hold hangs on them.
   result::Result<motion::ExactChecker> exact(int arm) const {
-    motion::Robot robot = cell_.robot;
-    motion::Bodies bodies = cell_.bodies;
     motion::World world;
+    std::vector<motion::AttachedBody> held;
     for (const scene::Furniture& each : cell_.furniture)
       world.obstacles.push_back(scene::obstacle_of(each.name, each.form, each.pose));
     for (std::size_t k = 0; k < things_.size(); ++k) {
-      const scene::Thing& thing = cell_.things[k];
-      motion::Obstacle body = scene::obstacle_of(thing.name, thing.form, {}, things_[k].in ? kShrunk_m : 0.0);
-      if (!things_[k].in) {
-        body.shape.origin = things_[k].at * body.shape.origin;
-        world.obstacles.push_back(std::move(body));
+      if (things_[k].in) {
+        held.push_back(
+            scene::held_thing(cell_, k, cell_.arms[index(*things_[k].in)], things_[k].at, kShrunk_m));
         continue;
       }
-      motion::Joint joint;
-      joint.name = "holds " + thing.name;
-      joint.parent = cell_.arms[index(*things_[k].in)].tip;
-      joint.origin = things_[k].at;
-      robot.joints.push_back(std::move(joint));
-      robot.links.push_back({thing.name, {body.shape}});
-      bodies.push_back({{body.shape, nullptr}});
+      motion::Obstacle body = scene::obstacle_of(cell_.things[k].name, cell_.things[k].form, {});
+      body.shape.origin = things_[k].at * body.shape.origin;
+      world.obstacles.push_back(std::move(body));
     }
-    return motion::ExactChecker::make(robot, bodies, &cell_.semantics, world,
-                                      cell_.arms[index(arm)].coordinates, values_);
+    return motion::ExactChecker::make(cell_.robot, cell_.bodies, &cell_.semantics, world,
+                                      cell_.arms[index(arm)].coordinates, values_, nullptr, held);
   }
 
   std::string drive(const scene::PlannedAction& action) {

@@ -27,10 +27,10 @@ std::optional<Uncertain> certify(Workspace& workspace, std::vector<Settled>& set
     for (scene::Motion& each : settled[k].action.motions) {
       if (!exact || each.half_open_m != half_open_m) {
         moving.half_open_m = half_open_m = each.half_open_m;
-        const scene::HoldingRobot robot = holding_robot(cell, state, kHeldShrunk_m);
-        auto made = motion::ExactChecker::make(robot.robot, robot.bodies, &cell.semantics, robot.world,
+        const scene::Surroundings around = surroundings(cell, state, kHeldShrunk_m);
+        auto made = motion::ExactChecker::make(cell.robot, cell.bodies, &cell.semantics, around.world,
                                                cell.arms[static_cast<std::size_t>(arm)].coordinates,
-                                               values_of(cell, state), &robot.spheres);
+                                               values_of(cell, state), &cell.spheres, around.held);
         if (!made) return Uncertain{k, each.phase, "the scene cannot be checked"};
         exact.emplace(*std::move(made));
       }

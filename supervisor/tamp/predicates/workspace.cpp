@@ -146,18 +146,19 @@ const Workspace::Checkers& Workspace::checkers(const GeometricState& state, int 
   const std::uint64_t key = fingerprint(around) + static_cast<std::uint64_t>(arm);
   if (const auto known = checkers_.find(key); known != checkers_.end()) return known->second;
   if (checkers_.size() >= kMostCheckers) checkers_.clear();
-  const scene::HoldingRobot robot = holding_robot(*cell_, state, 0.0);
+  const scene::Surroundings around_it = surroundings(*cell_, state, 0.0);
   const std::vector<double> rest = values_of(*cell_, state);
   const scene::ArmModel& model = cell_->arms[at(arm)];
-  const auto make = [&](const motion::Robot& of, const motion::SphereModel& spheres,
-                        const motion::World& world) {
+  const auto make = [&](const motion::SphereModel& spheres, const motion::World& world,
+                        const std::vector<motion::AttachedBody>& held) {
     // The world is made of sound solids: it cannot fail.
-    return *motion::CollisionChecker::make(of, spheres, &cell_->semantics, world, model.coordinates, rest);
+    return *motion::CollisionChecker::make(cell_->robot, spheres, &cell_->semantics, world, model.coordinates,
+                                           rest, held);
   };
   return checkers_
-      .emplace(key, Checkers{make(robot.robot, robot.spheres, {}),
-                             make(cell_->robot, model.without_hand, robot.world),
-                             make(robot.robot, robot.spheres, robot.world)})
+      .emplace(key, Checkers{make(cell_->spheres, {}, around_it.held),
+                             make(model.without_hand, around_it.world, {}),
+                             make(cell_->spheres, around_it.world, around_it.held)})
       .first->second;
 }
 

@@ -22,25 +22,6 @@ class Mixer {
   std::uint64_t hash_ = 0x5DEECE66DU;
 };
 
-// Hangs a thing on the tool of the arm that holds it.
-void add_held(const RobotCell& cell, const ThingState& held, const Thing& thing, double shrunk_m,
-              HoldingRobot& out, int which) {
-  const ArmModel& arm = cell.arms[static_cast<std::size_t>(held.holder)];
-  // The tool stands above the thing, turned: seen from it the thing hangs below.
-  const motion::Transform tool = tool_pose(0.0, 0.0, cell.tool_above(which), held.hand_rad);
-  motion::Joint joint;
-  joint.name = "held " + thing.name;
-  joint.parent = arm.tip;
-  joint.origin = inverse(tool);
-  out.robot.joints.push_back(std::move(joint));
-  motion::Link link;
-  link.name = thing.name;
-  link.shapes = {obstacle_of(thing.name, thing.form, {}, shrunk_m).shape};
-  out.bodies.push_back({{link.shapes.front(), nullptr}});
-  out.spheres.links.push_back(cell.thing_spheres[static_cast<std::size_t>(which)]);
-  out.robot.links.push_back(std::move(link));
-}
-
 }  // namespace
 
 GeometricState initial_state(const RobotCell& cell) {
@@ -81,18 +62,22 @@ std::vector<double> values_of(const RobotCell& cell, const GeometricState& state
   return values;
 }
 
-HoldingRobot holding_robot(const RobotCell& cell, const GeometricState& state, double shrunk_m) {
-  HoldingRobot out{cell.robot, cell.bodies, cell.spheres, {}};
+Surroundings surroundings(const RobotCell& cell, const GeometricState& state, double shrunk_m) {
+  Surroundings around;
   for (const Furniture& each : cell.furniture)
-    out.world.obstacles.push_back(obstacle_of(each.name, each.form, each.pose));
+    around.world.obstacles.push_back(obstacle_of(each.name, each.form, each.pose));
   for (std::size_t k = 0; k < cell.things.size(); ++k) {
-    const Thing& thing = cell.things[k];
-    if (state.things[k].holder < 0)
-      out.world.obstacles.push_back(obstacle_of(thing.name, thing.form, state.things[k].pose));
-    else
-      add_held(cell, state.things[k], thing, shrunk_m, out, static_cast<int>(k));
+    const ThingState& thing = state.things[k];
+    if (thing.holder < 0) {
+      around.world.obstacles.push_back(obstacle_of(cell.things[k].name, cell.things[k].form, thing.pose));
+      continue;
+    }
+    // The tool stands above the thing, turned: seen from it the thing hangs below.
+    const motion::Transform tool = tool_pose(0.0, 0.0, cell.tool_above(static_cast<int>(k)), thing.hand_rad);
+    around.held.push_back(
+        held_thing(cell, k, cell.arms[static_cast<std::size_t>(thing.holder)], inverse(tool), shrunk_m));
   }
-  return out;
+  return around;
 }
 
 }  // namespace stepwright::tamp::scene

@@ -46,14 +46,12 @@ std::uint64_t fingerprint(const GeometricState& state);
 // A value for each coordinate of the robot.
 std::vector<double> values_of(const RobotCell& cell, const GeometricState& state);
 
-// The robot with what the arm holds as one more body of its hand.
-struct HoldingRobot {
-  motion::Robot robot;
-  motion::Bodies bodies;
-  motion::SphereModel spheres;
+// What is around the robot, and what its hands hold.
+struct Surroundings {
   motion::World world;  // furniture, and all things that nobody holds
+  std::vector<motion::AttachedBody> held;
 };
 // `shrunk_m` is taken from the sides of what is held.
-HoldingRobot holding_robot(const RobotCell& cell, const GeometricState& state, double shrunk_m);
+Surroundings surroundings(const RobotCell& cell, const GeometricState& state, double shrunk_m);
 
 }  // namespace stepwright::tamp::scene

@@ -145,6 +145,17 @@ motion::Obstacle obstacle_of(const std::string& name, const Form& form, const Po
   return motion::box(name, at, {form.size_x_m - 2.0 * shrunk_m, form.size_y_m - 2.0 * shrunk_m, height_m});
 }
 
+motion::AttachedBody held_thing(const RobotCell& cell, std::size_t thing, const ArmModel& arm,
+                                const motion::Transform& place, double shrunk_m) {
+  const Thing& held = cell.things[thing];
+  return motion::moved({held.name,
+                        0,
+                        {{obstacle_of(held.name, held.form, {}, shrunk_m).shape, nullptr}},
+                        cell.thing_spheres[thing].spheres,
+                        {}},
+                       arm.tip, place);
+}
+
 bool lies_within(const Surface& surface, const Form& form, const Pose& pose, double slack_m) {
   const double c = std::cos(surface.middle.angle_rad), s = std::sin(surface.middle.angle_rad);
   const double dx = pose.x_m - surface.middle.x_m, dy = pose.y_m - surface.middle.y_m;

@@ -126,6 +126,10 @@ motion::Transform frame_of(const Pose& pose);
 motion::Obstacle obstacle_of(const std::string& name, const Form& form, const Pose& pose,
                              double shrunk_m = 0.0);
 
+// A thing that an arm holds, at a place in the frame of its tool.
+motion::AttachedBody held_thing(const RobotCell& cell, std::size_t thing, const ArmModel& arm,
+                                const motion::Transform& place, double shrunk_m);
+
 // Whether all of the thing's footprint lies within the surface.
 bool lies_within(const Surface& surface, const Form& form, const Pose& pose, double slack_m = 1e-9);
 
