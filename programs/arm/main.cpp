@@ -16,15 +16,6 @@ std::string is_file_name(const std::string& text) {
   return text.empty() ? "a file has a name" : "";
 }
 
-// Text that begins with a minus would be taken for a large number.
-std::string is_seed(const std::string& text) {
-  std::uint64_t value = 0;
-  return !text.empty() && text.find_first_not_of("0123456789") == std::string::npos &&
-                 CLI::detail::lexical_cast(text, value)
-             ? ""
-             : "a whole number from 0";
-}
-
 std::string is_package(const std::string& text) {
   const auto equals = text.find('=');
   return equals == std::string::npos || equals == 0 || equals + 1 == text.size() ? "BEGINNING=FOLDER" : "";
@@ -54,7 +45,7 @@ int main(int argc, char** argv) {
   app.add_option("--planner", arguments.planner,
                  "stepwright (default), or a geometric planner of OMPL by its name");
   app.add_option("--seed", arguments.seed, "of the planner's random numbers (default 1)")
-      ->check(CLI::Validator(is_seed, "NUMBER"));
+      ->check(CLI::Validator(process::refuse_seed, "NUMBER"));
   app.add_option("--time", arguments.time_s, "time budget in seconds (default 10)")
       ->check(CLI::Validator(process::refuse_seconds, "SECONDS"));
   app.add_option("--package", arguments.packages,

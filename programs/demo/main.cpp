@@ -236,13 +236,6 @@ int run_demo(const DemoOptions& options) {
   return to_int(run->exit);
 }
 
-// The ranges of the library name their ends with three hundred digits, and round what is longer than 64 bits.
-std::string refuse_seed(const std::string& text) {
-  const bool number = !text.empty() && text.size() <= 18 &&
-                      std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; });
-  return number ? "" : "'" + text + "' is no whole number of up to 18 digits";
-}
-
 int demo_main(int argc, char** argv) {
   CLI::App app{"Run a cell: all its processes, its main job, a report", "stepwright demo"};
   DemoOptions options;
@@ -251,7 +244,7 @@ int demo_main(int argc, char** argv) {
   app.add_flag("--fast", options.fast, "simulated time as fast as the machine allows");
   app.add_flag("--sequential", options.sequential, "a strictly sequential chart, as in the paper");
   app.add_flag("!--no-compare", options.compare, "no second, sequential run for comparison");
-  app.add_option("--seed", options.seed, "seed of the sensors' uncertainty")->check(refuse_seed);
+  app.add_option("--seed", options.seed, "seed of the sensors' uncertainty")->check(process::refuse_seed);
   app.add_option(
       "--controller", options.controller,
       "where the program runs instead of this host: qemu, a serial device, or HOST:PORT of Modbus");

@@ -13,6 +13,7 @@
 #include "supervisor/htn/plan/validate.h"
 #include "supervisor/htn/search/search.h"
 #include "supervisor/htn/task/read_task.h"
+#include "supervisor/model/outcome_name.h"
 
 namespace stepwright::htn_program {
 
@@ -30,24 +31,6 @@ struct Answer {
 ExitCode fail(const result::Diagnostics& diagnostics) {
   std::fprintf(stderr, "%s\n", result::to_string(diagnostics).c_str());
   return ExitCode::BadInput;
-}
-
-const char* name_of(model::OutcomeKind kind) {
-  switch (kind) {
-    case model::OutcomeKind::Solved:
-      return "solved";
-    case model::OutcomeKind::Infeasible:
-      return "infeasible";
-    case model::OutcomeKind::Cancelled:
-      return "cancelled";
-    default:
-      return "exhausted";
-  }
-}
-
-ExitCode exit_of(model::OutcomeKind kind) {
-  if (kind == model::OutcomeKind::Solved) return ExitCode::Done;
-  return kind == model::OutcomeKind::Infeasible ? ExitCode::NoPlan : ExitCode::BudgetExhausted;
 }
 
 Answer search(const htn::PlanningTask& task, double time_s) {

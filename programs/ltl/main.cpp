@@ -70,12 +70,6 @@ std::string is_seconds(const std::string& text) {
   return number ? "" : "'" + text + "' is no number of seconds from 0 to 86400";
 }
 
-std::string is_seed(const std::string& text) {
-  const bool number = !text.empty() && text.size() <= 18 &&
-                      std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; });
-  return number ? "" : "'" + text + "' is no whole number of up to 18 digits";
-}
-
 std::string is_file_name(const std::string& text) {
   return text.empty() ? "a file has a name" : "";
 }
@@ -85,7 +79,8 @@ void describe_plan(CLI::App& app, ltl_program::PlanArguments& arguments) {
   app.add_option("--json", arguments.json_file, "write the plan: controls, way, word, figures")
       ->check(is_file_name);
   app.add_option("--svg", arguments.svg_file, "draw the plan on its floor")->check(is_file_name);
-  app.add_option("--seed", arguments.seed, "of what is tried by chance (default 1)")->check(is_seed);
+  app.add_option("--seed", arguments.seed, "of what is tried by chance (default 1)")
+      ->check(process::refuse_seed);
   app.add_option("--time", arguments.time_s, "seconds until a plan must be there (default 10)")
       ->check(is_seconds);
   app.add_option("--shorten", arguments.shorten_s, "seconds for a shorter one after it (default 1)")

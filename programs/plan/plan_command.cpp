@@ -10,6 +10,7 @@
 #include "programs/plan/progress_line.h"
 #include "runtime/ground/process/files.h"
 #include "runtime/ground/process/interruption.h"
+#include "supervisor/model/outcome_name.h"
 #include "supervisor/pddl/plan/plan_file.h"
 #include "supervisor/pddl/plan/validate.h"
 #include "supervisor/pddl/planner/solve.h"
@@ -20,22 +21,6 @@ namespace {
 using result::ExitCode;
 
 constexpr double kDefaultTimeS = 10.0;
-
-const char* name_of(model::OutcomeKind kind) {
-  switch (kind) {
-    case model::OutcomeKind::Solved:
-      return "solved";
-    case model::OutcomeKind::Approximate:
-      return "approximate";
-    case model::OutcomeKind::Infeasible:
-      return "infeasible";
-    case model::OutcomeKind::Exhausted:
-      return "exhausted";
-    case model::OutcomeKind::Cancelled:
-      return "cancelled";
-  }
-  return "exhausted";
-}
 
 nlohmann::json to_json(const model::Outcome& outcome) {
   nlohmann::json json = {{"outcome", name_of(outcome.kind)},

@@ -20,7 +20,8 @@ int main(int argc, char** argv) {
       ->check(is_file_name);
   app.add_option("--svg", arguments.svg_file, "draw the cell from above, before and after")
       ->check(is_file_name);
-  app.add_option("--seed", arguments.seed, "of the planner of paths (default 1)");
+  app.add_option("--seed", arguments.seed, "of the planner of paths (default 1)")
+      ->check(CLI::Validator(process::refuse_seed, "NUMBER"));
   app.add_option("--time", arguments.time_s, "time budget in seconds (default 60)")
       ->check(CLI::Validator(process::refuse_seconds, "SECONDS"));
   app.add_option("--method", arguments.method, "ours (default), paper-literal or paper-first-way")

@@ -13,6 +13,7 @@
 #include "runtime/ground/process/interruption.h"
 #include "supervisor/htn/plan/validate.h"
 #include "supervisor/htn/task/read_task.h"
+#include "supervisor/model/outcome_name.h"
 #include "supervisor/tamp/drawing/plan_json.h"
 #include "supervisor/tamp/drawing/plan_svg.h"
 #include "supervisor/tamp/judge/plan_judge.h"
@@ -31,24 +32,6 @@ using tamp::planner::TampOutcome;
 ExitCode fail(const result::Diagnostics& diagnostics) {
   (void)process::fail(diagnostics, ExitCode::BadInput);
   return ExitCode::BadInput;
-}
-
-const char* name_of(model::OutcomeKind kind) {
-  switch (kind) {
-    case model::OutcomeKind::Solved:
-      return "solved";
-    case model::OutcomeKind::Infeasible:
-      return "infeasible";
-    case model::OutcomeKind::Cancelled:
-      return "cancelled";
-    default:
-      return "exhausted";
-  }
-}
-
-ExitCode exit_of(model::OutcomeKind kind) {
-  if (kind == model::OutcomeKind::Solved) return ExitCode::Done;
-  return kind == model::OutcomeKind::Infeasible ? ExitCode::NoPlan : ExitCode::BudgetExhausted;
 }
 
 json figures_of(const TampOutcome& outcome, double prepare_ms) {

@@ -90,6 +90,12 @@ std::string refuse_seconds(const std::string& text) {
   return "'" + text + "' is not a number of seconds above 0";
 }
 
+std::string refuse_seed(const std::string& text) {
+  const bool number =
+      !text.empty() && text.size() <= 18 && text.find_first_not_of("0123456789") == std::string::npos;
+  return number ? "" : "'" + text + "' is no whole number of up to 18 digits";
+}
+
 int fail(const result::Diagnostics& diagnostics, result::ExitCode code) {
   std::fprintf(stderr, "%s\n", result::to_string(diagnostics).c_str());
   return to_int(code);

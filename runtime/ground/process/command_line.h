@@ -39,6 +39,10 @@ void end_with_a_word();
 // CLI::Validator, whose ranges take "nan" for a number within them.
 std::string refuse_seconds(const std::string& text);
 
+// The same of a seed: up to 18 digits. The library takes "-1" for a large number, and its ranges name their
+// ends with three hundred digits.
+std::string refuse_seed(const std::string& text);
+
 // Writes the diagnostics to stderr, one per line, and returns `code` for the process to end with.
 [[nodiscard]] int fail(const result::Diagnostics& diagnostics, result::ExitCode code);
 
