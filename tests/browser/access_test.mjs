@@ -8,7 +8,7 @@ import { join } from 'node:path';
 import { startDemo } from './demo_process.mjs';
 import { unreadable } from './narrow.mjs';
 import { leadOverPage } from './page_run.mjs';
-import { asks, asksApi, dialog, dialogIsGone, fill, isAccessible, logsIn, PASSWORD, setupToken, userLine } from './people.mjs';
+import { asks, asksApi, dialog, dialogIsGone, fill, isAccessible, logsIn, PASSWORD, setupToken, submits, userLine } from './people.mjs';
 import { check, launchBrowser, openPage, options, waitFor } from './support.mjs';
 
 const SPEED = 0.4; // so that the run lasts until somebody holds it
@@ -179,16 +179,14 @@ async function holds(page) {
   await fill(page, { 'Reason (may be empty)': 'somebody is at the pump' });
   await isAccessible(page, 'holding');
   await shot(page, 'hold');
-  await dialog(page).getByRole('button', { name: 'Hold the run' }).click();
-  await dialogIsGone(page, 'the supervisor has accepted the hold');
+  await submits(page, 'Hold the run', 'the supervisor has accepted the hold');
   await waitFor(page, 'and brings the plant to rest', () => document.querySelector('[data-testid=phase]').innerText === 'held');
   await shot(page, 'held');
   check((await asksApi(page, '/api/plan/hold', {})) === '409 X0008', 'what is held already cannot be held: the supervisor says why');
   check((await asksApi(page, '/api/plan/goal', { goal: '(= (no-such a1) 4)' })).startsWith('400 P'), 'a goal of something that is not there is refused with its place');
   await changesTheProgramOfAHeldRun(page);
   await page.getByRole('button', { name: 'Resume' }).click();
-  await dialog(page).getByRole('button', { name: 'Resume the run' }).click();
-  await dialogIsGone(page, 'the supervisor has accepted to go on');
+  await submits(page, 'Resume the run', 'the supervisor has accepted to go on');
   await waitFor(page, 'and follows a plan again', () => document.querySelector('[data-testid=phase]').innerText === 'executing');
 }
 
@@ -198,8 +196,7 @@ async function aborts(page) {
   await fill(page, { 'Reason (may be empty)': 'smoke in the hall' });
   await shot(page, 'abort');
   await isAccessible(page, 'aborting');
-  await dialog(page).getByRole('button', { name: 'Abort the run' }).click();
-  await dialogIsGone(page, 'the supervisor has the request');
+  await submits(page, 'Abort the run', 'the supervisor has the request');
   await waitFor(page, 'and leaves the plant in its safe state', () =>
     document.querySelector('[data-testid=phase]').innerText === 'safe');
 }

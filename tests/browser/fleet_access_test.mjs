@@ -5,7 +5,7 @@ import { join } from 'node:path';
 
 import { startDemo } from './demo_process.mjs';
 import { leadOverPage } from './page_run.mjs';
-import { asks, asksApi, claims, dialog, dialogIsGone, fill, isAccessible, setupToken } from './people.mjs';
+import { asks, asksApi, claims, dialog, fill, isAccessible, setupToken, submits } from './people.mjs';
 import { check, options, waitFor } from './support.mjs';
 
 // Slower than real time: where vehicles come to rest is not to depend on how fast the browser is.
@@ -20,11 +20,6 @@ const shot = (page, name) => page.screenshot({ path: join(given.out, `fleet-acce
 const phaseIs = (page, what, phase) =>
   waitFor(page, what, (wanted) => document.querySelector('[data-testid=phase]')?.innerText === wanted, phase);
 
-async function submit(page, action, what) {
-  await dialog(page).getByRole('button', { name: action }).click();
-  await dialogIsGone(page, what);
-}
-
 async function looksThenClaims(page, token) {
   await waitFor(page, 'whoever looks sees the vehicles', () => document.querySelectorAll('[data-vehicle]').length === 3);
   check((await page.getByRole('button', { name: 'Block a place' }).count()) === 0, 'but has no buttons that act');
@@ -33,7 +28,7 @@ async function looksThenClaims(page, token) {
 
 async function holds(page) {
   await page.getByRole('button', { name: 'Hold' }).click();
-  await submit(page, 'Hold the run', 'the supervisor has accepted the hold');
+  await submits(page, 'Hold the run', 'the supervisor has accepted the hold');
   await phaseIs(page, 'and all come to rest', 'held');
   check((await asksApi(page, '/api/plan/start', {})) === '409 X0008', 'a fleet that is under way is not started');
   check((await asksApi(page, '/api/plan/what-if', { goal: '(a)', id: '1' })) === '400 X0003', 'and has no what-if');
@@ -44,13 +39,13 @@ async function blocksAndFrees(page) {
   await fill(page, { 'Name of the place': 'spill', 'Lowest x (m)': '24', 'Highest x (m)': '25.5', 'Lowest y (m)': '15', 'Highest y (m)': '16.5' });
   await isAccessible(page, 'blocking a place');
   await shot(page, 'block');
-  await submit(page, 'Block the place', 'the supervisor has accepted the place');
+  await submits(page, 'Block the place', 'the supervisor has accepted the place');
   await waitFor(page, 'it is told to everybody', () => document.querySelector('[data-testid=blocked]').innerText.includes('spill is blocked'));
   await shot(page, 'blocked');
   await isAccessible(page, 'the page of a fleet with a blocked place');
   await page.getByRole('button', { name: 'Free spill' }).click();
   check((await dialog(page).getByTestId('subject').innerText()) === 'spill', 'the dialog names the place');
-  await submit(page, 'Free the place', 'the supervisor has accepted that it is free');
+  await submits(page, 'Free the place', 'the supervisor has accepted that it is free');
   await waitFor(page, 'and it is', () => document.querySelector('[data-testid=blocked]').innerText.trim() === '');
 }
 
@@ -62,7 +57,7 @@ async function orders(page) {
     document.querySelector('[data-testid=problem]').innerText.includes('the moon'));
   await shot(page, 'refused');
   await fill(page, { From: 'dock B' });
-  await submit(page, 'Hand over', 'another one is accepted');
+  await submits(page, 'Hand over', 'another one is accepted');
   await waitFor(page, 'and stands among the goals', () =>
     [...document.querySelectorAll('[data-panel=goals] tbody tr')].some((row) => row.innerText.includes('box')));
 }
@@ -81,12 +76,12 @@ async function takesBack(page) {
   check((await dialog(page).getByTestId('subject').innerText()) === LOST, 'the dialog names the vehicle');
   await isAccessible(page, 'taking a vehicle back');
   await shot(page, 'return');
-  await submit(page, 'Take it back', 'the supervisor has accepted it');
+  await submits(page, 'Take it back', 'the supervisor has accepted it');
 }
 
 async function resumes(page) {
   await page.getByRole('button', { name: 'Resume' }).click();
-  await submit(page, 'Resume the run', 'the supervisor has accepted to go on');
+  await submits(page, 'Resume the run', 'the supervisor has accepted to go on');
   await phaseIs(page, 'a plan for all of it is driven', 'executing');
   await waitFor(page, `${LOST} takes part again`, (name) =>
     !['lost', 'stopped', ''].includes(document.querySelector(`[data-row="${name}"]`)?.dataset.state ?? ''), LOST);

@@ -5,7 +5,7 @@ import { join } from 'node:path';
 
 import { startDemo } from './demo_process.mjs';
 import { leadOverPage } from './page_run.mjs';
-import { asksApi, claims, dialog, dialogIsGone, fill, isAccessible, setupToken } from './people.mjs';
+import { asksApi, claims, dialog, dialogIsGone, fill, isAccessible, setupToken, submits } from './people.mjs';
 import { check, fitsEveryWidth, options, until, waitFor } from './support.mjs';
 
 const SPEED = 5; // a run that is not held lasts for some seconds
@@ -152,8 +152,7 @@ async function startsAgain(page) {
   await isAccessible(page, 'starting');
   await shot(page, 'start');
   check((await page.locator('[data-action]').count()) > 0, 'the run before had actions');
-  await dialog(page).getByRole('button', { name: 'Start the run' }).click();
-  await dialogIsGone(page, 'the same goal can be started again');
+  await submits(page, 'Start the run', 'the same goal can be started again');
   // The run before was done as well, but not without actions.
   await waitFor(page, 'and is met: there is nothing to do', () =>
     document.querySelector('[data-testid=phase]')?.innerText === 'done' && document.querySelectorAll('[data-action]').length === 0);

@@ -19,6 +19,12 @@ export async function dialogIsGone(page, what) {
   await waitFor(page, what, () => document.querySelector('[data-testid=dialog]') === null);
 }
 
+// The dialog's own button, and what becomes of it.
+export async function submits(page, action, what) {
+  await dialog(page).getByRole('button', { name: action }).click();
+  await dialogIsGone(page, what);
+}
+
 // No serious violation where axe-core looks. Its text goes in as a script of the test, not of the page.
 export async function isAccessible(page, what) {
   const { violations } = await page.evaluate(async () => globalThis.axe.run(document, { resultTypes: ['violations'] }));
@@ -56,8 +62,7 @@ export async function startsTheRun(page, demo) {
   await waitFor(page, 'the plan is ready', () => document.querySelector('[data-testid=phase]')?.innerText === 'ready');
   await claims(page, await setupToken(demo));
   await page.getByRole('button', { name: 'Start', exact: true }).click();
-  await dialog(page).getByRole('button', { name: 'Start the run' }).click();
-  await dialogIsGone(page, 'the run is started');
+  await submits(page, 'Start the run', 'the run is started');
 }
 
 // Somebody else, maybe in place of whoever has logged in.

@@ -6,7 +6,7 @@ import { join } from 'node:path';
 import { startDemo } from './demo_process.mjs';
 import { hiddenFocus, unreadable } from './narrow.mjs';
 import { leadOverPage } from './page_run.mjs';
-import { asks, BY_OPERATOR, dialog, dialogIsGone, isAccessible, startsTheRun } from './people.mjs';
+import { asks, BY_OPERATOR, dialog, isAccessible, startsTheRun, submits } from './people.mjs';
 import { check, fitsEachLook, options, waitFor } from './support.mjs';
 
 const SPEED = 2;
@@ -135,11 +135,6 @@ async function holdsStill(page) {
   check((await covered(page)) > 3, 'the page still knows how far it has come');
 }
 
-async function does(page, action, what) {
-  await dialog(page).getByRole('button', { name: action }).click();
-  await dialogIsGone(page, what);
-}
-
 // A station is out of service, and in service again: a place of the floor by its name.
 async function blocksAPlaceAndFreesIt(page) {
   await page.getByRole('button', { name: 'Block a place' }).click();
@@ -149,12 +144,12 @@ async function blocksAPlaceAndFreesIt(page) {
   check((await dialog(page).getByLabel('Lowest x (m)').count()) === 0, 'a place of the floor as a whole');
   await isAccessible(page, 'blocking a place');
   await shot(page, 'block');
-  await does(page, 'Block the place', 'the supervisor has accepted the place');
+  await submits(page, 'Block the place', 'the supervisor has accepted the place');
   await waitFor(page, 'it is told to everybody, and drawn', () =>
     document.querySelector('[data-testid=blocked]').innerText.includes('rack_b is blocked') && document.querySelector('[data-blocked=rack_b]') !== null);
   await shot(page, 'blocked', '[data-panel=plan-floor]');
   await page.getByRole('button', { name: 'Free rack_b' }).click();
-  await does(page, 'Free the place', 'the supervisor has accepted that it is free');
+  await submits(page, 'Free the place', 'the supervisor has accepted that it is free');
   await waitFor(page, 'and it is', () => document.querySelector('[data-testid=blocked]').innerText.trim() === '');
 }
 

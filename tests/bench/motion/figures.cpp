@@ -1,7 +1,6 @@
 #include "tests/bench/motion/figures.h"
 
 #include <algorithm>
-#include <ctime>
 #include <functional>
 #include <numeric>
 
@@ -9,23 +8,13 @@
 #include "supervisor/motion/kinematics/newton.h"
 #include "supervisor/motion/kinematics/srs_arm.h"
 #include "supervisor/motion/spatial/random.h"
+#include "tests/bench/motion/processor_time.h"
 
 namespace stepwright::bench {
 
 namespace {
 
 using namespace motion;
-
-// Of the processor, the best of five rounds: others use the machine, too.
-double seconds(const std::function<void()>& work) {
-  double best = 1e9;
-  for (int k = 0; k < 5; ++k) {
-    const std::clock_t begin = std::clock();
-    work();
-    best = std::min(best, static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
-  }
-  return best;
-}
 
 std::vector<double> draw(const MotionScene& scene, std::size_t count) {
   Random random(1);
@@ -53,7 +42,7 @@ CheckFigures by_fcl(const MotionScene& scene, const char* name, const Bodies& bo
       *ExactChecker::make(scene.robot, bodies, &scene.semantics, scene.world, scene.coordinates, scene.rest);
   const std::size_t count = std::min<std::size_t>(rows.size() / exact.columns(), 2000);
   std::vector<std::uint8_t> found(count);
-  const double time = seconds([&] {
+  const double time = processor_seconds([&] {
     for (std::size_t k = 0; k < count; ++k)
       found[k] = exact.contact({rows.data() + k * exact.columns(), exact.columns()}).has_value();
   });
@@ -71,7 +60,7 @@ KinematicsFigures measure_kinematics(const MotionScene& scene) {
   std::vector<Transform> tips(poses);
   KinematicsFigures figures;
   const auto each_ns = [&](const std::function<void(std::size_t)>& work, std::size_t count) {
-    return 1e9 / static_cast<double>(count) * seconds([&] {
+    return 1e9 / static_cast<double>(count) * processor_seconds([&] {
              for (std::size_t k = 0; k < count; ++k) work(k);
            });
   };
@@ -111,12 +100,12 @@ std::vector<CheckFigures> measure_checks(const MotionScene& scene) {
   const auto rows = draw(scene, kConfigurations);
   std::vector<CheckFigures> figures;
   std::vector<std::uint8_t> found(kConfigurations);
-  const double plain = seconds(
+  const double plain = processor_seconds(
       [&] { internal::check_scalar(checker.program(), rows.data(), kConfigurations, false, found.data()); });
   figures.push_back({"plain arithmetic", kConfigurations / plain, percent(found)});
   for (const std::int64_t target : internal::simd_targets()) {
     internal::choose_simd_target(target);
-    const double time = seconds([&] { found = checker.collisions(rows); });
+    const double time = processor_seconds([&] { found = checker.collisions(rows); });
     figures.push_back({internal::simd_target_name(target), kConfigurations / time, percent(found)});
   }
   internal::choose_simd_target(0);

@@ -1,10 +1,9 @@
 #include <algorithm>
-#include <ctime>
-#include <functional>
 
 #include "supervisor/motion/blend/blend.h"
 #include "supervisor/motion/timing/plan_timing.h"
 #include "tests/bench/motion/figures.h"
+#include "tests/bench/motion/processor_time.h"
 #include "tests/unit/supervisor/motion/timing/judge.h"
 
 namespace stepwright::bench {
@@ -12,16 +11,6 @@ namespace stepwright::bench {
 namespace {
 
 using namespace motion;
-
-double seconds_of(const std::function<void()>& work) {
-  double best = 1e9;
-  for (int k = 0; k < 5; ++k) {
-    const std::clock_t begin = std::clock();
-    work();
-    best = std::min(best, static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
-  }
-  return best;
-}
 
 struct TimedCase {
   tests::TimingCase problem;
@@ -44,7 +33,7 @@ TimingFigures measure_timing() {
   Random random(1);
   std::vector<TimedCase> cases;
   for (std::size_t k = 0; k < kBounded; ++k) cases.push_back(timed(random, 10, 7));
-  figures.blend_and_timing_ms = 1e3 / static_cast<double>(kBounded) * seconds_of([&] {
+  figures.blend_and_timing_ms = 1e3 / static_cast<double>(kBounded) * processor_seconds([&] {
                                   for (const TimedCase& each : cases) {
                                     const auto path =
                                         blend(each.problem.points, {.tolerance = each.problem.tolerance});
@@ -52,7 +41,7 @@ TimingFigures measure_timing() {
                                   }
                                 });
   constexpr int kStraight = 1000;
-  figures.straight_us = 1e6 / kStraight * seconds_of([&] {
+  figures.straight_us = 1e6 / kStraight * processor_seconds([&] {
                           for (int k = 0; k < kStraight; ++k)
                             taken(plan_straight(cases[0].problem.points[0], cases[0].problem.points[1],
                                                 cases[0].problem.limits));
