@@ -28,6 +28,9 @@ int main(int argc, char** argv) {
   app.add_option("--json", arguments.json_file, "write ranges or cause as JSON")->check(is_file_name);
   app.add_option("--svg", arguments.svg_file, "draw the cell from above, with what is reached")
       ->check(is_file_name);
+  app.add_option("--st", arguments.st_file,
+                 "write a function block for each arm that checks a pose against its reach")
+      ->check(is_file_name);
   app.footer(
       "Exit codes: 0 the constraints have a solution, 1 wrong input, 2 wrong usage, 3 refuted (the cause is "
       "said), 4 neither within the budget.");

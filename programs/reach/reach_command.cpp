@@ -14,6 +14,7 @@
 #include "supervisor/tamp/intervals/drawing/cell_svg.h"
 #include "supervisor/tamp/intervals/file/sequence_file.h"
 #include "supervisor/tamp/intervals/network/network.h"
+#include "supervisor/tamp/intervals/program/reach_rings.h"
 
 namespace stepwright::reach_program {
 
@@ -145,6 +146,14 @@ ExitCode write(const std::string& file, const std::string& text) {
   return ExitCode::BadInput;
 }
 
+std::string reach_blocks(const tamp::SequenceFile& file) {
+  std::string text;
+  for (std::size_t k = 0; k < file.cell.arms.size(); ++k)
+    text += (k == 0 ? "" : "\n") +
+            tamp::reach_block(file.cell.arms[k].name, tamp::rings_of(*file.reaches[k], file.shoulders[k]));
+  return text;
+}
+
 ExitCode exit_of(const Answered& answered) {
   switch (answered.solution.answer) {
     case tamp::Answer::Feasible:
@@ -160,7 +169,7 @@ ExitCode exit_of(const Answered& answered) {
 }  // namespace
 
 ExitCode run_reach(const ReachArguments& arguments) {
-  for (const std::string& name : {arguments.json_file, arguments.svg_file}) {
+  for (const std::string& name : {arguments.json_file, arguments.svg_file, arguments.st_file}) {
     if (name.empty()) continue;
     if (const auto unwritable = process::check_writable(name); !unwritable.empty()) {
       (void)fail(unwritable);
@@ -177,7 +186,7 @@ ExitCode run_reach(const ReachArguments& arguments) {
   Answered answered{tamp::solve(network), {}};
   if (answered.solution.answer == tamp::Answer::Infeasible)
     answered.cause = tamp::explain(file->cell, file->sequence);
-  const bool to_stdout = arguments.json_file == "-" || arguments.svg_file == "-";
+  const bool to_stdout = arguments.json_file == "-" || arguments.svg_file == "-" || arguments.st_file == "-";
   if (!to_stdout) {
     if (answered.cause) print_cause(*file, *answered.cause);
     if (answered.solution.answer == tamp::Answer::Unknown)
@@ -195,6 +204,10 @@ ExitCode run_reach(const ReachArguments& arguments) {
   if (!arguments.svg_file.empty()) {
     const ExitCode drawn = write(arguments.svg_file, tamp::cell_svg(network));
     if (drawn != ExitCode::Done) return drawn;
+  }
+  if (!arguments.st_file.empty()) {
+    const ExitCode written = write(arguments.st_file, reach_blocks(*file));
+    if (written != ExitCode::Done) return written;
   }
   return exit_of(answered);
 }

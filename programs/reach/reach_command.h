@@ -1,7 +1,7 @@
 #pragma once
 
-// `stepwright reach SEQUENCE.toml [--json FILE] [--svg FILE]`: the ranges that are left to a sequence of
-// actions, or why it cannot be done.
+// `stepwright reach SEQUENCE.toml [--json FILE] [--svg FILE] [--st FILE]`: the ranges that are left to a
+// sequence of actions, or why it cannot be done.
 
 #include <string>
 
@@ -13,6 +13,7 @@ struct ReachArguments {
   std::string sequence;
   std::string json_file;  // empty: none
   std::string svg_file;   // empty: none
+  std::string st_file;    // empty: none
 };
 
 // NoPlan: refuted. BudgetExhausted: neither refuted nor a solution of the constraints found.

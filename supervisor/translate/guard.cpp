@@ -1,10 +1,10 @@
 #include "supervisor/translate/guard.h"
 
 #include <cmath>
-#include <cstdio>
 #include <optional>
 #include <utility>
 
+#include "ladder/graphic/literal_text.h"
 #include "supervisor/translate/linear_form.h"
 
 namespace stepwright::translate {
@@ -166,13 +166,7 @@ std::string value_variable(const Sensor& sensor) {
 }
 
 std::string real_literal(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.9g", value);
-  std::string literal = text;
-  if (literal.find_first_of(".e") == std::string::npos) literal += ".0";
-  const std::size_t exponent = literal.find('e');  // IEC 61131-3 wants a point before an exponent
-  if (exponent != std::string::npos && literal.find('.') == std::string::npos) literal.insert(exponent, ".0");
-  return literal;
+  return graphic::real_literal(value, 9);
 }
 
 }  // namespace stepwright::translate

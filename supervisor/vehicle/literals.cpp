@@ -2,15 +2,12 @@
 
 #include <fmt/format.h>
 
+#include "ladder/graphic/literal_text.h"
+
 namespace stepwright::vehicle {
 
 std::string real_literal(double value) {
-  std::string text = fmt::format("{:.7g}", value);
-  if (text == "-0") text = "0";
-  const std::size_t exponent = text.find('e');
-  if (text.find('.') == std::string::npos)
-    text.insert(exponent == std::string::npos ? text.size() : exponent, ".0");
-  return text;
+  return graphic::real_literal(value, 7);
 }
 
 std::string time_literal(std::chrono::milliseconds time) {

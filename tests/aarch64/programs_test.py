@@ -1,13 +1,10 @@
 #!/usr/bin/env python3
 """Language programs in both engines, here and on AArch64: all four runs must leave the same trace.
 
-A run takes one of eight parts of the programs, and those that the change touches (tests/support/changed_files.py). The next run
-in the same build folder takes the next part once this one has passed: eight runs that pass have had every program.
-STEPWRIGHT_AARCH64_PART=3 asks for one part, =all for every program; neither moves the others on.
+A run takes one of eight parts of the programs (parts.py), and those that the change touches (tests/support/changed_files.py).
 """
 
 import argparse
-import os
 import pathlib
 import subprocess
 import sys
@@ -16,31 +13,14 @@ import zlib
 from concurrent.futures import ThreadPoolExecutor
 
 from changed_files import changed_files
+from parts import PARTS, note_passed, part_of_run, tell
 
-PARTS = 8
 PROGRAMS = "tests/st/programs"
 # There are over 500; a part of less than half of its share says nothing.
 LEAST = 500
 
 # Their last bit is that of the platform's C library (runtime/operations/elementary.h).
 ELEMENTARY = ("SIN(", "COS(", "TAN(", "ASIN(", "ACOS(", "ATAN(", "ATAN2(", "EXP(", "LN(", "LOG(", "EXPT(", "**")
-
-
-def asked_part(asked):
-    """The part that is asked for; none for every program."""
-    if asked == "all":
-        return None
-    if asked not in map(str, range(1, PARTS + 1)):
-        sys.exit(f"STEPWRIGHT_AARCH64_PART is '{asked}': all, or 1 to {PARTS}")
-    return int(asked)
-
-
-def next_part(root, state):
-    """The part after the last that passed here; in a new build folder one by the number of commits."""
-    if state.exists():
-        return int(state.read_text()) % PARTS + 1
-    counted = subprocess.run(["git", "-C", str(root), "rev-list", "--count", "HEAD"], capture_output=True, text=True)
-    return int(counted.stdout or 0) % PARTS + 1
 
 
 def in_part(name, part):
@@ -96,14 +76,11 @@ def main():
         parser.add_argument(name, required=True)
     arguments = parser.parse_args()
     root, state = pathlib.Path(arguments.root), pathlib.Path(arguments.state)
-    asked = os.environ.get("STEPWRIGHT_AARCH64_PART")
-    part = asked_part(asked) if asked else next_part(root, state)
+    part = part_of_run(root, state)
     touched = set(changed_files(root) or [])
     names = sorted(path.relative_to(root).as_posix() for path in (root / PROGRAMS).rglob("*.st"))
     chosen = [name for name in names if name in touched or in_part(name, part)]
-    if part:
-        print(f"part {part} of {PARTS}, {sum(not in_part(name, part) for name in chosen)} others that the change touches; "
-              f"the same again: STEPWRIGHT_AARCH64_PART={part}", flush=True)
+    tell(part, f", {sum(not in_part(name, part) for name in chosen)} others that the change touches")
     with tempfile.TemporaryDirectory() as folder:
         programs = compile_all(arguments.compiler, [root / name for name in chosen], pathlib.Path(folder))
         problems, trapped = differences(programs, [arguments.here], arguments.there.split(";"))
@@ -111,8 +88,8 @@ def main():
     if len(programs) < (LEAST // (2 * PARTS) if part else LEAST) or trapped == 0:
         problems.append("too few programs to say anything")
     print("\n".join(problems))
-    if not asked and not problems:
-        state.write_text(f"{part}\n")
+    if not problems:
+        note_passed(part, state)
     sys.exit(1 if problems else 0)
 
 

@@ -111,6 +111,7 @@ ARROWS = {
     "supervisor/ltl/mission": ["supervisor/ltl/drawing", "supervisor/ltl/program", "supervisor/run", "ladder/driver", "runtime/bytecode/reader"],
     "supervisor/tamp/intervals/reach": [],
     "supervisor/tamp/intervals/arm": ["supervisor/tamp/intervals/reach", "supervisor/motion/kinematics"],
+    "supervisor/tamp/intervals/program": ["supervisor/tamp/intervals/reach", "ladder/graphic"],
     "supervisor/tamp/intervals/sequence": ["supervisor/tamp/intervals/reach", "runtime/ground/result"],
     "supervisor/tamp/intervals/network": ["supervisor/tamp/intervals/sequence"],
     "supervisor/tamp/intervals/cause": ["supervisor/tamp/intervals/network"],

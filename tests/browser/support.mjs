@@ -102,12 +102,12 @@ export function check(condition, what) {
   console.log(`ok: ${what}`);
 }
 
-// Asks again and again until the answer is yes; fails with the name of what did not happen.
+// Asks again and again, less and less often, until the answer is yes; fails with the name of what did not happen.
 export async function eventually(what, condition) {
   const deadline = Date.now() + PATIENCE_MS;
-  while (!(await condition())) {
+  for (let pause = 40; !(await condition()); pause = Math.min(1.2 * pause, 250)) {
     if (Date.now() > deadline) throw new Error(`did not happen within ${PATIENCE_MS / 1_000} s: ${what}`);
-    await new Promise((resolve) => setTimeout(resolve, 40));
+    await new Promise((resolve) => setTimeout(resolve, pause));
   }
 }
 

@@ -29,6 +29,8 @@ class SrsReach {
   // Nothing for chains of another kind, or whose last axis is not that of the tool (z of the tip).
   static std::optional<SrsReach> make(const motion::Chain& chain, int swivel_parts = 24);
 
+  // In the frame of the chain's base.
+  Shoulder shoulder() const { return {{shoulder_m_.x, shoulder_m_.y, shoulder_m_.z}, tool_m_}; }
   // From shoulder to wrist at the most.
   double most_m() const { return length(upper_m_) + length(lower_m_); }
   // Of the tip's z axis pointing down, its x axis at the angle; positions in the chain's base, which stands

@@ -58,6 +58,7 @@ class SequenceReader {
 
   void read_arm(const TomlTable& table) {
     const std::string name = new_name(table, arms_);
+    file_.shoulders.emplace_back();
     std::optional<ReachTable> reach = table.has("urdf") ? urdf_reach(table) : column_reach(table);
     // Whatever is wrong with it has been said; the rest of the file is read.
     if (!reach) reach = reach_table({}, 0.5);
@@ -91,6 +92,7 @@ class SequenceReader {
       return std::nullopt;
     }
     if (!cell_m) return std::nullopt;
+    file_.shoulders.back() = {{arm.x_m, arm.y_m, arm.z_m}, 0.0};
     return reach_table(arm, *cell_m);
   }
 
@@ -124,6 +126,8 @@ class SequenceReader {
     }
     const auto cell_m = cell_width(table, reach->most_m());
     if (!cell_m) return std::nullopt;
+    Shoulder& shoulder = file_.shoulders.back() = reach->shoulder();
+    for (std::size_t axis = 0; axis < 3; ++axis) shoulder.at_m[axis] += metres_of(at[axis]);
     return reach->table(*cell_m, at);
   }
 

@@ -20,6 +20,7 @@ namespace stepwright::tamp {
 
 struct SequenceFile {
   std::vector<std::unique_ptr<const ReachTable>> reaches;  // of each arm; the cell refers to them
+  std::vector<Shoulder> shoulders;                         // likewise
   WorkCell cell;
   std::vector<Action> sequence;
 };

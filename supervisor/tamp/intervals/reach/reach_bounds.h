@@ -81,6 +81,12 @@ struct ReachGrid {
   friend bool operator==(const ReachGrid&, const ReachGrid&) = default;
 };
 
+// Where distances of an arm are measured from, and to.
+struct Shoulder {
+  std::array<double, 3> at_m{};
+  double wrist_above_m = 0.0;  // the wrist above the tool
+};
+
 class ReachBounds {
  public:
   virtual ~ReachBounds() = default;

@@ -122,6 +122,21 @@ TEST_F(ReachCommand, WhenAnArmIsThatOfAUrdf_ThenItsReachCounts) {
   EXPECT_THAT(errors, HasSubstr("none.urdf' cannot be read"));
 }
 
+TEST_F(ReachCommand, WhenAskedForBlocks_ThenAProgramThatCallsThemCompiles) {
+  ASSERT_EQ(run(std::string(kCells) + "own_arms.toml --st " + path("reach.st")), 0) << errors;
+  const std::string block = text("reach.st");
+  EXPECT_THAT(block, HasSubstr("FUNCTION_BLOCK right_REACH\n"));
+  const std::string program = write("main.st", block + R"(
+PROGRAM main
+VAR here : right_REACH; END_VAR
+  here(X := 0.45, Y := -0.3, Z := 0.92, Angle := 0.5);
+END_PROGRAM
+)");
+  EXPECT_EQ(run_program("stepwright", "compile --check " + program), 0) << output << errors;
+  ASSERT_EQ(run(std::string(kCells) + "own_arms.toml --st -"), 0);
+  EXPECT_EQ(output, block) << "nothing else on standard output";
+}
+
 TEST_F(ReachCommand, WhenObjectsAreStackedAndLieBeyondOthers_ThenTheyAreRead) {
   const std::string second = "[[object]]\nname = \"can\"\nx_m = 0.4\ny_m = 0.0\nz_m = 0.1\nheight_m = 0.12\n";
   const auto action = [](const std::string& rest) { return "[[action]]\narm = \"right\"\n" + rest; };
