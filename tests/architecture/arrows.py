@@ -124,6 +124,8 @@ ARROWS = {
     "supervisor/tamp/planner": ["supervisor/tamp/literal", "supervisor/tamp/intervals/arm", "supervisor/tamp/intervals/cause"],
     "supervisor/tamp/judge": ["supervisor/tamp/scene"],
     "supervisor/tamp/drawing": ["supervisor/tamp/scene", "runtime/ground/markup"],
+    "supervisor/tamp/schedule": ["supervisor/tamp/scene", "supervisor/motion/timing"],
+    "supervisor/tamp/program": ["supervisor/tamp/schedule", "supervisor/vehicle", "ladder/graphic"],
     "supervisor/motion/spatial": [],
     "supervisor/motion/robot": ["supervisor/motion/spatial", "runtime/ground/result"],
     "supervisor/motion/kinematics": ["supervisor/motion/robot"],
