@@ -24,8 +24,9 @@ int main(int argc, char** argv) {
       ->check(CLI::Validator(process::refuse_seed, "NUMBER"));
   app.add_option("--time", arguments.time_s, "time budget in seconds (default 60)")
       ->check(CLI::Validator(process::refuse_seconds, "SECONDS"));
-  app.add_option("--method", arguments.method, "ours (default), paper-literal or paper-first-way")
-      ->check(CLI::IsMember({"ours", "paper-literal", "paper-first-way"}));
+  app.add_option("--method", arguments.method,
+                 "ours (default), paper-literal, paper-first-way or paper-from-one")
+      ->check(CLI::IsMember({"ours", "paper-literal", "paper-first-way", "paper-from-one"}));
   app.add_option("--grasps", arguments.grasps, "samples of the hand's angle, in place of the file's")
       ->check(CLI::Range(1, 1024));
   app.add_option("--places", arguments.places, "samples of a place, in place of the file's")

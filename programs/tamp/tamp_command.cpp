@@ -14,9 +14,11 @@
 #include "supervisor/htn/plan/validate.h"
 #include "supervisor/htn/task/read_task.h"
 #include "supervisor/model/outcome_name.h"
+#include "supervisor/pddl/plan/validate.h"
 #include "supervisor/tamp/drawing/plan_json.h"
 #include "supervisor/tamp/drawing/plan_svg.h"
 #include "supervisor/tamp/judge/plan_judge.h"
+#include "supervisor/tamp/planner/skeleton_planner.h"
 #include "supervisor/tamp/planner/tamp_planner.h"
 #include "supervisor/tamp/predicates/grounding.h"
 #include "supervisor/tamp/scene/cell_file.h"
@@ -47,11 +49,14 @@ json figures_of(const TampOutcome& outcome, double prepare_ms) {
           {"configurations_in_backtracking", figures.configurations_again},
           {"failed_in_backtracking", figures.failed_again},
           {"paths", figures.paths},
+          {"straight_paths", figures.straight_paths},
+          {"tree_paths", figures.tree_paths},
           {"failed_paths", figures.failed_paths},
           {"sequences", figures.sequences},
           {"refuted_by_intervals", figures.refuted},
           {"proved_nogoods", figures.proved_nogoods},
           {"budget_nogoods", figures.budget_nogoods},
+          {"rounds", figures.rounds},
           {"backjumps", figures.backjumps},
           {"jumped_over", figures.jumped_over}};
 }
@@ -72,15 +77,54 @@ void print(const tamp::scene::RobotCell& cell, const TampOutcome& outcome) {
   std::fflush(stdout);  // before what --json writes, which may go the same way
 }
 
-// A plan that a judge refuses is a fault of this program, and nobody should drive it.
-bool is_valid(const tamp::scene::RobotCell& cell, const TampOutcome& outcome, const lisp::Source& domain,
-              const lisp::Source& problem) {
+// A cell's task in one of the two languages.
+struct TaskOfCell {
+  lisp::Source domain, problem;
+  std::optional<htn::PlanningTask> tasks;      // HDDL
+  std::optional<pddl::OutsideTask> skeletons;  // PDDL
+};
+
+result::Result<TaskOfCell> read_task_of(const tamp::scene::CellFile& file) {
+  auto domain = process::read_file(file.domain.string()), problem = process::read_file(file.problem.string());
+  if (!domain) return result::forward(domain);
+  if (!problem) return result::forward(problem);
+  TaskOfCell task{{file.domain.string(), *domain}, {file.problem.string(), *problem}, {}, {}};
+  if (file.problem.extension() == ".pddl") {
+    auto read = tamp::planner::read_skeletons(task.domain, task.problem);
+    if (!read) return result::forward(read);
+    if (!read->task.warnings().empty()) (void)fail(read->task.warnings());
+    task.skeletons = *std::move(read);
+    return task;
+  }
+  auto read = htn::read_task(task.domain, task.problem, tamp::predicates::geometric_predicates());
+  if (!read) return result::forward(read);
+  if (!read->warnings.empty()) (void)fail(read->warnings);
+  task.tasks = std::move(read->task);
+  return task;
+}
+
+// What the task's own validator says; empty: nothing is wrong.
+std::string wrong_with_tasks(const TampOutcome& outcome, const TaskOfCell& task) {
+  if (task.skeletons) {
+    pddl::PlanText text;
+    text.actions = outcome.skeleton->actions;
+    text.lines.assign(text.actions.size(), 0);
+    const pddl::Validation judged = pddl::validate(task.skeletons->task, text, pddl::KeepStates::Last);
+    return judged.valid ? "" : result::to_string(judged.diagnostics);
+  }
   const auto& names = tamp::predicates::geometric_predicates();
-  const htn::Validation tasks = htn::validate(domain, problem, *outcome.tasks, {names.begin(), names.end()});
+  const htn::Validation judged =
+      htn::validate(task.domain, task.problem, *outcome.tasks, {names.begin(), names.end()});
+  return judged.valid ? "" : judged.reason;
+}
+
+// A plan that a judge refuses is a fault of this program, and nobody should drive it.
+bool is_valid(const tamp::scene::RobotCell& cell, const TampOutcome& outcome, const TaskOfCell& task) {
+  const std::string wrong = wrong_with_tasks(outcome, task);
   const tamp::judge::Judgement motions = tamp::judge::judge(cell, *outcome.plan);
-  if (!tasks.valid) std::fprintf(stderr, "the validator refuses the plan: %s\n", tasks.reason.c_str());
+  if (!wrong.empty()) std::fprintf(stderr, "the validator refuses the plan: %s\n", wrong.c_str());
   if (!motions.sound) std::fprintf(stderr, "the judge refuses the plan: %s\n", motions.reason.c_str());
-  return tasks.valid && motions.sound;
+  return wrong.empty() && motions.sound;
 }
 
 ExitCode write(const std::string& file, const std::string& text) {
@@ -89,14 +133,15 @@ ExitCode write(const std::string& file, const std::string& text) {
   return unwritten.empty() ? ExitCode::Done : fail(unwritten);
 }
 
-TampOutcome search(const tamp::scene::RobotCell& cell, const htn::PlanningTask& task,
-                   const TampArguments& arguments, double& prepare_ms) {
+TampOutcome search(const tamp::scene::RobotCell& cell, const TaskOfCell& task, const TampArguments& arguments,
+                   double& prepare_ms) {
   using Clock = std::chrono::steady_clock;
   const process::Interruption interruption;
   tamp::planner::TampOptions options;
   using tamp::planner::Method;
   options.method = arguments.method == "paper-literal"     ? Method::PaperLiteral
                    : arguments.method == "paper-first-way" ? Method::PaperFirstWay
+                   : arguments.method == "paper-from-one"  ? Method::PaperFromOne
                                                            : Method::Ours;
   options.seed = arguments.seed;
   options.cancel = interruption.flag();
@@ -107,7 +152,8 @@ TampOutcome search(const tamp::scene::RobotCell& cell, const htn::PlanningTask& 
   constexpr double kLongestS = 1e6;  // twelve days: no clock overflows
   options.until =
       began + std::chrono::microseconds(std::llround(std::min(arguments.time_s, kLongestS) * 1e6));
-  return tamp::planner::plan(cell, task, model ? &*model : nullptr, options);
+  if (task.skeletons) return tamp::planner::plan(cell, *task.skeletons, *model, options);
+  return tamp::planner::plan(cell, *task.tasks, model ? &*model : nullptr, options);
 }
 
 }  // namespace
@@ -119,20 +165,17 @@ ExitCode run_tamp(const TampArguments& arguments) {
   }
   auto file = tamp::scene::load_cell(arguments.problem);
   if (!file) return fail(file.error());
-  const auto domain_text = process::read_file(file->domain.string()),
-             problem_text = process::read_file(file->problem.string());
-  if (!domain_text) return fail(domain_text.error());
-  if (!problem_text) return fail(problem_text.error());
-  const lisp::Source domain{file->domain.string(), *domain_text},
-      problem{file->problem.string(), *problem_text};
-  const auto read = htn::read_task(domain, problem, tamp::predicates::geometric_predicates());
-  if (!read) return fail(read.error());
-  if (!read->warnings.empty()) (void)fail(read->warnings);
+  const auto task = read_task_of(*file);
+  if (!task) return fail(task.error());
+  if (task->skeletons && arguments.method != "ours") {
+    std::fprintf(stderr, "tasks in PDDL are planned by --method ours only\n");
+    return ExitCode::Usage;
+  }
   if (arguments.grasps > 0) file->cell.manner.grasps = arguments.grasps;
   if (arguments.places > 0) file->cell.manner.places = arguments.places;
   double prepare_ms = 0.0;
-  const TampOutcome outcome = search(file->cell, read->task, arguments, prepare_ms);
-  if (outcome.plan && !is_valid(file->cell, outcome, domain, problem)) return ExitCode::RuntimeFault;
+  const TampOutcome outcome = search(file->cell, *task, arguments, prepare_ms);
+  if (outcome.plan && !is_valid(file->cell, outcome, *task)) return ExitCode::RuntimeFault;
   if (arguments.json_file != "-" && arguments.svg_file != "-") print(file->cell, outcome);
   if (!arguments.json_file.empty()) {
     json document = figures_of(outcome, prepare_ms);

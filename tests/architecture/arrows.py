@@ -121,7 +121,7 @@ ARROWS = {
     "supervisor/tamp/scene": ["supervisor/motion/path", "runtime/ground/settings"],
     "supervisor/tamp/predicates": ["supervisor/tamp/scene", "supervisor/htn/search"],
     "supervisor/tamp/literal": ["supervisor/tamp/predicates"],
-    "supervisor/tamp/planner": ["supervisor/tamp/literal", "supervisor/tamp/intervals/arm", "supervisor/tamp/intervals/cause"],
+    "supervisor/tamp/planner": ["supervisor/tamp/literal", "supervisor/pddl/planner", "supervisor/tamp/intervals/arm", "supervisor/tamp/intervals/cause"],
     "supervisor/tamp/judge": ["supervisor/tamp/scene"],
     "supervisor/tamp/drawing": ["supervisor/tamp/scene", "runtime/ground/markup"],
     "supervisor/tamp/schedule": ["supervisor/tamp/scene", "supervisor/motion/timing"],

@@ -24,6 +24,7 @@ AttachedBody moved(AttachedBody body, int link, const Transform& by, std::vector
   body.touching = std::move(touching);
   for (Body& each : body.bodies) each.shape.origin = by * each.shape.origin;
   for (Sphere& each : body.spheres) each.centre_m = by * each.centre_m;
+  body.bound.centre_m = by * body.bound.centre_m;
   return body;
 }
 
@@ -72,7 +73,9 @@ CarryingRobot carrying(const Robot& robot, const SphereModel* spheres, const Bod
     joint.parent = each.link;
     all.robot.joints.push_back(std::move(joint));
     all.robot.links.push_back({each.name, {}});
-    if (spheres) all.spheres.links.push_back({bound_of(each.spheres), each.spheres});
+    if (spheres)
+      all.spheres.links.push_back(
+          {each.bound.radius_m > 0.0 ? each.bound : bound_of(each.spheres), each.spheres});
     if (bodies) all.bodies.push_back(each.bodies);
     all.semantics.disabled.emplace_back(each.link, number);
     for (const int other : each.touching) all.semantics.disabled.emplace_back(other, number);

@@ -27,6 +27,7 @@ struct AttachedBody {
   std::vector<Body> bodies;     // in the frame of that link
   std::vector<Sphere> spheres;  // that contain them, in the frame of that link
   std::vector<int> touching;    // links that it may touch besides
+  Sphere bound{};               // around all spheres; radius 0: it is computed when it is needed
 };
 
 // How closely the spheres of what is carried follow it, unless it is said otherwise: closer than those of a

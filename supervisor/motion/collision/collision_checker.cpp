@@ -15,9 +15,28 @@ result::Result<CollisionChecker> CollisionChecker::make(const Robot& robot, cons
   if (auto sound = check_world(world); !sound) return result::forward(sound);
   if (auto sound = check_attached(robot, attached); !sound) return result::forward(sound);
   CollisionChecker checker;
+  if (attached.empty() && semantics != nullptr && std::ranges::is_sorted(semantics->disabled)) {
+    checker.program_ =
+        internal::make_program(robot, spheres, *semantics, world, coordinates, rest, kRounding_m);
+    return checker;
+  }
   const CarryingRobot all = carrying(robot, &spheres, nullptr, semantics, attached);
   checker.program_ =
       internal::make_program(all.robot, all.spheres, all.semantics, world, coordinates, rest, kRounding_m);
+  return checker;
+}
+
+CollisionChecker CollisionChecker::without_world(std::span<const std::uint8_t> links) const {
+  CollisionChecker checker = *this;
+  internal::Program& program = checker.program_;
+  const auto is_one = [&](const internal::Part& part) {
+    return part.link < links.size() && links[part.link] != 0;
+  };
+  for (internal::Part& part : program.parts)
+    if (is_one(part)) part.obstacles.clear();
+  std::erase_if(program.pairs, [&](const std::pair<std::uint32_t, std::uint32_t>& pair) {
+    return program.parts[pair.second].link == internal::Part::kNone && is_one(program.parts[pair.first]);
+  });
   return checker;
 }
 

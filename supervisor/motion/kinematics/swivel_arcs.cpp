@@ -60,11 +60,16 @@ bool SrsArm::holds(const OrthogonalAxes& axes, const OrthogonalAxes::Course& cou
 }
 
 std::vector<SwivelArc> SrsArm::arcs(const Transform& tip) const {
-  std::vector<SwivelArc> found;
+  // Of a bend of the elbow: where a limit can be met, and which flips of shoulder and wrist hold from there
+  // on. The four branches of a bend have the same borders, so that they are looked for once.
+  struct Part {
+    double from_rad = 0.0, to_rad = 0.0;
+    bool shoulder[2] = {}, wrist[2] = {};
+  };
+  std::vector<Part> parts[2];
   std::vector<double> borders;
-  for (std::size_t k = 0; k < SrsBranch::kCount; ++k) {
-    const SrsBranch branch = SrsBranch::number(k);
-    const auto posture = this->posture(tip, branch.elbow);
+  for (const bool lesser : {false, true}) {
+    const auto posture = this->posture(tip, lesser);
     if (!posture || !within(3, posture->elbow)) continue;
     // The upper arm is about(line, t) at_zero; the hand elbow_back at_zero^T about(line, -t) carried.
     const Rotation back = transposed(posture->at_zero);
@@ -79,18 +84,30 @@ std::vector<SwivelArc> SrsArm::arcs(const Transform& tip) const {
     add_borders(shoulder_, shoulder, 0, borders);
     add_borders(wrist_, wrist, 4, borders);
     std::sort(borders.begin(), borders.end());
-    const std::size_t first_of_branch = found.size();
     for (std::size_t b = 0; b < borders.size(); ++b) {
-      const double from = borders[b], to = b + 1 < borders.size() ? borders[b + 1] : kPi;
-      if (to - from < kNarrow_rad) continue;
-      const double middle = 0.5 * (from + to);
-      if (!holds(shoulder_, shoulder, branch.shoulder, 0, middle) ||
-          !holds(wrist_, wrist, branch.wrist, 4, middle))
-        continue;
-      if (found.size() > first_of_branch && from - found.back().to_rad < kNarrow_rad)
-        found.back().to_rad = to;
+      Part part;
+      part.from_rad = borders[b];
+      part.to_rad = b + 1 < borders.size() ? borders[b + 1] : kPi;
+      if (part.to_rad - part.from_rad < kNarrow_rad) continue;
+      const double middle = 0.5 * (part.from_rad + part.to_rad);
+      for (const bool flipped : {false, true})
+        part.shoulder[flipped] = holds(shoulder_, shoulder, flipped, 0, middle);
+      if (part.shoulder[0] || part.shoulder[1])
+        for (const bool flipped : {false, true})
+          part.wrist[flipped] = holds(wrist_, wrist, flipped, 4, middle);
+      parts[lesser].push_back(part);
+    }
+  }
+  std::vector<SwivelArc> found;
+  for (std::size_t k = 0; k < SrsBranch::kCount; ++k) {
+    const SrsBranch branch = SrsBranch::number(k);
+    const std::size_t first_of_branch = found.size();
+    for (const Part& part : parts[branch.elbow]) {
+      if (!part.shoulder[branch.shoulder] || !part.wrist[branch.wrist]) continue;
+      if (found.size() > first_of_branch && part.from_rad - found.back().to_rad < kNarrow_rad)
+        found.back().to_rad = part.to_rad;
       else
-        found.push_back({branch, from, to});
+        found.push_back({branch, part.from_rad, part.to_rad});
     }
     // Over the seam at pi.
     if (found.size() > first_of_branch + 1 && found[first_of_branch].from_rad + kPi < kNarrow_rad &&

@@ -57,14 +57,16 @@ class Planner {
       : free_(free), space_(space), options_(options), random_(options.seed) {}
 
   PathAnswer plan(const Configuration& from, const std::vector<Configuration>& goals) {
-    if (!inside(space_, from) || !free_.is_free(from)) return ended(PathAnswer::Ending::StartCollides);
+    if (!inside(space_, from)) return ended(PathAnswer::Ending::StartCollides);
+    // A straight motion has its ends in it.
+    for (const Configuration& each : goals)
+      if (inside(space_, each) && free(from, each)) return found({from, each});
+    if (!free_.is_free(from)) return ended(PathAnswer::Ending::StartCollides);
     Tree start(space_.lower.size()), end(space_.lower.size());
     start.add(from, 0);
     for (const Configuration& each : goals)
       if (inside(space_, each) && free_.is_free(each)) end.add(each, end.size());
     if (end.size() == 0) return ended(PathAnswer::Ending::GoalsCollide);
-    for (std::size_t k = 0; k < end.size(); ++k)
-      if (free(from, end.node(k))) return found({from, {end.node(k).begin(), end.node(k).end()}});
     Tree* growing = &start;
     Tree* other = &end;
     Configuration target(space_.lower.size());

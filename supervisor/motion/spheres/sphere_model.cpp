@@ -165,6 +165,7 @@ class Cover {
             return distance(each.centre_m, other.centre_m) + each.radius_m <= other.radius_m;
           }))
         kept.push_back(each);
+    put_neighbours_together(kept);
     return kept;
   }
 
@@ -185,6 +186,27 @@ Sphere bound_of(const std::vector<Sphere>& spheres) {
   for (const Sphere& each : spheres)
     bound.radius_m = std::max(bound.radius_m, distance(each.centre_m, bound.centre_m) + each.radius_m);
   return bound;
+}
+
+// Halves across the longest way, each of whole groups.
+void put_neighbours_together(std::span<Sphere> spheres) {
+  if (spheres.size() <= kSpheresTogether) return;
+  const auto along = [](const Sphere& each, std::size_t axis) {
+    return axis == 0 ? each.centre_m.x : axis == 1 ? each.centre_m.y : each.centre_m.z;
+  };
+  std::size_t longest = 0;
+  double most = -1.0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto [low, high] = std::ranges::minmax_element(
+        spheres, [&](const Sphere& a, const Sphere& b) { return along(a, axis) < along(b, axis); });
+    if (const double far = along(*high, axis) - along(*low, axis); far > most) most = far, longest = axis;
+  }
+  std::ranges::stable_sort(
+      spheres, [&](const Sphere& a, const Sphere& b) { return along(a, longest) < along(b, longest); });
+  const std::size_t groups = (spheres.size() + kSpheresTogether - 1) / kSpheresTogether;
+  const std::size_t half = groups / 2 * kSpheresTogether;
+  put_neighbours_together(spheres.first(half));
+  put_neighbours_together(spheres.subspan(half));
 }
 
 TriangleMesh surface_of(const Body& body) {
@@ -219,6 +241,7 @@ SphereModel cover(const Bodies& bodies, const CoverOptions& options) {
       for (const Sphere& each : cover(surface_of(at_origin), options))
         covered.spheres.push_back({body.shape.origin * each.centre_m, each.radius_m});
     }
+    put_neighbours_together(covered.spheres);
     if (!covered.spheres.empty()) covered.bound = bound_of(covered.spheres);
     model.links.push_back(std::move(covered));
   }

@@ -10,6 +10,7 @@
 // thread.
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "supervisor/motion/mesh/link_meshes.h"
@@ -24,8 +25,13 @@ struct CoverOptions {
 
 struct LinkSpheres {
   Sphere bound;                 // around all of them; radius 0: there are none
-  std::vector<Sphere> spheres;  // in the link's frame
+  std::vector<Sphere> spheres;  // in the link's frame; those of a group one after the other
 };
+
+// Checks look at groups of so many spheres before they look at each: neighbours are to be together.
+inline constexpr std::size_t kSpheresTogether = 8;
+// In an order in which each group from the first one on is of neighbours. The same on every machine.
+void put_neighbours_together(std::span<Sphere> spheres);
 
 struct SphereModel {
   std::vector<LinkSpheres> links;  // one for each link of the robot

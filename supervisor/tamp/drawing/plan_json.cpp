@@ -19,6 +19,7 @@ json plan_json(const scene::RobotCell& cell, const scene::TampPlan& plan) {
                 {"motions", std::move(motions)}};
     if (each.what.surface >= 0)
       one["region"] = cell.surfaces[static_cast<std::size_t>(each.what.surface)].name;
+    if (each.what.on >= 0) one["on"] = cell.things[static_cast<std::size_t>(each.what.on)].name;
     if (each.what.kind == scene::ActionKind::Pick) one["hand_rad"] = each.hand_rad;
     if (each.what.kind != scene::ActionKind::MoveAway)
       one["pose"] = {{"x_m", each.pose.x_m},

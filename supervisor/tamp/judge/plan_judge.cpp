@@ -136,6 +136,9 @@ class Judge {
     Standing& thing = things_[index(action.what.thing)];
     const scene::Form& form = cell_.things[index(action.what.thing)].form;
     if (thing.in || !holding(arm).empty()) return "somebody holds something";
+    for (std::size_t k = 0; k < things_.size(); ++k)
+      if (k != index(action.what.thing) && !things_[k].in && rests_on(k, index(action.what.thing)))
+        return cell_.things[k].name + " stands on it";
     const Transform at = inverse(tip(arm)) * thing.at;  // the thing in the tool's frame
     // The tool's axis is the thing's, upside down, and its centre is within the thing.
     if (std::abs(at.rotation.column(2).z + 1.0) > 1e-8 ||
@@ -146,6 +149,35 @@ class Judge {
     thing.at = at;
     thing.in = arm;
     return {};
+  }
+
+  // Whether one thing's underside is at the top of another one that it is over.
+  bool rests_on(std::size_t upper, std::size_t lower) const {
+    const motion::Vector3 above = things_[upper].at.position_m, below = things_[lower].at.position_m;
+    const scene::Form &one = cell_.things[upper].form, &other = cell_.things[lower].form;
+    return std::abs(above.z - below.z - other.height_m) < kShrunk_m &&
+           std::hypot(above.x - below.x, above.y - below.y) < radius_around(one) + radius_around(other);
+  }
+
+  // What is wrong with what it stands on.
+  std::string support_of(const scene::ActionSpec& what, const scene::Form& form,
+                         const scene::Pose& pose) const {
+    if (what.on < 0) {
+      const scene::Surface& surface = cell_.surfaces[index(what.surface)];
+      if (std::abs(pose.z_m - surface.middle.z_m) > kExact_m)
+        return "it is not at the height of " + surface.name;
+      return lies_within(surface, form, pose, kExact_m) ? "" : "it is not within " + surface.name;
+    }
+    const scene::Thing& below = cell_.things[index(what.on)];
+    const Standing& there = things_[index(what.on)];
+    if (there.in) return "somebody holds " + below.name;
+    if (!below.carries) return below.name + " carries nothing";
+    const motion::Vector3 at = there.at.position_m;
+    if (std::abs(pose.z_m - at.z - below.form.height_m) > kExact_m)
+      return "it is not at the height of " + below.name;
+    if (std::hypot(pose.x_m - at.x, pose.y_m - at.y) > 2.0 * kTipMeetsMiddle_m)
+      return "it is not over the middle of " + below.name;
+    return fits_on(form, below.form) ? "" : "it stands out over " + below.name;
   }
 
   std::string release(const scene::PlannedAction& action) {
@@ -159,10 +191,7 @@ class Judge {
       return "it does not stand upright";
     const motion::Vector3 ahead = at.rotation.column(0);
     const scene::Pose pose{at.position_m.x, at.position_m.y, at.position_m.z, std::atan2(ahead.y, ahead.x)};
-    const scene::Surface& surface = cell_.surfaces[index(action.what.surface)];
-    if (std::abs(pose.z_m - surface.middle.z_m) > kExact_m)
-      return "it is not at the height of " + surface.name;
-    if (!lies_within(surface, form, pose, kExact_m)) return "it is not within " + surface.name;
+    if (std::string wrong = support_of(action.what, form, pose); !wrong.empty()) return wrong;
     const scene::Upright body = standing(form, pose);
     for (const scene::Furniture& each : cell_.furniture)
       if (meet(body, standing(each.form, each.pose), 0.0)) return "it meets " + each.name;

@@ -28,7 +28,8 @@ struct Judgement {
 
 // Of each action: motions begin where the arm is, keep the limits, and are free for certain with all bodies,
 // what is held included (its sides less by 0.2 mm); a hand hangs over the middle of what it grasps and its
-// fingers go around it; what is placed stands upright on its region, within it, and meets nothing.
+// fingers go around it, and nothing stands on it; what is placed stands upright on its region, within it, or
+// over the middle of the thing that it is put on, and meets nothing.
 Judgement judge(const scene::RobotCell& cell, const scene::TampPlan& plan);
 
 }  // namespace stepwright::tamp::judge

@@ -61,14 +61,19 @@ const scene::GeometricState& GeometricBacktracking::state_before(std::size_t fra
 std::size_t GeometricBacktracking::samples_of(const scene::ActionSpec& action) const {
   const scene::Manner& manner = workspace_->cell().manner;
   return action.kind == scene::ActionKind::Pick    ? manner.grasps
-         : action.kind == scene::ActionKind::Place ? manner.places
-                                                   : 1;
+         : action.kind != scene::ActionKind::Place ? 1
+         : action.on < 0 || workspace_->cell().things[static_cast<std::size_t>(action.thing)].turns
+             ? manner.places
+             : 1;
 }
 
-predicates::Sample GeometricBacktracking::sample(const scene::ActionSpec& action, std::size_t k) const {
+predicates::Sample GeometricBacktracking::sample(const scene::GeometricState& state,
+                                                 const scene::ActionSpec& action, std::size_t k) const {
   const scene::RobotCell& cell = workspace_->cell();
+  k += options_.first_sample;
   if (action.kind == scene::ActionKind::Pick) return {predicates::grasp_sample(k), {}};
   if (action.kind == scene::ActionKind::MoveAway) return {};
+  if (action.on >= 0) return {0.0, predicates::stack_sample(cell, action.on, action.thing, state, k)};
   return {0.0, predicates::place_sample(cell.surfaces[static_cast<std::size_t>(action.surface)],
                                         cell.things[static_cast<std::size_t>(action.thing)], k)};
 }
@@ -98,7 +103,7 @@ bool GeometricBacktracking::advance(std::size_t k) {
   while (!stopped()) {
     if (frame.way == frame.ways.size()) {
       if (frame.sample == all) return false;
-      frame.chosen = sample(*frame.action, frame.sample++);
+      frame.chosen = sample(state, *frame.action, frame.sample++);
       frame.way = 0;
       auto found = workspace_->ways(state, *frame.action, frame.chosen);
       if (found)

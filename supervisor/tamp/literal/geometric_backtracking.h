@@ -36,6 +36,9 @@ struct BacktrackingOptions {
   // False: of each sample only the first way of the arm that works, as in the paper; then grasps and places
   // that only another way would do are never found.
   bool all_ways = true;
+  // The number of the first sample. Books count both sequences from 1 on: then the first place is in the
+  // middle of its region; number 0 is in a corner, which leaves more room.
+  std::size_t first_sample = 0;
 };
 
 class GeometricBacktracking : public htn::SemanticAttachment {
@@ -66,7 +69,8 @@ class GeometricBacktracking : public htn::SemanticAttachment {
   };
   const scene::GeometricState& state_before(std::size_t frame) const;
   std::size_t samples_of(const scene::ActionSpec& action) const;
-  predicates::Sample sample(const scene::ActionSpec& action, std::size_t k) const;
+  predicates::Sample sample(const scene::GeometricState& state, const scene::ActionSpec& action,
+                            std::size_t k) const;
   static void reset(Frame& frame);
   bool advance(std::size_t frame);
   bool settle_last();

@@ -33,6 +33,8 @@ class IntervalGuard : public htn::SemanticAttachment {
   const std::vector<Action>& first_refuted() const { return first_refuted_; }
 
  private:
+  bool is_held(std::size_t object) const;
+
   const predicates::Grounding* grounding_;
   const IntervalModel* model_;
   Network network_;

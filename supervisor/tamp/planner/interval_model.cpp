@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "supervisor/tamp/intervals/arm/srs_reach.h"
@@ -20,14 +21,19 @@ ReachGrid grid_of(const scene::RobotCell& cell, double cell_m) {
       high[k] = std::max(high[k], at[k]);
     }
   };
+  // As high as all that carry others can be put on each other.
+  double piled_m = 0.0;
+  for (const scene::Thing& each : cell.things)
+    if (each.carries) piled_m += each.form.height_m;
   for (std::size_t k = 0; k < cell.things.size(); ++k) {
     const double above_m = cell.tool_above(static_cast<int>(k));
     const scene::Pose& start = cell.things[k].start;
     hold(start.x_m, start.y_m, start.z_m + above_m);
+    hold(start.x_m, start.y_m, start.z_m + above_m + piled_m);
     for (const scene::Surface& each : cell.surfaces) {
       const double around_m = 0.5 * std::hypot(each.size_x_m, each.size_y_m);
       hold(each.middle.x_m - around_m, each.middle.y_m - around_m, each.middle.z_m + above_m);
-      hold(each.middle.x_m + around_m, each.middle.y_m + around_m, each.middle.z_m + above_m);
+      hold(each.middle.x_m + around_m, each.middle.y_m + around_m, each.middle.z_m + above_m + piled_m);
     }
   }
   ReachGrid grid;
@@ -84,9 +90,11 @@ Action IntervalModel::action_of(const scene::ActionSpec& action) const {
     case scene::ActionKind::Pick:
       return pick(arm, thing, thing);
     case scene::ActionKind::Place: {
-      const std::size_t region = static_cast<std::size_t>(action.surface) * things_ + thing;
       // What does not turn keeps its angle.
-      return turns_[thing] ? place(arm, thing, region) : place(arm, thing, region, angles_[thing]);
+      const std::optional<double> angle = turns_[thing] ? std::nullopt : std::optional(angles_[thing]);
+      if (action.on >= 0) return stack(arm, thing, static_cast<std::size_t>(action.on), angle);
+      const std::size_t region = static_cast<std::size_t>(action.surface) * things_ + thing;
+      return place(arm, thing, region, angle);
     }
     case scene::ActionKind::MoveAway:
       break;

@@ -30,10 +30,14 @@ struct PackProblem {
 // In the order of the radii; nothing: none was found.
 std::optional<std::vector<PlanePoint>> pack(const PackProblem& problem, std::size_t most_nodes = 20'000);
 
-// As `pack`, with as much between any two as was found, up to `most_m`. One thing alone is put in the middle.
+// As `pack`, with as much between any two as was found, up to `most_m`. One thing alone is put in the middle,
+// things of one size in rows where these do.
 std::optional<std::vector<PlanePoint>> spread(PackProblem problem, double most_m = 0.04);
 
 // No more things of this radius than that have room; proved. At least 1 where one fits.
 std::size_t most_that_fit(double size_x_m, double size_y_m, double radius_m, double apart_m);
+
+// Whether that many are more than that, in less time.
+bool too_many(std::size_t count, double size_x_m, double size_y_m, double radius_m, double apart_m);
 
 }  // namespace stepwright::tamp::planner

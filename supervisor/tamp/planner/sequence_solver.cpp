@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <utility>
 
 #include "supervisor/tamp/planner/packing.h"
@@ -18,6 +19,8 @@ using predicates::FailureKind;
 using predicates::Sample;
 using scene::ActionKind;
 using scene::ActionSpec;
+
+constexpr int kTurns = 8;  // angles of a thing whose angle is to be chosen
 
 std::uint64_t bit_of(std::size_t k) {
   return std::uint64_t{1} << k;
@@ -56,7 +59,15 @@ std::optional<std::size_t> SequenceSolver::next_place(std::size_t level) const {
   return std::nullopt;
 }
 
-// A region that gets more things of one size than there is room for, whatever the places: proved.
+// The action that put the thing where it is on which this one puts something; nothing: it stands where it
+// began, or this one puts nothing on a thing.
+std::optional<std::size_t> SequenceSolver::base_of(std::size_t level) const {
+  if (actions_[level].on < 0) return std::nullopt;
+  return last_about(index_of(actions_[level].on), level);
+}
+
+// A region that gets more things of one size than there is room for, or a thing a wider one, whatever the
+// places: proved.
 std::optional<SolverAnswer> SequenceSolver::check_room() const {
   const scene::RobotCell& cell = workspace_->cell();
   std::vector<int> on(cell.things.size(), -1);
@@ -65,6 +76,16 @@ std::optional<SolverAnswer> SequenceSolver::check_room() const {
     if (action.kind == ActionKind::Pick) on[index_of(action.thing)] = -1;
     if (action.kind != ActionKind::Place) continue;
     on[index_of(action.thing)] = action.surface;
+    if (action.surface < 0) {
+      const scene::Thing &upper = cell.things[index_of(action.thing)],
+                         &lower = cell.things[index_of(action.on)];
+      if (fits_on(upper.form, lower.form)) continue;
+      SolverAnswer answer;
+      answer.keep = k;
+      answer.proven = true;
+      answer.reason = upper.name + " is wider than " + lower.name;
+      return answer;
+    }
     const scene::Surface& surface = cell.surfaces[index_of(action.surface)];
     double least_m = 1e9;
     std::size_t count = 0;
@@ -75,8 +96,8 @@ std::optional<SolverAnswer> SequenceSolver::check_room() const {
       least_m = std::min(least_m, radius_around(cell.things[thing].form));
       names += (names.empty() ? "" : ", ") + cell.things[thing].name;
     }
+    if (!too_many(count, surface.size_x_m, surface.size_y_m, least_m, 0.0)) continue;
     const std::size_t most = most_that_fit(surface.size_x_m, surface.size_y_m, least_m, 0.0);
-    if (count <= most) continue;
     SolverAnswer answer;
     answer.keep = k;
     answer.proven = true;
@@ -86,11 +107,26 @@ std::optional<SolverAnswer> SequenceSolver::check_room() const {
   return std::nullopt;
 }
 
+// A thing that has a region for itself need not stand in the middle: what an arm reaches is mostly a part of
+// it.
+void SequenceSolver::add_places_around(std::size_t level) {
+  const scene::RobotCell& cell = workspace_->cell();
+  const scene::Surface& on = cell.surfaces[index_of(actions_[level].surface)];
+  const double across_m = 2.0 * radius_around(cell.things[index_of(actions_[level].thing)].form);
+  const double free_x = on.size_x_m - across_m, free_y = on.size_y_m - across_m;
+  for (const double part : {0.25, 0.5})
+    for (const double x : {-part, part})
+      for (const double y : {-part, part})
+        others_[level].push_back(predicates::place_on(on, x * free_x, y * free_y, 0.0));
+  alone_[level] = true;
+}
+
 // Places for all that ends on a region, at once.
 void SequenceSolver::pack_regions() {
   const scene::RobotCell& cell = workspace_->cell();
   packed_.assign(actions_.size(), std::nullopt);
   others_.assign(actions_.size(), {});
+  alone_.assign(actions_.size(), false);
   for (std::size_t surface = 0; surface < cell.surfaces.size(); ++surface) {
     const scene::Surface& on = cell.surfaces[surface];
     PackProblem problem;
@@ -115,8 +151,6 @@ void SequenceSolver::pack_regions() {
     const auto places = spread(problem);
     if (!places) continue;
     // The farthest from the robot first, so that no arm has to reach over what stands there.
-    std::vector<std::size_t> order(levels.size());
-    for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
     const bool same =
         std::ranges::all_of(problem.radii_m, [&](double each) { return each == problem.radii_m.front(); });
     std::vector<scene::Pose> poses;
@@ -131,6 +165,15 @@ void SequenceSolver::pack_regions() {
         for (std::size_t other = 0; other < poses.size(); ++other)
           if (other != k) others_[levels[k]].push_back(poses[other]);
     }
+    if (levels.size() == 1 && problem.standing.empty()) add_places_around(levels.front());
+  }
+  // In the order of the sequence: what is below is known by then.
+  for (std::size_t k = 0; k < actions_.size(); ++k) {
+    if (actions_[k].on < 0) continue;
+    const auto put = base_of(k);
+    const std::optional<scene::Pose> below =
+        put ? packed_[*put] : std::optional(cell.things[index_of(actions_[k].on)].start);
+    if (below) packed_[k] = top_of(cell, actions_[k].on, *below, below->angle_rad);
   }
 }
 
@@ -140,48 +183,114 @@ std::vector<Sample> SequenceSolver::places_of(std::size_t level) const {
   const scene::Thing& thing = cell.things[index_of(action.thing)];
   std::vector<Sample> all;
   const auto add = [&](scene::Pose pose) {
-    constexpr int kTurns = 8;
     for (int k = 0; k < (thing.turns ? kTurns : 1); ++k) {
       pose.angle_rad = thing.start.angle_rad + 2.0 * std::numbers::pi * k / kTurns;
       all.push_back({0.0, pose});
     }
   };
+  if (action.on >= 0) {
+    add(top_of(cell, action.on, state_before(level).things[index_of(action.on)].pose, 0.0));
+    return all;
+  }
   if (packed_[level]) add(*packed_[level]);
-  if (stage_ == Stage::Packed && packed_[level]) return all;
+  if (stage_ == Stage::Packed && packed_[level] && !alone_[level]) return all;
   for (const scene::Pose& each : others_[level]) add(each);
-  if (stage_ == Stage::Exchanged && packed_[level]) return all;
-  for (std::size_t k = 0; k < cell.manner.places; ++k)
+  if (stage_ != Stage::Everything && packed_[level]) return all;
+  for (std::size_t k = 0; k < cell.manner.places * options_.more_samples; ++k)
     all.push_back({0.0, predicates::place_sample(cell.surfaces[index_of(action.surface)], thing, k)});
   return all;
 }
 
-// Angles that leave the hand most room where the thing is going come first.
-void SequenceSolver::order_grasps(std::size_t level) {
-  const auto place = next_place(level);
-  if (!place || !packed_[*place]) return;
+// The visits of hands to a thing from this action on, as far as it is known where it will be put.
+ReachOrder SequenceSolver::reach_from(std::size_t level, scene::Pose pose) const {
+  constexpr std::size_t kMostGrasps = 16, kMostVisits = 4;
   const scene::RobotCell& cell = workspace_->cell();
-  const ActionSpec& action = actions_[level];
+  const scene::Thing& thing = cell.things[index_of(actions_[level].thing)];
+  std::vector<double> grasps, angles;
+  for (std::size_t k = 0; k < std::min(cell.manner.grasps, kMostGrasps); ++k)
+    grasps.push_back(predicates::grasp_sample(k));
+  for (int k = 0; k < (thing.turns ? kTurns : 1); ++k)
+    angles.push_back(thing.start.angle_rad + 2.0 * std::numbers::pi * k / kTurns);
+  ReachOrder order(*options_.model, std::move(grasps), std::move(angles));
+  for (std::size_t k = level; k < actions_.size() && order.visits() < kMostVisits; ++k) {
+    if (actions_[k].thing != actions_[level].thing || actions_[k].kind == ActionKind::MoveAway) continue;
+    if (k > level && actions_[k].kind == ActionKind::Place) {
+      if (!packed_[k]) break;
+      pose = *packed_[k];
+    }
+    order.then(actions_[k].arm, {pose.x_m, pose.y_m, pose.z_m + cell.tool_above(actions_[level].thing)});
+  }
+  return order;
+}
+
+// What the bounds of reach exclude comes last. Of things that turn the choices that are farthest inside of
+// all bounds come first: there are many, and most fail at the other end of the way.
+void SequenceSolver::put_hopeful_first(std::size_t level) {
+  Level& here = levels_[level];
+  here.hopeful = here.samples.size();
+  if (options_.model == nullptr || actions_[level].kind == ActionKind::MoveAway) return;
+  const scene::ThingState& thing = state_before(level).things[index_of(actions_[level].thing)];
+  const bool pick = actions_[level].kind == ActionKind::Pick;
+  std::vector<std::pair<double, Sample>> valued;
+  std::optional<ReachOrder> order;
+  scene::Pose last;
+  for (const Sample& each : here.samples) {
+    const scene::Pose& pose = pick ? thing.pose : each.pose;
+    if (!order || pose.x_m != last.x_m || pose.y_m != last.y_m) order = reach_from(level, last = pose);
+    valued.emplace_back(pick ? order->of_grasp(pose.angle_rad, each.hand_rad)
+                             : order->of_place(pose.angle_rad, thing.hand_rad),
+                        each);
+  }
+  const bool by_margin = workspace_->cell().things[index_of(actions_[level].thing)].turns &&
+                         (pick || stage_ != Stage::Everything);
+  if (by_margin)
+    std::ranges::stable_sort(valued, [](const auto& a, const auto& b) { return a.first > b.first; });
+  const auto rest = std::ranges::stable_partition(valued, [](const auto& each) { return each.first > 0.0; });
+  here.hopeful = valued.size() - rest.size();
+  for (std::size_t k = 0; k < valued.size(); ++k) here.samples[k] = valued[k].second;
+}
+
+// What is expected to stand around where a place is, when it is done.
+std::vector<scene::Upright> SequenceSolver::around_at(std::size_t place) const {
+  const scene::RobotCell& cell = workspace_->cell();
   std::vector<scene::Upright> others;
   for (const scene::Furniture& each : cell.furniture) others.push_back(standing(each.form, each.pose));
   for (std::size_t thing = 0; thing < cell.things.size(); ++thing) {
-    if (thing == index_of(action.thing)) continue;
-    const auto put = last_about(thing, *place);
+    if (thing == index_of(actions_[place].thing)) continue;
+    const auto put = last_about(thing, place);
     std::optional<scene::Pose> pose = cell.things[thing].start;
     if (put) pose = actions_[*put].kind == ActionKind::Place ? packed_[*put] : std::nullopt;
     if (pose) others.push_back(standing(cell.things[thing].form, *pose));
   }
+  return others;
+}
+
+// Puts the best of the grasps that were not tried in front of them: an angle that leaves the hand most room
+// where the thing is going; what is enough for it is enough. What is excluded from reach stays behind.
+void SequenceSolver::choose_grasp(std::size_t level) {
+  Level& here = levels_[level];
+  const auto place = next_place(level);
+  if (here.ordered || !place || !packed_[*place] || here.sample >= here.hopeful) return;
+  const scene::RobotCell& cell = workspace_->cell();
+  const ActionSpec& action = actions_[level];
+  const std::span<Sample> left = std::span(here.samples).first(here.hopeful).subspan(here.sample);
+  const std::vector<scene::Upright> others = around_at(*place);
   const scene::Pose& to = *packed_[*place];
   const double turned = cell.things[index_of(action.thing)].start.angle_rad;
   std::vector<std::pair<double, Sample>> valued;
   constexpr double kEnough_m = 0.02;
-  for (const Sample& each : levels_[level].samples) {
+  for (std::size_t k = 0; k < left.size(); ++k) {
     const predicates::ToolPlace tool{to.x_m, to.y_m, to.z_m + cell.tool_above(action.thing),
-                                     turned + each.hand_rad};
-    valued.emplace_back(std::min(kEnough_m, workspace_->hand_room(action.arm, action.thing, tool, others)),
-                        each);
+                                     turned + left[k].hand_rad};
+    valued.emplace_back(workspace_->hand_room(action.arm, action.thing, tool, others), left[k]);
+    if (valued.back().first < kEnough_m) continue;
+    const auto chosen = left.begin() + static_cast<std::ptrdiff_t>(k);
+    std::rotate(left.begin(), chosen, chosen + 1);
+    return;
   }
+  here.ordered = true;
   std::ranges::stable_sort(valued, [](const auto& a, const auto& b) { return a.first > b.first; });
-  for (std::size_t k = 0; k < valued.size(); ++k) levels_[level].samples[k] = valued[k].second;
+  for (std::size_t k = 0; k < valued.size(); ++k) left[k] = valued[k].second;
 }
 
 void SequenceSolver::begin(std::size_t level) {
@@ -189,12 +298,15 @@ void SequenceSolver::begin(std::size_t level) {
   here = {};
   switch (actions_[level].kind) {
     case ActionKind::Pick:
-      for (std::size_t k = 0; k < workspace_->cell().manner.grasps; ++k)
+      for (std::size_t k = 0; k < workspace_->cell().manner.grasps * options_.more_samples; ++k)
         here.samples.push_back({predicates::grasp_sample(k), {}});
-      order_grasps(level);
+      put_hopeful_first(level);
       break;
     case ActionKind::Place:
       here.samples = places_of(level);
+      put_hopeful_first(level);
+      // Where it can be put is only known once what it is put on has its place.
+      if (const auto put = base_of(level)) here.conflict = bit_of(*put);
       break;
     case ActionKind::MoveAway:
       here.samples.emplace_back();
@@ -243,6 +355,7 @@ bool SequenceSolver::advance(std::size_t level) {
   while (!stopped()) {
     if (here.way == here.ways.size()) {
       if (here.sample == here.samples.size()) return false;
+      if (actions_[level].kind == ActionKind::Pick) choose_grasp(level);
       here.way = 0;
       auto found = workspace_->ways(state, actions_[level], here.samples[here.sample++]);
       here.ways = found ? *std::move(found) : std::vector<predicates::ArmWay>{};
@@ -293,10 +406,12 @@ SolverAnswer SequenceSolver::solve() {
   if (options_.pack)
     pack_regions();
   else
-    packed_.assign(actions_.size(), std::nullopt), others_.assign(actions_.size(), {});
+    packed_.assign(actions_.size(), std::nullopt), others_.assign(actions_.size(), {}),
+        alone_.assign(actions_.size(), false);
   for (const Stage stage : {Stage::Packed, Stage::Exchanged, Stage::Everything}) {
-    const bool same_as_before = stage == Stage::Exchanged &&
-                                std::ranges::all_of(others_, [](const auto& each) { return each.empty(); });
+    bool same_as_before = stage == Stage::Exchanged;
+    for (std::size_t k = 0; k < others_.size(); ++k)
+      same_as_before = same_as_before && (others_[k].empty() || alone_[k]);
     if (!same_as_before && (search(stage, answer) || stopped_)) break;
   }
   answer.stopped = stopped_;

@@ -5,6 +5,8 @@
 // that has to do with it (conflict-directed backjumping; Prosser 1993). Paths are only planned for sequences
 // that have values for everything else.
 //
+// A thing that is put on another one stands over its middle, wherever that is by then.
+//
 // Three stages: packed places only; things of one size on each other's places as well; then all samples of
 // geometric backtracking, so that whatever that finds is found here, too, given time. That a region takes no
 // more things is proved; that all samples failed is no proof.
@@ -22,6 +24,7 @@
 #include <string>
 #include <vector>
 
+#include "supervisor/tamp/planner/reach_order.h"
 #include "supervisor/tamp/predicates/workspace.h"
 
 namespace stepwright::tamp::planner {
@@ -29,8 +32,10 @@ namespace stepwright::tamp::planner {
 struct SolverOptions {
   std::optional<std::chrono::steady_clock::time_point> until;
   const std::atomic<bool>* cancel = nullptr;
-  std::uint64_t most_failed = 200'000;  // configurations of one sequence
-  bool pack = true;                     // false: places are samples only
+  std::uint64_t most_failed = 200'000;   // configurations of one sequence
+  std::size_t more_samples = 1;          // so many times as many as the cell says
+  bool pack = true;                      // false: places are samples only
+  const IntervalModel* model = nullptr;  // whose bounds put first what is in reach all along
 };
 
 struct SolverAnswer {
@@ -58,6 +63,8 @@ class SequenceSolver {
   struct Level {
     std::vector<predicates::Sample> samples;
     std::size_t sample = 0;
+    std::size_t hopeful = 0;  // samples that the bounds of reach do not exclude: the first ones
+    bool ordered = false;     // of a pick: all grasps that are left are in their order
     std::vector<predicates::ArmWay> ways;
     std::size_t way = 0;
     std::uint64_t conflict = 0;  // earlier actions that its failures have to do with
@@ -66,8 +73,12 @@ class SequenceSolver {
   };
   std::optional<SolverAnswer> check_room() const;
   void pack_regions();
+  void add_places_around(std::size_t level);
   void begin(std::size_t level);
-  void order_grasps(std::size_t level);
+  ReachOrder reach_from(std::size_t level, scene::Pose pose) const;
+  void put_hopeful_first(std::size_t level);
+  std::vector<scene::Upright> around_at(std::size_t place) const;
+  void choose_grasp(std::size_t level);
   std::vector<predicates::Sample> places_of(std::size_t level) const;
   enum class Stage : std::uint8_t { Packed, Exchanged, Everything };
   bool search(Stage stage, SolverAnswer& answer);
@@ -77,6 +88,7 @@ class SequenceSolver {
   const scene::GeometricState& state_before(std::size_t level) const;
   std::uint64_t blame(std::size_t level, const predicates::Failure& failure) const;
   std::optional<std::size_t> last_about(std::size_t thing, std::size_t before) const;
+  std::optional<std::size_t> base_of(std::size_t level) const;
   std::optional<std::size_t> next_place(std::size_t level) const;
   std::string words(std::size_t level) const;
 
@@ -86,8 +98,9 @@ class SequenceSolver {
   scene::GeometricState initial_;
   Stage stage_ = Stage::Packed;
   std::vector<Level> levels_;
-  std::vector<std::optional<scene::Pose>> packed_;  // of each place
+  std::vector<std::optional<scene::Pose>> packed_;  // of each place; on a thing: where that is to stand
   std::vector<std::vector<scene::Pose>> others_;  // of each place: packed ones of its region, to be exchanged
+  std::vector<bool> alone_;  // of each place: nothing else is on its region, and the others are tried at once
   std::uint64_t backjumps_ = 0, jumped_over_ = 0, began_with_ = 0, looks_ = 0;
   bool stopped_ = false;
 };

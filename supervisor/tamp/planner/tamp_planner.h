@@ -30,6 +30,7 @@ enum class Method : std::uint8_t {
   Ours,
   PaperLiteral,   // all ways of the arm are part of the count
   PaperFirstWay,  // of each sample the first that works, as the paper chooses
+  PaperFromOne,   // all ways; samples from number 1 on (geometric_backtracking.h)
 };
 
 struct TampOptions {
@@ -38,6 +39,9 @@ struct TampOptions {
   std::optional<std::chrono::steady_clock::time_point> until;
   const std::atomic<bool>* cancel = nullptr;
   std::uint64_t most_failed = 50'000'000;  // configurations
+  // Ours: of a sequence, before it is given up for now and others are tried; then those that were given up,
+  // with more each time, until something is used up.
+  std::uint64_t first_failed = 5'000;
 };
 
 struct TampFigures {
@@ -47,11 +51,13 @@ struct TampFigures {
   std::uint64_t configurations = 0, failed = 0;
   std::uint64_t configurations_again = 0, failed_again = 0;  // paper-literal: in geometric backtracking
   std::uint64_t paths = 0, failed_paths = 0;
+  std::uint64_t straight_paths = 0, tree_paths = 0;  // of the paths: the simplest and the hardest
   std::uint64_t decompositions = 0, refusals = 0;
   std::uint64_t sequences = 0;                           // ours: whole ones for which geometry was looked for
   std::uint64_t refuted = 0;                             // prefixes, by intervals
   std::uint64_t proved_nogoods = 0, budget_nogoods = 0;  // sequences that were given up, and why
   std::uint64_t backjumps = 0, jumped_over = 0;
+  std::uint64_t rounds = 0;  // ours: of sequences that were given up for now
 };
 
 struct TampOutcome {
@@ -60,7 +66,8 @@ struct TampOutcome {
   model::OutcomeKind kind = model::OutcomeKind::Exhausted;
   std::optional<scene::TampPlan> plan;
   std::optional<htn::Plan> tasks;
-  std::string reason;  // why there is none
+  std::optional<model::Plan> skeleton;  // of a task in PDDL (skeleton_planner.h)
+  std::string reason;                   // why there is none
   TampFigures figures;
 };
 

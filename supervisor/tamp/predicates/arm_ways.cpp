@@ -14,15 +14,14 @@ motion::Transform tip_of(const scene::ArmModel& arm, const ToolPlace& place, dou
   return inverse(arm.base) * scene::tool_pose(place.x_m, place.y_m, place.z_m + up_m, place.angle_rad);
 }
 
-void add_ways(const scene::ArmModel& arm, const motion::Transform& bottom, const motion::Transform& top,
-              motion::SrsBranch branch, double from_rad, double to_rad, const scene::JointValues& from,
-              std::vector<ArmWay>& ways) {
+void add_ways(const scene::ArmModel& arm, const motion::Transform& top, motion::SrsBranch branch,
+              double from_rad, double to_rad, std::vector<ArmWay>& ways) {
   constexpr double kWide_rad = 0.6;
   const double width = to_rad - from_rad;
   const auto add = [&](double swivel) {
-    const auto low = arm.kinematics.solve(bottom, swivel, branch),
-               high = arm.kinematics.solve(top, swivel, branch);
-    if (low && high) ways.push_back({swivel, branch, low->q, high->q, motion::joint_distance(high->q, from)});
+    // Below it is sure to be one: the swivel is within the arc there.
+    if (const auto high = arm.kinematics.solve(top, swivel, branch))
+      ways.push_back({swivel, branch, high->q, 0.0});
   };
   add(from_rad + 0.5 * width);
   if (width <= kWide_rad) return;
@@ -34,6 +33,17 @@ void add_ways(const scene::ArmModel& arm, const motion::Transform& bottom, const
 
 std::vector<ArmWay> arm_ways(const scene::ArmModel& arm, const ToolPlace& place, double lift_m,
                              const scene::JointValues& from) {
+  std::vector<ArmWay> ways = all_ways(arm, place, lift_m);
+  sort_ways(ways, from);
+  return ways;
+}
+
+void sort_ways(std::vector<ArmWay>& ways, const scene::JointValues& from) {
+  for (ArmWay& each : ways) each.far = motion::joint_distance(each.top, from);
+  std::stable_sort(ways.begin(), ways.end(), [](const ArmWay& a, const ArmWay& b) { return a.far < b.far; });
+}
+
+std::vector<ArmWay> all_ways(const scene::ArmModel& arm, const ToolPlace& place, double lift_m) {
   const motion::Transform bottom = tip_of(arm, place, 0.0), top = tip_of(arm, place, lift_m);
   std::vector<ArmWay> ways;
   const std::vector<motion::SwivelArc> low = arm.kinematics.arcs(bottom);
@@ -45,10 +55,9 @@ std::vector<ArmWay> arm_ways(const scene::ArmModel& arm, const ToolPlace& place,
       for (const double turn : {-kTurn, 0.0, kTurn}) {
         const double first = std::max(a.from_rad, b.from_rad + turn),
                      last = std::min(a.to_rad, b.to_rad + turn);
-        if (first < last) add_ways(arm, bottom, top, a.branch, first, last, from, ways);
+        if (first < last) add_ways(arm, top, a.branch, first, last, ways);
       }
     }
-  std::stable_sort(ways.begin(), ways.end(), [](const ArmWay& a, const ArmWay& b) { return a.far < b.far; });
   return ways;
 }
 

@@ -10,11 +10,8 @@ const std::vector<std::string>& geometric_predicates() {
   return names;
 }
 
-Grounding::Grounding(const htn::PlanningTask& task, const scene::RobotCell& cell)
-    : task_(&task), cell_(&cell) {}
-
-std::optional<scene::ActionSpec> Grounding::action_of(const std::string& predicate,
-                                                      const std::vector<std::string>& names) const {
+std::optional<scene::ActionSpec> action_of(const scene::RobotCell& cell, const std::string& predicate,
+                                           const std::vector<std::string>& names) {
   const bool pick = predicate == "can-move-pick" || predicate == "is-picked";
   const bool place = predicate == "can-move-place" || predicate == "is-placed";
   const bool away = predicate == "can-move-away" || predicate == "is-away";
@@ -23,18 +20,26 @@ std::optional<scene::ActionSpec> Grounding::action_of(const std::string& predica
   action.kind = pick    ? scene::ActionKind::Pick
                 : place ? scene::ActionKind::Place
                         : scene::ActionKind::MoveAway;
-  action.arm = cell_->arm(names.front());
-  action.thing = cell_->thing(names.back());
-  if (place) action.surface = cell_->surface(names[1]);
-  if (action.arm < 0 || action.thing < 0 || (place && action.surface < 0)) return std::nullopt;
+  action.arm = cell.arm(names.front());
+  action.thing = cell.thing(names.back());
+  if (place) {
+    action.surface = cell.surface(names[1]);
+    if (action.surface < 0) action.on = cell.thing(names[1]);
+    if (action.on >= 0 && !cell.things[static_cast<std::size_t>(action.on)].carries) return std::nullopt;
+  }
+  if (action.arm < 0 || action.thing < 0 || (place && action.surface < 0 && action.on < 0))
+    return std::nullopt;
   return action;
 }
+
+Grounding::Grounding(const htn::PlanningTask& task, const scene::RobotCell& cell)
+    : task_(&task), cell_(&cell) {}
 
 std::optional<scene::ActionSpec> Grounding::action_of(const htn::ExternalCall& atom) const {
   std::vector<std::string> names;
   for (const int object : atom.objects)
     names.push_back(task_->objects[static_cast<std::size_t>(object)].name);
-  return action_of(task_->predicates[static_cast<std::size_t>(atom.symbol)].name, names);
+  return predicates::action_of(*cell_, task_->predicates[static_cast<std::size_t>(atom.symbol)].name, names);
 }
 
 std::vector<scene::ActionSpec> Grounding::actions_of(const htn::Plan& plan,
@@ -51,8 +56,8 @@ std::vector<scene::ActionSpec> Grounding::actions_of(const htn::Plan& plan,
       for (const htn::Term term : effect.terms)
         names.push_back(term < 0 ? task_->objects[static_cast<std::size_t>(~term)].name
                                  : node.arguments[static_cast<std::size_t>(term)]);
-      if (const auto meant =
-              action_of(task_->predicates[static_cast<std::size_t>(effect.predicate)].name, names)) {
+      if (const auto meant = predicates::action_of(
+              *cell_, task_->predicates[static_cast<std::size_t>(effect.predicate)].name, names)) {
         actions.push_back(*meant);
         steps.push_back(k);
       }

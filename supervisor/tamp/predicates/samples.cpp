@@ -25,6 +25,14 @@ scene::Pose place_on(const scene::Surface& surface, double along_m, double acros
           surface.middle.z_m, angle_rad};
 }
 
+scene::Pose stack_sample(const scene::RobotCell& cell, int carrier, int thing,
+                         const scene::GeometricState& state, std::size_t k) {
+  const scene::Thing& upper = cell.things[static_cast<std::size_t>(thing)];
+  const double angle_rad =
+      upper.turns ? 2.0 * std::numbers::pi * radical_inverse(k, 5) : upper.start.angle_rad;
+  return top_of(cell, carrier, state.things[static_cast<std::size_t>(carrier)].pose, angle_rad);
+}
+
 scene::Pose place_sample(const scene::Surface& surface, const scene::Thing& thing, std::size_t k) {
   const double around_m = radius_around(thing.form);
   const double free_x = std::max(0.0, surface.size_x_m - 2.0 * around_m),

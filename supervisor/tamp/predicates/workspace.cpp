@@ -1,8 +1,10 @@
 #include "supervisor/tamp/predicates/workspace.h"
 
 #include <algorithm>
-#include <limits>
+#include <bit>
 #include <utility>
+
+#include "supervisor/tamp/predicates/transfer.h"
 
 namespace stepwright::tamp::predicates {
 
@@ -12,7 +14,9 @@ using scene::ActionKind;
 using scene::ActionSpec;
 using scene::GeometricState;
 
-constexpr std::size_t kMostCheckers = 256;
+constexpr std::size_t kMostCheckers = 256, kMostWays = 65'536;
+// Between places of a path that are checked, in each joint: the last check of a plan finds what lies between.
+constexpr double kPathStep_rad = 0.03;
 
 std::size_t at(int number) {
   return static_cast<std::size_t>(number);
@@ -26,14 +30,6 @@ std::vector<double> flat(const motion::JointPath& path) {
   std::vector<double> rows;
   for (const motion::Configuration& each : path) rows.insert(rows.end(), each.begin(), each.end());
   return rows;
-}
-
-// What the arm does on its way: opened for what it goes to, or closed on what it holds.
-GeometricState on_the_way(const scene::RobotCell& cell, const GeometricState& state,
-                          const ActionSpec& action) {
-  GeometricState moving = state;
-  if (action.kind == ActionKind::Pick) moving.arms[at(action.arm)].half_open_m = cell.open_m(action.thing);
-  return moving;
 }
 
 }  // namespace
@@ -55,6 +51,37 @@ const char* name_of(FailureKind kind) {
   }
 }
 
+Workspace::Workspace(const scene::RobotCell& cell, std::uint64_t seed)
+    : cell_(&cell), seed_(seed), path_nodes_(cell.manner.path_nodes) {
+  for (const scene::ArmModel& arm : cell.arms) {
+    // What is carried follows the robot's links: no hand holds more than one thing.
+    std::vector<std::uint8_t> links(cell.robot.links.size() + cell.arms.size(), 1);
+    for (std::size_t link = 0; link < cell.robot.links.size(); ++link)
+      links[link] = cell.robot.hangs_below(static_cast<int>(link), arm.carrier) ? 1 : 0;
+    hand_links_.push_back(std::move(links));
+  }
+}
+
+std::size_t Workspace::WayHash::operator()(const WayKey& key) const {
+  std::uint64_t hash = static_cast<std::uint64_t>(key.arm);
+  for (const double value : {key.place.x_m, key.place.y_m, key.place.z_m, key.place.angle_rad})
+    hash = (hash ^ (hash >> 29U) ^ std::bit_cast<std::uint64_t>(value)) * 0x9E3779B97F4A7C15U;
+  return static_cast<std::size_t>(hash ^ (hash >> 32U));
+}
+
+const std::vector<ArmWay>& Workspace::all_ways_of(int arm, const ToolPlace& place) {
+  const WayKey key{arm, place};
+  if (const auto known = ways_.find(key); known != ways_.end()) return known->second;
+  if (ways_.size() >= kMostWays) ways_.clear();
+  return ways_.emplace(key, all_ways(cell_->arms[at(arm)], place, cell_->manner.lift_m)).first->second;
+}
+
+// Opened for what it goes to, or closed on what it holds.
+double Workspace::half_open_on_the_way(const GeometricState& state, const ActionSpec& action) const {
+  return action.kind == ActionKind::Pick ? cell_->open_m(action.thing)
+                                         : state.arms[at(action.arm)].half_open_m;
+}
+
 tl::unexpected<Failure> Workspace::fail(FailureKind kind, std::uint64_t things) {
   ++counts_.failed;
   return tl::unexpected<Failure>(Failure{kind, things});
@@ -73,6 +100,38 @@ std::uint64_t Workspace::meeting_thing(const GeometricState& state, int thing, c
         meet(body, standing(cell_->things[k].form, state.things[k].pose), cell_->manner.things_apart_m))
       met |= std::uint64_t{1} << k;
   return met;
+}
+
+std::uint64_t Workspace::standing_on(const GeometricState& state, int thing) const {
+  std::uint64_t above = 0;
+  for (std::size_t k = 0; k < cell_->things.size(); ++k)
+    if (k != at(thing) && state.things[k].holder < 0 &&
+        stands_on(cell_->things[k].form, state.things[k].pose, cell_->things[at(thing)].form,
+                  state.things[at(thing)].pose))
+      above |= std::uint64_t{1} << k;
+  return above;
+}
+
+// Whether there is no support or no room for what is placed.
+std::optional<Failure> Workspace::refused_place(const GeometricState& state, const ActionSpec& action,
+                                                const Sample& sample) const {
+  const scene::Form& form = cell_->things[at(action.thing)].form;
+  if (action.on < 0) {
+    if (!lies_within(cell_->surfaces[at(action.surface)], form, sample.pose))
+      return Failure{FailureKind::NoRoom, 0};
+  } else {
+    const scene::Thing& below = cell_->things[at(action.on)];
+    const scene::ThingState& there = state.things[at(action.on)];
+    if (!below.carries || there.holder >= 0 || action.on == action.thing)
+      return Failure{FailureKind::Impossible, 0};
+    if (!fits_on(form, below.form) ||
+        sample.pose != top_of(*cell_, action.on, there.pose, sample.pose.angle_rad))
+      return Failure{FailureKind::NoRoom, 0};
+  }
+  bool furniture = false;
+  const std::uint64_t met = meeting_thing(state, action.thing, sample.pose, furniture);
+  if (met == 0 && !furniture) return std::nullopt;
+  return Failure{FailureKind::NoRoom, furniture ? 0 : met};
 }
 
 std::uint64_t Workspace::meeting_hand(const GeometricState& state, int arm, int thing, const ToolPlace& tool,
@@ -98,7 +157,7 @@ double Workspace::hand_room(int arm, int thing, const ToolPlace& tool,
     const scene::Upright body =
         placed(part, tool.x_m, tool.y_m, tool.z_m, tool.angle_rad, cell_->manner.lift_m);
     for (const scene::Upright& other : others)
-      if (meet(body, other, 1.0)) least_m = std::min(least_m, gap(body, other));
+      if (share_heights(body, other)) least_m = std::min(least_m, gap(body, other));
   }
   return least_m;
 }
@@ -118,62 +177,54 @@ tl::expected<std::vector<ArmWay>, Failure> Workspace::ways(const GeometricState&
   if (action.kind == ActionKind::MoveAway) {
     if (arm.holds >= 0) return fail(FailureKind::Impossible);
     ArmWay home;
-    home.bottom = home.top = cell_->arms[at(action.arm)].home;
+    home.top = cell_->arms[at(action.arm)].home;
     return std::vector{home};
   }
   const bool pick = action.kind == ActionKind::Pick;
   if (pick ? arm.holds >= 0 || thing.holder >= 0 : thing.holder != action.arm)
     return fail(FailureKind::Impossible);
   const ToolPlace tool = tool_of(state, action, sample);
-  bool furniture = false;
-  if (!pick) {
-    if (!lies_within(cell_->surfaces[at(action.surface)], cell_->things[at(action.thing)].form, sample.pose))
-      return fail(FailureKind::NoRoom);
-    const std::uint64_t met = meeting_thing(state, action.thing, sample.pose, furniture);
-    if (met != 0 || furniture) return fail(FailureKind::NoRoom, furniture ? 0 : met);
+  if (pick) {
+    if (const std::uint64_t above = standing_on(state, action.thing); above != 0)
+      return fail(FailureKind::HandMeets, above);
+  } else if (const auto refused = refused_place(state, action, sample)) {
+    return fail(refused->kind, refused->things);
   }
+  bool furniture = false;
   const std::uint64_t met = meeting_hand(state, action.arm, action.thing, tool, furniture);
   if (met != 0 || furniture) return fail(FailureKind::HandMeets, furniture ? 0 : met);
-  std::vector<ArmWay> found = arm_ways(cell_->arms[at(action.arm)], tool, cell_->manner.lift_m, arm.at);
+  std::vector<ArmWay> found = all_ways_of(action.arm, tool);
   if (found.empty()) return fail(FailureKind::OutOfReach);
+  sort_ways(found, arm.at);
   return found;
 }
 
-const Workspace::Checkers& Workspace::checkers(const GeometricState& state, int arm) {
-  GeometricState around = state;
-  around.arms[at(arm)].at = {};
-  for (scene::ArmState& each : around.arms) each.line.clear();
-  const std::uint64_t key = fingerprint(around) + static_cast<std::uint64_t>(arm);
+const Workspace::Checkers& Workspace::checkers(const GeometricState& state, int arm, double half_open_m) {
+  const std::uint64_t key = fingerprint_around(state, arm, half_open_m);
   if (const auto known = checkers_.find(key); known != checkers_.end()) return known->second;
   if (checkers_.size() >= kMostCheckers) checkers_.clear();
-  const scene::Surroundings around_it = surroundings(*cell_, state, 0.0);
-  const std::vector<double> rest = values_of(*cell_, state);
+  const scene::Surroundings around = surroundings(*cell_, state, 0.0);
   const scene::ArmModel& model = cell_->arms[at(arm)];
-  const auto make = [&](const motion::SphereModel& spheres, const motion::World& world,
-                        const std::vector<motion::AttachedBody>& held) {
-    // The world is made of sound solids: it cannot fail.
-    return *motion::CollisionChecker::make(cell_->robot, spheres, &cell_->semantics, world, model.coordinates,
-                                           rest, held);
-  };
-  return checkers_
-      .emplace(key, Checkers{make(cell_->spheres, {}, around_it.held),
-                             make(model.without_hand, around_it.world, {}),
-                             make(cell_->spheres, around_it.world, around_it.held)})
-      .first->second;
+  std::vector<double> rest = values_of(*cell_, state);
+  rest[at(model.gripper)] = half_open_m;
+  // The world is made of sound solids: it cannot fail.
+  motion::CollisionChecker all = *motion::CollisionChecker::make(
+      cell_->robot, cell_->spheres, &cell_->semantics, around.world, model.coordinates, rest, around.held);
+  motion::CollisionChecker line = all.without_world(hand_links_[at(arm)]);
+  return checkers_.emplace(key, Checkers{std::move(all), std::move(line)}).first->second;
 }
 
 const motion::CollisionChecker& Workspace::path_checker(const GeometricState& state, int arm) {
-  return checkers(state, arm).all;
+  return checkers(state, arm, state.arms[at(arm)].half_open_m).all;
 }
 
 motion::JointSpace Workspace::joint_space(int arm) const {
   return motion::joint_space(cell_->robot, cell_->arms[at(arm)].coordinates);
 }
 
-bool Workspace::line_is_free(const GeometricState& state, int arm, const motion::JointPath& line) {
-  const Checkers& check = checkers(state, arm);
-  const std::vector<double> rows = flat(line);
-  return check.without_hand.all_free(rows) && check.with_itself.all_free(rows);
+bool Workspace::line_is_free(const GeometricState& state, int arm, double half_open_m,
+                             const motion::JointPath& line) {
+  return checkers(state, arm, half_open_m).line.all_free(flat(line));
 }
 
 GeometricState Workspace::after(const GeometricState& state, const ActionSpec& action, const Sample& sample,
@@ -214,7 +265,7 @@ tl::expected<Settled, Failure> Workspace::settle(const GeometricState& state, co
                          manner.line_step_m, way);
     if (!found) return fail(FailureKind::OutOfReach);
     line = *std::move(found);
-    if (!line_is_free(on_the_way(*cell_, state, action), action.arm, line))
+    if (!line_is_free(state, action.arm, half_open_on_the_way(state, action), line))
       return fail(FailureKind::ArmMeets);
   }
   const bool pick = action.kind == ActionKind::Pick;
@@ -236,23 +287,25 @@ tl::expected<std::vector<scene::Motion>, Failure> Workspace::connect(const Geome
   const scene::ArmState& there = settled.after.arms[at(action.arm)];
   std::vector<scene::Motion> motions;
   if (!arm.line.empty()) {
-    if (!line_is_free(before, action.arm, arm.line)) return fail(FailureKind::ArmMeets);
+    if (!line_is_free(before, action.arm, arm.half_open_m, arm.line)) return fail(FailureKind::ArmMeets);
     motions.push_back({scene::Phase::Lift, arm.half_open_m, arm.line});
   }
-  const GeometricState moving = on_the_way(*cell_, before, action);
-  const double half_open_m = moving.arms[at(action.arm)].half_open_m;
+  const double half_open_m = half_open_on_the_way(before, action);
   const motion::Configuration from = arm.line.empty() ? vector_of(arm.at) : arm.line.back();
   const motion::Configuration to = there.line.empty() ? vector_of(there.at) : there.line.back();
   motion::PathOptions options;
   options.seed = seed_ * 1'000'003U + counts_.paths++;
-  options.most_nodes = cell_->manner.path_nodes;
-  motion::PathAnswer answer =
-      motion::plan_path(checkers(moving, action.arm).all, joint_space(action.arm), from, {to}, options);
-  if (answer.path.empty()) {
+  options.most_nodes = path_nodes_;
+  options.step = kPathStep_rad;
+  Transfer found = transfer(checkers(before, action.arm, half_open_m).all, joint_space(action.arm),
+                            cell_->arms[at(action.arm)], from, to, options);
+  if (found.means == Means::Straight) ++counts_.straight_paths;
+  if (found.means == Means::Trees) ++counts_.tree_paths;
+  if (found.path.empty()) {
     ++counts_.failed_paths;
     return fail(FailureKind::NoPath);
   }
-  motions.push_back({scene::Phase::Transfer, half_open_m, std::move(answer.path)});
+  motions.push_back({scene::Phase::Transfer, half_open_m, std::move(found.path)});
   if (!there.line.empty())
     motions.push_back({scene::Phase::Lower, half_open_m, {there.line.rbegin(), there.line.rend()}});
   return motions;

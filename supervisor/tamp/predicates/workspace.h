@@ -4,9 +4,9 @@
 // a given choice of grasp and place, and the state after it. Both planners ask here, so that they differ by
 // what they ask and by nothing else.
 //
-// A pick or place is: from where the arm is straight up (if it is down at something), a path through the air,
-// straight down. The tool hangs down on the straight lines, so there the hand and what it holds are judged
-// exactly as upright bodies; the rest of the arm, and paths, by spheres (collision_checker.h).
+// A pick or place is: from where the arm is straight up (if it is down at something), a path through the air
+// (transfer.h), straight down. The tool hangs down on the straight lines, so there the hand and what it holds
+// are judged exactly as upright bodies; the rest of the arm, and paths, by spheres (collision_checker.h).
 //
 // Thread rule: one owner. The cell outlives it. The same calls in the same order give the same answers.
 //
@@ -15,6 +15,7 @@
 //   none if (ways) auto settled = workspace.settle(state, action, sample, ways->front(), true);
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <tl/expected.hpp>
 #include <unordered_map>
@@ -58,11 +59,12 @@ struct Counts {
   std::uint64_t configurations = 0;  // that were made
   std::uint64_t failed = 0;          // attempts to make one
   std::uint64_t paths = 0, failed_paths = 0;
+  std::uint64_t straight_paths = 0, tree_paths = 0;  // of the paths: how they were looked for
 };
 
 class Workspace {
  public:
-  Workspace(const scene::RobotCell& cell, std::uint64_t seed) : cell_(&cell), seed_(seed) {}
+  Workspace(const scene::RobotCell& cell, std::uint64_t seed);
 
   const scene::RobotCell& cell() const { return *cell_; }
   const Counts& counts() const { return counts_; }
@@ -79,6 +81,9 @@ class Workspace {
   tl::expected<std::vector<scene::Motion>, Failure> connect(const scene::GeometricState& before,
                                                             const Settled& settled);
 
+  // More nodes for each path: what was not found before may be found now.
+  void set_path_nodes(std::size_t nodes) { path_nodes_ = nodes; }
+
   // How far the hand stays from furniture and other things at a place of its tool; below zero: it meets them.
   double hand_room(int arm, int thing, const ToolPlace& tool,
                    const std::vector<scene::Upright>& others) const;
@@ -88,16 +93,32 @@ class Workspace {
   motion::JointSpace joint_space(int arm) const;
 
  private:
+  // Of paths everything; of straight lines, where hands and what they hold are judged as upright bodies, the
+  // rest of the arm with the world and all of it with itself.
   struct Checkers {
-    motion::CollisionChecker with_itself, without_hand, all;
+    motion::CollisionChecker all, line;
   };
-  const Checkers& checkers(const scene::GeometricState& state, int arm);
+  struct WayKey {
+    int arm = 0;
+    ToolPlace place;
+    friend bool operator==(const WayKey&, const WayKey&) = default;
+  };
+  struct WayHash {
+    std::size_t operator()(const WayKey& key) const;
+  };
+  const Checkers& checkers(const scene::GeometricState& state, int arm, double half_open_m);
+  double half_open_on_the_way(const scene::GeometricState& state, const scene::ActionSpec& action) const;
+  const std::vector<ArmWay>& all_ways_of(int arm, const ToolPlace& place);
   tl::unexpected<Failure> fail(FailureKind kind, std::uint64_t things = 0);
   std::uint64_t meeting_thing(const scene::GeometricState& state, int thing, const scene::Pose& pose,
                               bool& furniture) const;
+  std::optional<Failure> refused_place(const scene::GeometricState& state, const scene::ActionSpec& action,
+                                       const Sample& sample) const;
+  std::uint64_t standing_on(const scene::GeometricState& state, int thing) const;
   std::uint64_t meeting_hand(const scene::GeometricState& state, int arm, int thing, const ToolPlace& tool,
                              bool& furniture) const;
-  bool line_is_free(const scene::GeometricState& state, int arm, const motion::JointPath& line);
+  bool line_is_free(const scene::GeometricState& state, int arm, double half_open_m,
+                    const motion::JointPath& line);
   ToolPlace tool_of(const scene::GeometricState& state, const scene::ActionSpec& action,
                     const Sample& sample) const;
   scene::GeometricState after(const scene::GeometricState& state, const scene::ActionSpec& action,
@@ -106,7 +127,10 @@ class Workspace {
   const scene::RobotCell* cell_;
   std::uint64_t seed_;
   Counts counts_;
+  std::size_t path_nodes_;
+  std::vector<std::vector<std::uint8_t>> hand_links_;  // of each arm: its hand's, and what hands hold
   std::unordered_map<std::uint64_t, Checkers> checkers_;
+  std::unordered_map<WayKey, std::vector<ArmWay>, WayHash> ways_;  // whatever stands around
 };
 
 }  // namespace stepwright::tamp::predicates

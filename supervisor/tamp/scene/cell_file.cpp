@@ -105,7 +105,8 @@ class CellReader {
   }
 
   void read_thing(const TomlTable& table) {
-    Thing each{new_name(table), read_form(table), read_pose(table), table.boolean("turns", false)};
+    Thing each{new_name(table), read_form(table), read_pose(table), table.boolean("turns", false),
+               table.boolean("carries", false)};
     places_.push_back(table.where());
     file_.cell.things.push_back(std::move(each));
   }

@@ -52,6 +52,27 @@ std::uint64_t fingerprint(const GeometricState& state) {
   return mixer.hash();
 }
 
+std::uint64_t fingerprint_around(const GeometricState& state, int arm, double half_open_m) {
+  Mixer mixer;
+  mixer.add(arm);
+  mixer.add(half_open_m);
+  for (std::size_t k = 0; k < state.arms.size(); ++k) {
+    if (static_cast<int>(k) == arm) continue;
+    for (const double value : state.arms[k].at) mixer.add(value);
+    mixer.add(state.arms[k].half_open_m);
+  }
+  for (const ThingState& thing : state.things) {
+    mixer.add(thing.holder);
+    if (thing.holder >= 0) {
+      mixer.add(thing.hand_rad);
+    } else {
+      for (const double value : {thing.pose.x_m, thing.pose.y_m, thing.pose.z_m, thing.pose.angle_rad})
+        mixer.add(value);
+    }
+  }
+  return mixer.hash();
+}
+
 std::vector<double> values_of(const RobotCell& cell, const GeometricState& state) {
   std::vector<double> values = cell.rest;
   for (std::size_t k = 0; k < cell.arms.size(); ++k) {

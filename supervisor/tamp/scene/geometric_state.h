@@ -43,6 +43,9 @@ GeometricState initial_state(const RobotCell& cell);
 // 64 bits of all of it.
 std::uint64_t fingerprint(const GeometricState& state);
 
+// 64 bits of what an arm moves among and with: all but where it is itself, with its fingers so far open.
+std::uint64_t fingerprint_around(const GeometricState& state, int arm, double half_open_m);
+
 // A value for each coordinate of the robot.
 std::vector<double> values_of(const RobotCell& cell, const GeometricState& state);
 

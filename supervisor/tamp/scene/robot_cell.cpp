@@ -48,13 +48,6 @@ motion::LinkSpheres spheres_around(const Thing& thing) {
   return motion::cover({{{obstacle_of(thing.name, thing.form, {}).shape, nullptr}}}, options).links.front();
 }
 
-motion::SphereModel spheres_without(const RobotCell& cell, int carrier) {
-  motion::SphereModel spheres = cell.spheres;
-  for (std::size_t link = 0; link < spheres.links.size(); ++link)
-    if (cell.robot.hangs_below(static_cast<int>(link), carrier)) spheres.links[link] = {};
-  return spheres;
-}
-
 }  // namespace
 
 int RobotCell::arm(std::string_view named) const {
@@ -89,7 +82,7 @@ result::Result<void> add_arms(RobotCell& cell, const std::vector<ArmNames>& name
     if (gripper < 0) return wrong(where, "the robot has no joint '" + each.gripper + "'");
     std::vector<int> coordinates;
     for (const motion::ChainJoint& joint : chain->joints()) coordinates.push_back(joint.coordinate);
-    ArmModel arm{each.name, *chain, *kinematics, std::move(coordinates), group->tip_link, 0, gripper, {},
+    ArmModel arm{each.name, *chain, *kinematics, std::move(coordinates), group->tip_link, 0, gripper,
                  {},        {},     {}};
     arm.carrier = motion::Robot::link_below(
         cell.robot.coordinates[static_cast<std::size_t>(arm.coordinates.back())].joint);
@@ -125,7 +118,6 @@ void add_spheres(RobotCell& cell) {
                                           : motion::cover({cell.bodies[k]}, options).links.front());
   }
   for (const Thing& each : cell.things) cell.thing_spheres.push_back(spheres_around(each));
-  for (ArmModel& each : cell.arms) each.without_hand = spheres_without(cell, each.carrier);
 }
 
 motion::Transform tool_pose(double x_m, double y_m, double z_m, double angle_rad) {
@@ -152,8 +144,25 @@ motion::AttachedBody held_thing(const RobotCell& cell, std::size_t thing, const 
                         0,
                         {{obstacle_of(held.name, held.form, {}, shrunk_m).shape, nullptr}},
                         cell.thing_spheres[thing].spheres,
-                        {}},
+                        {},
+                        cell.thing_spheres[thing].bound},
                        arm.tip, place);
+}
+
+Pose top_of(const RobotCell& cell, int carrier, const Pose& stands, double angle_rad) {
+  return {stands.x_m, stands.y_m, stands.z_m + cell.things[static_cast<std::size_t>(carrier)].form.height_m,
+          angle_rad};
+}
+
+bool stands_on(const Form& upper, const Pose& above, const Form& lower, const Pose& below) {
+  return std::abs(above.z_m - below.z_m - lower.height_m) <= kTouch_m &&
+         gap(standing(upper, above), standing(lower, below)) < 0.0;
+}
+
+bool fits_on(const Form& upper, const Form& lower) {
+  constexpr double kRounded_m = 1e-9;
+  if (lower.round) return radius_around(upper) <= lower.radius_m + kRounded_m;
+  return radius_around(upper) <= 0.5 * std::min(lower.size_x_m, lower.size_y_m) + kRounded_m;
 }
 
 bool lies_within(const Surface& surface, const Form& form, const Pose& pose, double slack_m) {

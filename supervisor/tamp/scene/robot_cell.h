@@ -32,7 +32,8 @@ struct Thing {
   std::string name;
   Form form;
   Pose start;
-  bool turns = false;  // its angle matters (a handle): a place has to choose one
+  bool turns = false;    // its angle matters (a handle): a place has to choose one
+  bool carries = false;  // others may be put on it
 };
 
 // Something that stands for good: a table, a box, a tray.
@@ -67,14 +68,13 @@ struct ArmModel {
   motion::Transform base;  // of the chain, in the root's frame
   // Of the hand around each thing: opened before and after, and closed on it.
   std::vector<std::vector<HandPart>> hand_of;
-  motion::SphereModel without_hand;  // the robot's spheres but for those of this hand
 };
 
 // How hands go about it.
 struct Manner {
   double depth_m = 0.02;         // of the tool's centre below the top of what it grasps
   double lift_m = 0.16;          // of the straight lines up and down
-  double line_step_m = 0.01;     // between configurations of a line
+  double line_step_m = 0.0107;   // between configurations of a line: 16 of 0.16 m, a batch of checks
   double opening_m = 0.005;      // between a finger and the thing before it closes
   double clearance_m = 0.001;    // of hands from other things
   double things_apart_m = 2e-4;  // of things from each other
@@ -114,7 +114,7 @@ struct RobotCell {
 [[nodiscard]] result::Result<void> add_arms(RobotCell& cell, const std::vector<ArmNames>& names,
                                             const result::Location& where);
 
-// Spheres around the robot's bodies, with and without hands, and around things. Takes some tenths of a
+// Spheres around the robot's bodies and around things. Takes some tenths of a
 // second.
 void add_spheres(RobotCell& cell);
 
@@ -129,6 +129,13 @@ motion::Obstacle obstacle_of(const std::string& name, const Form& form, const Po
 // A thing that an arm holds, at a place in the frame of its tool.
 motion::AttachedBody held_thing(const RobotCell& cell, std::size_t thing, const ArmModel& arm,
                                 const motion::Transform& place, double shrunk_m);
+
+// Where a thing is put on another one, which stands there: over its middle.
+Pose top_of(const RobotCell& cell, int carrier, const Pose& stands, double angle_rad);
+// Whether a thing at `above` stands on one at `below`.
+bool stands_on(const Form& upper, const Pose& above, const Form& lower, const Pose& below);
+// Whether all of one's footprint lies within the top of the other one, middle over middle.
+bool fits_on(const Form& upper, const Form& lower);
 
 // Whether all of the thing's footprint lies within the surface.
 bool lies_within(const Surface& surface, const Form& form, const Pose& pose, double slack_m = 1e-9);

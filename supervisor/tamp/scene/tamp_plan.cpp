@@ -9,7 +9,9 @@ std::string text_of(const RobotCell& cell, const ActionSpec& action) {
     case ActionKind::Pick:
       return arm + " picks " + thing;
     case ActionKind::Place:
-      return arm + " places " + thing + " on " + cell.surfaces[static_cast<std::size_t>(action.surface)].name;
+      return arm + " places " + thing + " on " +
+             (action.on >= 0 ? cell.things[static_cast<std::size_t>(action.on)].name
+                             : cell.surfaces[static_cast<std::size_t>(action.surface)].name);
     case ActionKind::MoveAway:
       return arm + " moves away from " + thing;
   }

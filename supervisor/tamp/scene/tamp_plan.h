@@ -20,7 +20,8 @@ struct ActionSpec {
   ActionKind kind = ActionKind::MoveAway;
   int arm = 0;
   int thing = 0;
-  int surface = -1;  // of a place
+  int surface = -1;  // of a place: one of the two
+  int on = -1;       // of a place: another thing
   friend bool operator==(const ActionSpec&, const ActionSpec&) = default;
 };
 
@@ -43,7 +44,7 @@ struct TampPlan {
   std::vector<PlannedAction> actions;
 };
 
-// "right picks cup1", "right places cup1 on tray", "right moves away from cup1".
+// "right picks cup1", "right places cup1 on tray", "right places can2 on can1", "right moves away from cup1".
 std::string text_of(const RobotCell& cell, const ActionSpec& action);
 const char* name_of(Phase phase);
 

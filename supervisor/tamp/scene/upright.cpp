@@ -52,9 +52,12 @@ double gap(const Upright& a, const Upright& b) {
   return std::max(gap_along_sides(a, b), gap_along_sides(b, a));
 }
 
+bool share_heights(const Upright& a, const Upright& b) {
+  return std::min(a.high_m, b.high_m) - std::max(a.low_m, b.low_m) > kTouch_m;
+}
+
 bool meet(const Upright& a, const Upright& b, double clearance_m) {
-  if (std::min(a.high_m, b.high_m) - std::max(a.low_m, b.low_m) <= kTouch_m) return false;
-  return gap(a, b) < clearance_m;
+  return share_heights(a, b) && gap(a, b) < clearance_m;
 }
 
 double radius_around(const Form& form) {

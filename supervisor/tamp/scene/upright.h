@@ -36,7 +36,9 @@ Upright standing(const Form& form, const Pose& pose);
 
 // How far they are apart seen from above: not more than the true distance, below zero where they overlap.
 double gap(const Upright& a, const Upright& b);
-// They share heights by more than `kTouch_m` and are less than `clearance_m` apart.
+// By more than `kTouch_m`.
+bool share_heights(const Upright& a, const Upright& b);
+// They share heights and are less than `clearance_m` apart.
 bool meet(const Upright& a, const Upright& b, double clearance_m);
 // What touches with its underside or top does not meet.
 inline constexpr double kTouch_m = 2e-4;

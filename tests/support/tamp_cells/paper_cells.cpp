@@ -9,6 +9,7 @@
 
 #include "supervisor/htn/task/read_task.h"
 #include "supervisor/motion/spatial/random.h"
+#include "supervisor/tamp/planner/skeleton_planner.h"
 #include "supervisor/tamp/predicates/grounding.h"
 #include "supervisor/tamp/scene/cell_file.h"
 
@@ -25,13 +26,19 @@ lisp::Source source_of(const std::filesystem::path& file) {
 
 namespace {
 
-std::optional<PaperProblem> read_problem(const std::string& name) {
+std::optional<scene::CellFile> read_cell(const std::string& name) {
   auto file = scene::load_cell(std::filesystem::path(STEPWRIGHT_SOURCE_DIR) / "tests/cells/robot_cell" /
                                ("tamp_" + name + ".toml"));
   if (!file) {
     std::fprintf(stderr, "%s\n", result::to_string(file.error()).c_str());
     return std::nullopt;
   }
+  return *std::move(file);
+}
+
+std::optional<PaperProblem> read_problem(const std::string& name) {
+  auto file = read_cell(name);
+  if (!file) return std::nullopt;
   PaperProblem problem;
   problem.domain = source_of(file->domain);
   problem.problem = source_of(file->problem);
@@ -52,6 +59,17 @@ std::optional<PaperProblem> paper_problem(const std::string& name) {
   static std::map<std::string, std::optional<PaperProblem>> known;
   const auto found = known.find(name);
   return found != known.end() ? found->second : known.emplace(name, read_problem(name)).first->second;
+}
+
+std::optional<SkeletonProblem> skeleton_problem(const std::string& name) {
+  auto file = read_cell(name);
+  if (!file) return std::nullopt;
+  auto task = planner::read_skeletons(source_of(file->domain), source_of(file->problem));
+  if (!task) {
+    std::fprintf(stderr, "%s\n", result::to_string(task.error()).c_str());
+    return std::nullopt;
+  }
+  return SkeletonProblem{std::move(file->cell), *std::move(task)};
 }
 
 void move_things(scene::RobotCell& cell, std::uint64_t seed, double most_m) {

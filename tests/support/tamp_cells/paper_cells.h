@@ -9,6 +9,7 @@
 
 #include "supervisor/htn/task/planning_task.h"
 #include "supervisor/lisp/place.h"
+#include "supervisor/pddl/task/outside.h"
 #include "supervisor/tamp/scene/robot_cell.h"
 
 namespace stepwright::tamp::test {
@@ -19,8 +20,15 @@ struct PaperProblem {
   lisp::Source domain, problem;
 };
 
-// "p1" to "p6". Nothing, with the reason on stderr, if the files are wrong.
+// "p1" to "p6", and "tower". Nothing, with the reason on stderr, if the files are wrong.
 std::optional<PaperProblem> paper_problem(const std::string& name);
+
+// A cell whose goal is PDDL: "p1_pddl", "tower_pddl".
+struct SkeletonProblem {
+  scene::RobotCell cell;
+  pddl::OutsideTask task;
+};
+std::optional<SkeletonProblem> skeleton_problem(const std::string& name);
 
 // Each thing's start moves by up to so much in x and y. Seed 0: not at all.
 void move_things(scene::RobotCell& cell, std::uint64_t seed, double most_m = 0.015);

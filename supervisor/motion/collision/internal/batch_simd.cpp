@@ -9,6 +9,7 @@
 #include <hwy/aligned_allocator.h>
 #include <hwy/highway.h>
 
+#include <algorithm>
 #include <array>
 
 #include "supervisor/motion/collision/internal/program.h"
@@ -66,15 +67,18 @@ HWY_INLINE V square(V x, V y, V z) {
 
 class Batch {
  public:
-  // Vectors one after the other: places of bodies, columns of configurations, centres of links, of spheres.
+  // Vectors one after the other: places of bodies, columns of configurations, centres of links, of groups of
+  // spheres, of spheres.
   explicit Batch(const Program& program)
       : program_(program),
         lanes_(hn::Lanes(Tag())),
         columns_at_((program.steps.size() + 1) * kPlaceVectors),
         middles_at_(columns_at_ + program.columns),
-        centres_at_(middles_at_ + 3 * program.moving_parts),
+        groups_at_(middles_at_ + 3 * program.moving_parts),
+        centres_at_(groups_at_ + 3 * program.moving_groups),
         vectors_(hwy::AllocateAligned<float>((centres_at_ + 3 * program.moving_balls) * lanes_)),
-        has_centres_(program.moving_parts) {
+        has_groups_(program.moving_parts),
+        has_centres_(program.moving_groups) {
     const std::array<float, kPlaceVectors> still{1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0};
     for (std::size_t k = 0; k < kPlaceVectors; ++k) store(set(still[k]), k);
   }
@@ -85,8 +89,9 @@ class Batch {
   HWY_INLINE bool check(const double* rows, std::size_t count, bool any, std::uint8_t* collides) {
     load(rows, count);
     place();
+    std::fill(has_centres_.begin(), has_centres_.end(), std::uint8_t{0});
     for (std::size_t k = 0; k < program_.moving_parts; ++k) {
-      has_centres_[k] = 0;
+      has_groups_[k] = 0;
       store(carried(program_.parts[k].body, program_.parts[k].bound.centre), middles_at_ + 3 * k);
     }
     const M unused = hn::Not(hn::FirstN(Tag(), count));
@@ -172,10 +177,18 @@ class Batch {
     return out;
   }
 
-  HWY_INLINE void centres_of(std::size_t part) {
-    if (part >= program_.moving_parts || has_centres_[part] != 0) return;
-    has_centres_[part] = 1;
+  HWY_INLINE void groups_of(std::size_t part) {
+    if (part >= program_.moving_parts || has_groups_[part] != 0) return;
+    has_groups_[part] = 1;
     const Part& of = program_.parts[part];
+    for (std::size_t k = of.first_group; k < of.end_group; ++k)
+      store(carried(of.body, program_.groups[k].bound.centre), groups_at_ + 3 * k);
+  }
+
+  HWY_INLINE void centres_of(std::size_t group) {
+    if (group >= program_.moving_groups || has_centres_[group] != 0) return;
+    has_centres_[group] = 1;
+    const BallGroup& of = program_.groups[group];
     for (std::size_t k = of.first; k < of.end; ++k)
       store(carried(of.body, program_.balls[k].centre), centres_at_ + 3 * k);
   }
@@ -184,6 +197,10 @@ class Batch {
   static HWY_INLINE V3 still(const std::array<float, 3>& at) { return {set(at[0]), set(at[1]), set(at[2])}; }
   HWY_INLINE V3 centre(std::size_t ball) const {
     return ball < program_.moving_balls ? three(centres_at_ + 3 * ball) : still(program_.balls[ball].centre);
+  }
+  HWY_INLINE V3 middle_of_group(std::size_t group) const {
+    return group < program_.moving_groups ? three(groups_at_ + 3 * group)
+                                          : still(program_.groups[group].bound.centre);
   }
   HWY_INLINE V3 middle_of(std::size_t part) const {
     return part < program_.moving_parts ? three(middles_at_ + 3 * part)
@@ -219,9 +236,15 @@ class Batch {
       const Solid& solid = program_.solids[each];
       const M close = near(solid, middle, part.bound.radius);
       if (hn::AllFalse(Tag(), close)) continue;
-      centres_of(which);
-      for (std::size_t k = part.first; k < part.end; ++k)
-        hit = hn::Or(hit, hn::And(close, near(solid, centre(k), program_.balls[k].radius)));
+      groups_of(which);
+      for (std::size_t g = part.first_group; g < part.end_group; ++g) {
+        const BallGroup& group = program_.groups[g];
+        const M here = hn::And(close, near(solid, middle_of_group(g), group.bound.radius));
+        if (hn::AllFalse(Tag(), here)) continue;
+        centres_of(g);
+        for (std::size_t k = group.first; k < group.end; ++k)
+          hit = hn::Or(hit, hn::And(here, near(solid, centre(k), program_.balls[k].radius)));
+      }
     }
   }
 
@@ -229,14 +252,11 @@ class Batch {
     return hn::Le(square(hn::Sub(a[0], b[0]), hn::Sub(a[1], b[1]), hn::Sub(a[2], b[2])), set(sum * sum));
   }
 
-  // True if the links were looked at closely.
-  HWY_INLINE bool meet(std::size_t which_a, std::size_t which_b, M& hit) {
-    const Part &a = program_.parts[which_a], &b = program_.parts[which_b];
-    const V3 middle = middle_of(which_b);
-    const M close = touch(middle_of(which_a), middle, a.bound.radius + b.bound.radius);
-    if (hn::AllFalse(Tag(), close)) return false;
+  HWY_INLINE void meet_groups(std::size_t which_a, std::size_t which_b, M close, M& hit) {
+    const BallGroup &a = program_.groups[which_a], &b = program_.groups[which_b];
     centres_of(which_a);
     centres_of(which_b);
+    const V3 middle = middle_of_group(which_b);
     for (std::size_t i = a.first; i < a.end; ++i) {
       const float radius = program_.balls[i].radius;
       const V3 at = centre(i);
@@ -245,14 +265,35 @@ class Batch {
       for (std::size_t k = b.first; k < b.end; ++k)
         hit = hn::Or(hit, hn::And(here, touch(at, centre(k), radius + program_.balls[k].radius)));
     }
+  }
+
+  // True if the links were looked at closely.
+  HWY_INLINE bool meet(std::size_t which_a, std::size_t which_b, M& hit) {
+    const Part &a = program_.parts[which_a], &b = program_.parts[which_b];
+    const V3 middle = middle_of(which_b);
+    const M close = touch(middle_of(which_a), middle, a.bound.radius + b.bound.radius);
+    if (hn::AllFalse(Tag(), close)) return false;
+    groups_of(which_a);
+    groups_of(which_b);
+    for (std::size_t ga = a.first_group; ga < a.end_group; ++ga) {
+      const BallGroup& one = program_.groups[ga];
+      const V3 at = middle_of_group(ga);
+      const M here = hn::And(close, touch(at, middle, one.bound.radius + b.bound.radius));
+      if (hn::AllFalse(Tag(), here)) continue;
+      for (std::size_t gb = b.first_group; gb < b.end_group; ++gb) {
+        const float radius = program_.groups[gb].bound.radius;
+        const M both = hn::And(here, touch(at, middle_of_group(gb), one.bound.radius + radius));
+        if (!hn::AllFalse(Tag(), both)) meet_groups(ga, gb, both, hit);
+      }
+    }
     return true;
   }
 
   const Program& program_;
   std::size_t lanes_;
-  std::size_t columns_at_, middles_at_, centres_at_;
+  std::size_t columns_at_, middles_at_, groups_at_, centres_at_;
   hwy::AlignedFreeUniquePtr<float[]> vectors_;
-  std::vector<std::uint8_t> has_centres_;
+  std::vector<std::uint8_t> has_groups_, has_centres_;  // of parts, of groups
 };
 
 void check_batches(const Program& program, const double* rows, std::size_t count, bool any,

@@ -105,6 +105,31 @@ class ProgramMaker {
     return {single(place * sphere.centre_m), static_cast<float>(sphere.radius_m + rounding_m_)};
   }
 
+  // Around the mean of their centres: not the smallest sphere, but soon made.
+  Ball bound_around(std::size_t first, std::size_t end) const {
+    Ball bound;
+    const std::span<const Ball> balls(program_.balls.data() + first, end - first);
+    for (const Ball& each : balls)
+      for (std::size_t i = 0; i < 3; ++i)
+        bound.centre[i] += each.centre[i] / static_cast<float>(balls.size());
+    for (const Ball& each : balls) {
+      const float x = each.centre[0] - bound.centre[0], y = each.centre[1] - bound.centre[1],
+                  z = each.centre[2] - bound.centre[2];
+      bound.radius = std::max(bound.radius, std::sqrt(x * x + y * y + z * z) + each.radius);
+    }
+    bound.radius += static_cast<float>(rounding_m_);
+    return bound;
+  }
+
+  void add_groups(Part& part) {
+    part.first_group = program_.groups.size();
+    for (std::size_t k = part.first; k < part.end; k += kSpheresTogether) {
+      const std::size_t end = std::min(k + kSpheresTogether, part.end);
+      program_.groups.push_back({part.body, bound_around(k, end), k, end});
+    }
+    part.end_group = program_.groups.size();
+  }
+
   void add_parts(const SphereModel& spheres) {
     std::vector<std::size_t> order;
     for (std::size_t k = 0; k < robot_.links.size(); ++k)
@@ -115,15 +140,18 @@ class ProgramMaker {
       const Carried& carried = carried_[link];
       Part part;
       part.body = carried.body;
+      part.link = link;
       part.bound = ball(spheres.links[link].bound, carried.place);
       part.bound.radius += static_cast<float>(rounding_m_);  // it contains the rounded spheres, too
       part.first = program_.balls.size();
       for (const Sphere& each : spheres.links[link].spheres)
         program_.balls.push_back(ball(each, carried.place));
       part.end = program_.balls.size();
+      add_groups(part);
       if (carried.body > 0) {
         ++program_.moving_parts;
         program_.moving_balls = part.end;
+        program_.moving_groups = part.end_group;
       }
       program_.parts.push_back(std::move(part));
       links_.push_back(link);
@@ -176,6 +204,7 @@ class ProgramMaker {
     part.first = program_.balls.size();
     for (const Sphere& each : *obstacle.spheres) program_.balls.push_back(ball(each, obstacle.shape.origin));
     part.end = program_.balls.size();
+    add_groups(part);
     const auto number = static_cast<std::uint32_t>(program_.parts.size());
     program_.parts.push_back(std::move(part));
     for (std::size_t k = 0; k < program_.moving_parts; ++k)
@@ -184,10 +213,15 @@ class ProgramMaker {
   }
 
   void add_pairs(const Semantics& semantics) {
+    const std::size_t links = robot_.links.size();
+    std::vector<std::uint8_t> disabled(links * links, 0);
+    for (const auto& [one, other] : semantics.disabled) {
+      const auto a = static_cast<std::size_t>(one), b = static_cast<std::size_t>(other);
+      if (a < links && b < links) disabled[a * links + b] = disabled[b * links + a] = 1;
+    }
     for (std::size_t a = 0; a < program_.moving_parts; ++a)
       for (std::size_t b = a + 1; b < links_.size(); ++b)
-        if (program_.parts[a].body != program_.parts[b].body &&
-            !semantics.is_disabled(static_cast<int>(links_[a]), static_cast<int>(links_[b])))
+        if (program_.parts[a].body != program_.parts[b].body && disabled[links_[a] * links + links_[b]] == 0)
           program_.pairs.emplace_back(static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b));
   }
 

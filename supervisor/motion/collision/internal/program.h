@@ -28,12 +28,23 @@ struct Ball {
   float radius = 0.0F;
 };
 
-// The spheres of one link.
-struct Part {
+// Some of the spheres of one link that are neighbours.
+struct BallGroup {
   std::size_t body = 0;
   Ball bound;
-  std::size_t first = 0, end = 0;        // in Program::balls
-  std::vector<std::uint32_t> obstacles;  // that it can come near to at all, in Program::solids
+  std::size_t first = 0, end = 0;  // in Program::balls
+};
+
+// The spheres of one link.
+struct Part {
+  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
+  std::size_t body = 0;
+  std::size_t link = kNone;  // of the robot; a mesh of the world has none
+  Ball bound;
+  std::size_t first = 0, end = 0;              // in Program::balls
+  std::size_t first_group = 0, end_group = 0;  // in Program::groups
+  std::vector<std::uint32_t> obstacles;        // that it can come near to at all, in Program::solids
 };
 
 struct Solid {
@@ -48,9 +59,10 @@ struct Program {
   std::size_t columns = 0;
   std::vector<BodyStep> steps;
   std::vector<Ball> balls;
+  std::vector<BallGroup> groups;
   std::vector<Part> parts;  // those that move first, the farthest from the root first of all
   std::size_t moving_parts = 0;
-  std::size_t moving_balls = 0;  // those of the parts that move: the first ones
+  std::size_t moving_balls = 0, moving_groups = 0;  // those of the parts that move: the first ones
   std::vector<Solid> solids;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;  // of parts to check with each other
 };

@@ -65,6 +65,22 @@ TEST(CollisionChecker, WhenConfigurationsAreDrawn_ThenExactlyThoseWithTouchingSp
   }
 }
 
+TEST(CollisionChecker, WhenLinksAreNotCheckedWithTheWorld_ThenOnlyTheirContactsWithItAreMissed) {
+  const tests::Scene scene = tests::own_scene("left_arm");
+  std::vector<std::uint8_t> links(scene.robot.links.size(), 0);
+  tests::Scene allowed = scene;
+  for (std::size_t k = 0; k < links.size(); k += 2) {
+    links[k] = 1;
+    for (const Obstacle& each : scene.world.obstacles)
+      allowed.world.allowed.emplace_back(scene.robot.links[k].name, each.name);
+  }
+  const CollisionChecker all = scene.checker(), some = all.without_world(links), other = allowed.checker();
+  Random random(7);
+  const auto rows = tests::draw_rows(scene, 600, random);
+  EXPECT_EQ(some.collisions(rows), other.collisions(rows));
+  EXPECT_NE(some.collisions(rows), all.collisions(rows));
+}
+
 TEST(CollisionChecker, WhenTheRobotIsAtHome_ThenNothingMeets) {
   const tests::Scene scene = tests::own_scene("both_arms");
   const CollisionChecker checker = scene.checker();

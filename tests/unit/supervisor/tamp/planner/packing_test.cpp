@@ -78,6 +78,8 @@ TEST(Packing, WhenABoundIsGiven_ThenNothingIsEverPackedBeyondIt) {
     const double r = 0.035;
     const std::size_t most = most_that_fit(problem.size_x_m, problem.size_y_m, r, 0.0);
     ASSERT_GE(most, 1u);
+    for (std::size_t count = 0; count < 12; ++count)
+      EXPECT_EQ(too_many(count, problem.size_x_m, problem.size_y_m, r, 0.0), count > most) << count;
     problem.radii_m.assign(most + 1, r);
     EXPECT_FALSE(pack(problem, 3'000));
   }

@@ -76,6 +76,29 @@ TEST(PaperProblems, WhenTheTrayIsTooSmall_ThenThatIsProvedAndSaid) {
   EXPECT_EQ(outcome.figures.budget_nogoods, 0u);
 }
 
+TEST(PaperProblems, WhenSequencesAreGivenUpForNow_ThenTheyAreTriedAgainWithMore) {
+  auto problem = test::paper_problem("p1");
+  ASSERT_TRUE(problem);
+  const IntervalModel model(problem->cell);
+  TampOptions options;
+  options.first_failed = 1;
+  options.most_failed = 100'000;
+  const TampOutcome later = plan(problem->cell, problem->task, &model, options);
+  expect_sound(*problem, later, "p1");
+  EXPECT_GT(later.figures.budget_nogoods, 0u);
+  EXPECT_GT(later.figures.rounds, 1u);
+  // Nothing is proved of what was given up: a region that no hand comes to is tried until all is used up.
+  auto walled = *problem;
+  for (const double y_m : {0.4, 0.6})
+    walled.cell.furniture.push_back({"wall", {false, 0.0, 0.2, 0.02, 0.5}, {0.45, y_m, 0.7, 0.0}});
+  options.most_failed = 3'000;
+  const TampOutcome never = plan(walled.cell, walled.task, &model, options);
+  EXPECT_EQ(never.kind, model::OutcomeKind::Exhausted);
+  EXPECT_GT(never.figures.rounds, 2u);
+  EXPECT_EQ(never.figures.proved_nogoods, 0u);
+  EXPECT_GE(never.figures.failed, options.most_failed);
+}
+
 TEST(PaperProblems, WhenNoArmReachesARegion_ThenThatIsProvedByIntervals) {
   auto problem = test::paper_problem("p1");
   ASSERT_TRUE(problem);

@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "supervisor/motion/spatial/random.h"
 #include "supervisor/tamp/predicates/samples.h"
+#include "supervisor/tamp/predicates/transfer.h"
 #include "tests/support/tamp_cells/paper_cells.h"
 
 namespace stepwright::tamp::predicates {
@@ -36,11 +38,15 @@ TEST(ArmWays, WhenPlacesAreDrawn_ThenEveryWayPutsTheToolThereWithinTheLimits) {
                           random.between(-3.1, 3.1)};
     for (const ArmWay& way : arm_ways(arm, place, 0.15, arm.home)) {
       ++ways;
-      const motion::Transform tip = arm.base * arm.chain.forward(way.bottom);
+      const auto bottom = arm.kinematics.solve(
+          inverse(arm.base) * scene::tool_pose(place.x_m, place.y_m, place.z_m, place.angle_rad),
+          way.swivel_rad, way.branch);
+      ASSERT_TRUE(bottom);
+      const motion::Transform tip = arm.base * arm.chain.forward(bottom->q);
       EXPECT_LT(distance(tip.position_m, {place.x_m, place.y_m, place.z_m}), 1e-9);
       EXPECT_NEAR(tip.rotation.column(2).z, -1.0, 1e-9);
       EXPECT_NEAR(tip.rotation.column(0).x, std::cos(place.angle_rad), 1e-8);
-      EXPECT_TRUE(arm.chain.within_limits(way.bottom, 1e-9) && arm.chain.within_limits(way.top, 1e-9));
+      EXPECT_TRUE(arm.chain.within_limits(bottom->q, 1e-9) && arm.chain.within_limits(way.top, 1e-9));
       const auto line = line_of(arm, place, 0.15, 0.01, way);
       if (!line) continue;
       ++lines;
@@ -55,6 +61,44 @@ TEST(ArmWays, WhenPlacesAreDrawn_ThenEveryWayPutsTheToolThereWithinTheLimits) {
   }
   EXPECT_GT(ways, 150u);
   EXPECT_GT(lines, ways / 2);
+}
+
+TEST(Transfer, WhenAnArmGoesFromOnePlaceToAnother_ThenEveryMotionIsFreeAndMostAreStraight) {
+  const auto problem = test::paper_problem("p4");
+  ASSERT_TRUE(problem);
+  Workspace workspace(problem->cell, 1);
+  const scene::GeometricState state = initial_state(problem->cell);
+  const int right = problem->cell.arm("right");
+  const scene::ArmModel& arm = problem->cell.arms[static_cast<std::size_t>(right)];
+  const motion::CollisionChecker& checker = workspace.path_checker(state, right);
+  const motion::JointSpace space = workspace.joint_space(right);
+  motion::Random random(21);
+  std::map<Means, int> found;
+  std::vector<motion::Configuration> ends{{arm.home.begin(), arm.home.end()}};
+  while (ends.size() < 40) {
+    const ToolPlace place{random.between(0.3, 0.6), random.between(-0.6, 0.0), 0.9,
+                          random.between(-3.1, 3.1)};
+    for (const ArmWay& way : arm_ways(arm, place, 0.1, arm.home))
+      if (checker.is_free(way.top)) {
+        ends.emplace_back(way.top.begin(), way.top.end());
+        break;
+      }
+  }
+  for (std::size_t k = 1; k < ends.size(); ++k) {
+    motion::PathOptions options;
+    options.seed = k;
+    const Transfer way = transfer(checker, space, arm, ends[k - 1], ends[k], options);
+    if (way.path.empty()) continue;
+    ++found[way.means];
+    EXPECT_EQ(way.path.front(), ends[k - 1]);
+    EXPECT_EQ(way.path.back(), ends[k]);
+    for (std::size_t i = 1; i < way.path.size(); ++i) {
+      EXPECT_TRUE(motion::inside(space, way.path[i]));
+      EXPECT_TRUE(checker.motion_is_free(way.path[i - 1], way.path[i], options.step));
+    }
+  }
+  EXPECT_GT(found[Means::Straight], 10);
+  EXPECT_GT(found[Means::ByWayOf], 0);
 }
 
 TEST(Workspace, WhenActionsFollow_ThenTheStateSaysWhoHoldsWhat) {
