@@ -9,7 +9,7 @@ import { startDemo } from './demo_process.mjs';
 import { unreadable } from './narrow.mjs';
 import { leadOverPage } from './page_run.mjs';
 import { asks, asksApi, dialog, dialogIsGone, fill, isAccessible, logsIn, PASSWORD, setupToken, submits, userLine } from './people.mjs';
-import { check, launchBrowser, openPage, options, waitFor } from './support.mjs';
+import { check, drawn, launchBrowser, openPage, options, waitFor } from './support.mjs';
 
 const SPEED = 0.4; // so that the run lasts until somebody holds it
 
@@ -90,7 +90,7 @@ async function forces(page) {
   await shot(page, 'banner');
   await isAccessible(page, 'the page with its banner');
   await page.evaluate(() => scrollTo(0, document.documentElement.scrollHeight));
-  await page.waitForTimeout(200);
+  await drawn(page);
   const top = await page.getByTestId('forces').evaluate((node) => node.getBoundingClientRect().top);
   check(top >= 0 && top < 60, `it is seen wherever one has scrolled to (${top})`);
   await shot(page, 'banner-below');
@@ -133,7 +133,7 @@ async function marksThePicture(page, tag) {
       for (const width of [1440, 360]) {
         await page.setViewportSize({ width, height: 900 });
         await page.evaluate(([one, other]) => Object.assign(document.documentElement.dataset, { theme: one, colours: other }), [theme, colours]);
-        await page.waitForTimeout(250);
+        await drawn(page);
         const seen = await look();
         check(seen.letter === 'F' && seen.more === 0 && seen.inside && seen.contrast >= 4.5,
           `${theme}, ${colours}, ${width} px: a letter that can be read, at one place of the picture (${JSON.stringify(seen)})`);
@@ -215,7 +215,7 @@ async function actsUnderALongName(page) {
 
 async function keepsItsColumns(page, width) {
   await page.setViewportSize({ width, height: 780 });
-  await page.waitForTimeout(250);
+  await drawn(page);
   const seen = await page.evaluate(() => {
     const box = document.querySelector('dialog');
     const cells = [...document.querySelectorAll('dialog td')];

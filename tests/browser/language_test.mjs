@@ -6,7 +6,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 
 import { axeFile, isAccessible } from './people.mjs';
-import { check, endInTime, launchBrowser, openPage, options, startServer, waitFor } from './support.mjs';
+import { check, drawn, endInTime, launchBrowser, openPage, options, startServer, waitFor } from './support.mjs';
 
 const given = options();
 const folder = mkdtempSync(join(tmpdir(), 'hmi-language-'));
@@ -57,7 +57,7 @@ async function speaks(page, code) {
 
 async function fitsAPhone(page, code) {
   await page.setViewportSize({ width: 360, height: 900 });
-  await page.waitForTimeout(250);
+  await drawn(page);
   const wide = await page.evaluate(() => document.documentElement.scrollWidth);
   await shot(page, `${code}-360`);
   check(wide <= 360, `in ${code} nothing sticks out at 360 px (${wide})`);

@@ -6,7 +6,7 @@ import { join } from 'node:path';
 import { startDemo } from './demo_process.mjs';
 import { leadOverPage } from './page_run.mjs';
 import { asks, BY_OPERATOR, isAccessible, startsTheRun } from './people.mjs';
-import { check, options, until, waitFor } from './support.mjs';
+import { check, drawn, options, until, waitFor } from './support.mjs';
 
 const SPEED = 5;
 
@@ -73,7 +73,7 @@ async function marksWhatIsForced(page) {
   check((await page.locator('[data-panel=tags] [data-forced]').count()) >= 1, 'the table marks what is forced by its address, too');
   for (const width of [1440, 360]) {
     await page.setViewportSize({ width, height: 900 });
-    await page.waitForTimeout(250);
+    await drawn(page);
     const apart = await page.evaluate(() => {
       const boxes = [...document.querySelectorAll('[data-panel=synoptic] [data-forced] rect')].map((one) => one.getBoundingClientRect());
       return boxes.every((a, i) => boxes.every((b, k) => i === k || a.right <= b.left || b.right <= a.left || a.bottom <= b.top || b.bottom <= a.top));

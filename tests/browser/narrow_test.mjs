@@ -8,9 +8,10 @@ import { startDemo } from './demo_process.mjs';
 import { hiddenFocus, unreadable } from './narrow.mjs';
 import { leadOverPage } from './page_run.mjs';
 import { dialog, dialogIsGone, fill, isAccessible, PASSWORD, setupToken } from './people.mjs';
-import { check, options, waitFor } from './support.mjs';
+import { check, drawn, options, waitFor } from './support.mjs';
 
 const WIDTH = 360;
+const SPEED = 0.25; // the run is still there when it is held, however slow the machine is
 const MOST_TABS = 500;
 const RECIPES = '[[tag]]\nname = "B1"\ntype = "BOOL"\ncomment = "supplier pump"\n';
 
@@ -25,7 +26,7 @@ function note(condition, what) {
 }
 
 async function canBeRead(page, what, name) {
-  await page.waitForTimeout(200); // what has opened is laid out
+  await drawn(page); // what has opened is laid out
   await shot(page, name);
   const wide = await page.evaluate(() => document.documentElement.scrollWidth);
   note(wide <= WIDTH, `${what} does not make the page wider (${wide})`);
@@ -46,7 +47,7 @@ async function tabTo(page, what, selector) {
     let fault = await page.evaluate(hiddenFocus);
     // A run moves what is above; what stays out of sight is a fault.
     for (let look = 0; fault !== '' && look < 5; ++look) {
-      await page.waitForTimeout(100);
+      await drawn(page);
       fault = await page.evaluate(hiddenFocus);
     }
     if (fault !== '' && !unseen.has(fault)) {
@@ -144,7 +145,7 @@ await leadOverPage(given, {
   start: () => {
     const recipes = join(given.out, 'narrow-recipes.toml');
     writeFileSync(recipes, RECIPES);
-    return startDemo(given.server, 1, 'bench', ['--set', 'executive.start="operator"', '--set', `hmi.recipes="${recipes}"`]);
+    return startDemo(given.server, SPEED, 'bench', ['--set', 'executive.start="operator"', '--set', `hmi.recipes="${recipes}"`]);
   },
   steps: async (page, demo) => {
     await page.setViewportSize({ width: WIDTH, height: 740 });

@@ -6,7 +6,7 @@ import { join } from 'node:path';
 import { leadOverPage } from './page_run.mjs';
 import { isAccessible } from './people.mjs';
 import { startProgramCell } from './program_cell.mjs';
-import { check, options, waitFor } from './support.mjs';
+import { check, drawn, options, waitFor } from './support.mjs';
 
 const given = options();
 
@@ -111,7 +111,7 @@ async function fitsEveryWidth(page) {
     await openSheet(page, sheet);
     for (const width of [1440, 360]) {
       await page.setViewportSize({ width, height: 900 });
-      await page.waitForTimeout(250);
+      await drawn(page);
       const wide = await page.evaluate(() => document.documentElement.scrollWidth);
       check(wide <= width, `nothing of ${sheet} sticks out at ${width} px (${wide})`);
       await shot(page, `${sheet.toLowerCase()}-${scheme}-${width}`);

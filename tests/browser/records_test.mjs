@@ -6,7 +6,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 
 import { axeFile, dialog, fill, isAccessible, PASSWORD } from './people.mjs';
-import { check, fitsEveryWidth, launchBrowser, openPage, options, startServer, until, waitFor } from './support.mjs';
+import { check, drawn, fitsEveryWidth, launchBrowser, openPage, options, startServer, until, waitFor } from './support.mjs';
 
 const given = options();
 const folder = mkdtempSync(join(tmpdir(), 'hmi-records-'));
@@ -241,7 +241,7 @@ async function comesAgain(page, server) {
 
 async function isReadOnAPhone(page) {
   await page.setViewportSize({ width: 360, height: 1400 });
-  await page.waitForTimeout(250);
+  await drawn(page);
   await page.screenshot({ path: join(given.out, 'records-phone.png') });
   await page.getByRole('button', { name: 'Journal' }).click();
   await waitFor(page, 'the journal is read on a phone, too', () => document.querySelectorAll('[data-testid=journal] tbody tr').length > 0);

@@ -6,7 +6,7 @@ import { join } from 'node:path';
 import { startField } from './field.mjs';
 import { startDevice } from './modbus_device.mjs';
 import { axeFile, isAccessible } from './people.mjs';
-import { check, endInTime, launchBrowser, openPage, options, waitFor } from './support.mjs';
+import { check, drawn, endInTime, launchBrowser, openPage, options, waitFor } from './support.mjs';
 
 const US_PER = { 'µs': 1, ms: 1_000, s: 1_000_000 }; // a machine that rests for seconds is seen in them
 
@@ -90,7 +90,7 @@ async function fitsEveryWidth(page) {
     await page.emulateMedia({ colorScheme: scheme });
     for (const width of [1440, 768, 360]) {
       await page.setViewportSize({ width, height: 900 });
-      await page.waitForTimeout(250);
+      await drawn(page);
       const wide = await page.evaluate(() => document.documentElement.scrollWidth);
       check(wide <= width, `nothing sticks out at ${width} px (${wide})`);
       await shot(page, `${scheme}-${width}`);

@@ -63,6 +63,7 @@ export async function launchBrowser({ modules, chromium }, { flags = [], reduced
       ...flags,
     ],
   });
+  context.setDefaultTimeout(PATIENCE_MS); // of a busy machine: a button that moves is not clicked until it rests
   return {
     context,
     close: async () => {
@@ -75,7 +76,6 @@ export async function launchBrowser({ modules, chromium }, { flags = [], reduced
 // A page that remembers what it must not do: log errors, break the content policy, call another host.
 export async function openPage(context, url) {
   const page = await context.newPage();
-  page.setDefaultTimeout(600_000); // of a busy machine: a button that moves is not clicked until it rests
   const problems = [];
   page.on('console', (message) => {
     // A server that is stopped on purpose is reported by the browser itself.
@@ -131,9 +131,19 @@ export function endInTime() {
   }, WHOLE_TEST_MS).unref();
 }
 
+// What was changed is laid out and drawn: the window has its size, and the page has had pictures to follow it.
+export async function drawn(page) {
+  const wanted = page.viewportSize();
+  const hasSize = ({ width, height }) => innerWidth === width && innerHeight === height;
+  await eventually('the window has its size', () => page.evaluate(hasSize, wanted));
+  await page.evaluate(async () => {
+    for (let k = 0; k < 8; k++) await new Promise((resolve) => requestAnimationFrame(resolve));
+  });
+}
+
 async function fitsWidth(page, width) {
   await page.setViewportSize({ width, height: 900 });
-  await page.waitForTimeout(250);
+  await drawn(page);
   const wide = await page.evaluate(() => document.documentElement.scrollWidth);
   check(wide <= width, `nothing sticks out at ${width} px (${wide})`);
 }
@@ -147,7 +157,7 @@ export async function fitsEveryWidth(page, widths, shot) {
   await page.emulateMedia({ colorScheme: 'dark' });
   await shot(page, `dark-${widths.at(-1)}`);
   await page.setViewportSize({ width: widths[0], height: 900 });
-  await page.waitForTimeout(250);
+  await drawn(page);
   await shot(page, `dark-${widths[0]}`);
   await page.emulateMedia({ colorScheme: 'light' });
 }

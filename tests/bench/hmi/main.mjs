@@ -108,7 +108,7 @@ async function firstLoad(url) {
   network.on('Network.loadingFinished', ({ encodedDataLength }) => (bytes += encodedDataLength));
   await page.goto(url);
   await page.locator(INPUT_TAG).first().waitFor();
-  await page.waitForLoadState('networkidle').catch(() => {}); // the live connection never rests
+  await page.waitForLoadState('networkidle', { timeout: 30_000 }).catch(() => {}); // the live connection never rests
   await page.close();
   return bytes / 1_000;
 }
