@@ -20,6 +20,14 @@ void read_retain(const settings::TomlTable& root, const std::filesystem::path& f
   const settings::TomlTable runtime = root.table("runtime");
   const std::string program = runtime.text("program", {});
   if (!program.empty()) boot.program = folder / program;
+  for (const std::string& source : runtime.texts("sources")) {
+    std::error_code ignored;  // a file that is not there is none
+    if (!std::filesystem::is_regular_file(folder / source, ignored))
+      runtime.report("sources", "there is no file " + (folder / source).string(),
+                     "a source in ST or PLCopen XML");
+    boot.sources.push_back(folder / source);
+  }
+  if (boot.program.empty() && !boot.sources.empty()) boot.program = state_dir / "program.swb";
   boot.autostart = runtime.boolean("autostart", boot.autostart);
   if (runtime.boolean("boot", false)) boot.keep = state_dir / "boot.swb";
   if (boot.autostart && boot.program.empty() && boot.keep.empty()) {

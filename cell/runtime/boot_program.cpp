@@ -39,7 +39,8 @@ result::Result<std::optional<FoundProgram>> find_boot_program(const config::Boot
   }
   if (config.program.empty()) return std::nullopt;
   return result::fail("R0026", {config.program.string(), 0, 0}, "there is no such program",
-                      "[runtime] program of the cell's configuration names it");
+                      config.sources.empty() ? "[runtime] program of the cell's configuration names it"
+                                             : "`stepwright up` compiles it from [runtime] sources");
 }
 
 BootProgram::BootProgram(config::BootSection config, host::HostRuntime& runtime, Refusal refusal)

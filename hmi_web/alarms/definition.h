@@ -52,6 +52,8 @@ struct AlarmDefinition {
   std::string consequence;                                           // of doing nothing
   std::string response;                                              // what the operator should do
   result::Location where{};                                          // of its definition
+  result::Location source_where{};                                   // of the names of variables in it
+  result::Location suppress_when_where{};
 };
 
 const char* to_string(Priority priority);

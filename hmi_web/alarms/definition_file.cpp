@@ -60,6 +60,8 @@ ConditionSettings read_condition(const TomlTable& table) {
 AlarmDefinition read_alarm(const TomlTable& table) {
   AlarmDefinition made;
   made.where = table.where();
+  made.source_where = table.where("source");
+  made.suppress_when_where = table.where("suppress_when");
   made.name = table.required_text("name", "0602");
   made.source = table.required_text("source", "0602");
   made.text = table.text("text", made.name);

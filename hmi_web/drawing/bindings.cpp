@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 namespace stepwright::drawing {
 namespace {
@@ -63,7 +64,7 @@ class Check {
   Check(pugi::xml_node element, std::vector<BindingMistake>& mistakes)
       : element_(element), mistakes_(mistakes) {}
 
-  std::size_t run() {
+  std::vector<std::string> run() {
     for (const pugi::xml_attribute attribute : element_.attributes()) {
       const std::string_view name = attribute.name();
       if (!name.starts_with("data-")) continue;
@@ -80,7 +81,7 @@ class Check {
       tell("an element has one of data-fill, data-move, data-turn and a pose: each places it",
            "put a group <g> around it for the other one");
     if (element_.attribute("data-pose-x")) check_floor();
-    return bindings_;
+    return std::move(bindings_);
   }
 
  private:
@@ -89,9 +90,9 @@ class Check {
   }
 
   void take(const Kind& kind, std::string_view value) {
-    ++bindings_;
     ranges_ += kind.has_range || kind.name == "data-pose-x" ? 1 : 0;
     if (kind.is_switch && value.starts_with('!')) value.remove_prefix(1);
+    bindings_.emplace_back(value);
     if (value.size() > kLongestName || !is_readable(value))
       tell(std::string(kind.name) + " is not the name of a value",
            "the whole name of a variable (Main.level) or a point of the plant (a1.level)");
@@ -143,13 +144,13 @@ class Check {
 
   pugi::xml_node element_;
   std::vector<BindingMistake>& mistakes_;
-  std::size_t bindings_ = 0;
+  std::vector<std::string> bindings_;
   int ranges_ = 0;
 };
 
 }  // namespace
 
-std::size_t check_bindings(pugi::xml_node element, std::vector<BindingMistake>& mistakes) {
+std::vector<std::string> check_bindings(pugi::xml_node element, std::vector<BindingMistake>& mistakes) {
   return Check(element, mistakes).run();
 }
 

@@ -16,8 +16,8 @@ struct BindingMistake {
   std::string hint;
 };
 
-// Number of values that the element is bound to; says what is wrong with its attributes that begin with
-// `data-`.
-std::size_t check_bindings(pugi::xml_node element, std::vector<BindingMistake>& mistakes);
+// The names of the values that the element is bound to, without a "!"; says what is wrong with its attributes
+// that begin with `data-`.
+std::vector<std::string> check_bindings(pugi::xml_node element, std::vector<BindingMistake>& mistakes);
 
 }  // namespace stepwright::drawing

@@ -64,21 +64,40 @@ class Reader {
     if (!mistakes_.empty()) return tl::unexpected(mistakes_);
     std::ostringstream text;
     out_.print(text, "", pugi::format_raw | pugi::format_no_declaration, pugi::encoding_utf8);
-    return Drawing{std::move(text).str(), bindings_};
+    place_names();
+    return Drawing{std::move(text).str(), names_.size(), std::move(names_)};
   }
 
  private:
   void tell(const char* code, std::ptrdiff_t offset, std::string message, std::string hint) {
     if (mistakes_.size() >= kMostMistakes) return;
+    mistakes_.push_back(
+        {code, result::Severity::Error, place_of(offset), std::move(message), std::move(hint)});
+  }
+
+  // In one go: elements come in the order of the file.
+  void place_names() {
+    std::size_t at = 0;
+    std::size_t start = 0;  // of the line
+    std::uint32_t line = 1;
+    for (std::size_t i = 0; i < names_.size(); ++i) {
+      const auto offset =
+          std::clamp<std::ptrdiff_t>(offsets_[i], 0, static_cast<std::ptrdiff_t>(text_.size()));
+      for (; at < static_cast<std::size_t>(offset); ++at) {
+        if (text_[at] != '\n') continue;
+        ++line;
+        start = at + 1;
+      }
+      names_[i].where = {name_, line, static_cast<std::uint32_t>(at - start) + 1};
+    }
+  }
+
+  result::Location place_of(std::ptrdiff_t offset) const {
     const auto end = std::clamp<std::ptrdiff_t>(offset, 0, static_cast<std::ptrdiff_t>(text_.size()));
     const std::string_view before = text_.substr(0, static_cast<std::size_t>(end));
     const auto line = static_cast<std::uint32_t>(std::count(before.begin(), before.end(), '\n')) + 1;
     const std::size_t start = before.rfind('\n') + 1;  // npos + 1 is 0
-    mistakes_.push_back({code,
-                         result::Severity::Error,
-                         {name_, line, static_cast<std::uint32_t>(before.size() - start) + 1},
-                         std::move(message),
-                         std::move(hint)});
+    return {name_, line, static_cast<std::uint32_t>(before.size() - start) + 1};
   }
 
   void copy(pugi::xml_node from, pugi::xml_node to, int depth) {
@@ -92,10 +111,13 @@ class Reader {
     if (elements_ > kMostElements || depth > kDeepest) return;
     copy_attributes(from, to);
     std::vector<BindingMistake> wrong;
-    bindings_ += check_bindings(from, wrong);
+    for (std::string& name : check_bindings(from, wrong)) {
+      names_.push_back({std::move(name), {}});
+      offsets_.push_back(from.offset_debug());
+    }
     for (auto& [message, hint] : wrong)
       tell("C0643", from.offset_debug(), std::move(message), std::move(hint));
-    if (bindings_ > kMostBindings && bindings_ - kMostBindings <= 2)
+    if (names_.size() > kMostBindings && names_.size() - kMostBindings <= 2)
       tell("C0644", from.offset_debug(),
            "the drawing has more than " + std::to_string(kMostBindings) + " bindings",
            "divide it between several cells");
@@ -208,7 +230,8 @@ class Reader {
   pugi::xml_document out_;
   result::Diagnostics mistakes_;
   std::size_t elements_ = 0;
-  std::size_t bindings_ = 0;
+  std::vector<BoundName> names_;
+  std::vector<std::ptrdiff_t> offsets_;  // of the elements that are bound to them
 };
 
 }  // namespace

@@ -20,6 +20,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "runtime/ground/result/result.h"
 
@@ -30,9 +31,16 @@ inline constexpr std::size_t kMostElements = 20'000;
 inline constexpr std::size_t kMostBindings = 2'000;
 inline constexpr int kDeepest = 64;
 
+// A value that an element is bound to.
+struct BoundName {
+  std::string name;  // of a variable of the program or of a point of the plant
+  result::Location where;
+};
+
 struct Drawing {
   std::string svg;  // one element `svg` with a viewBox
   std::size_t bindings = 0;
+  std::vector<BoundName> names = {};  // of the bindings
 };
 
 [[nodiscard]] result::Result<Drawing> load_drawing(const std::filesystem::path& file);

@@ -78,6 +78,7 @@ void read_range(const TomlTable& table, RecipeTag& tag) {
 RecipeTag read_tag(const TomlTable& table) {
   RecipeTag tag;
   tag.where = table.where();
+  tag.name_where = table.where("name");
   tag.name = table.required_text("name", "0620");
   tag.type = read_type(table);
   read_range(table, tag);

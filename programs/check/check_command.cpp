@@ -15,6 +15,7 @@
 #include "hmi_web/recipes/definition_file.h"
 #include "programs/check/check_processes.h"
 #include "programs/check/check_program.h"
+#include "programs/check/compile_sources.h"
 #include "runtime/ground/process/diagnostics_json.h"
 
 namespace stepwright::check {
@@ -58,8 +59,15 @@ void note_unknown(const config::CellConfig& config, result::Diagnostics& problem
                       "--program IMAGE.swb, or [runtime] program"});
 }
 
-// The program that is there without planning.
+// The program that is there without planning: that of the cell's sources, as `stepwright up` would make it,
+// or the one that is there already.
 void check_image(const config::CellConfig& config, const std::filesystem::path& image, CheckReport& report) {
+  if (image.empty() && !config.boot.sources.empty()) {
+    const auto made = compile_sources(config, report.problems);
+    if (!made) return;
+    report.program = made->name;
+    return add(report.problems, check_program(config, *made));
+  }
   auto program = find_program(config, image);
   if (!program) return add(report.problems, program.error());
   if (!*program) return note_unknown(config, report.problems);

@@ -1,4 +1,4 @@
-// `stepwright check --config CELL.toml [--program IMAGE.swb] [--json F]`: everything about a cell that can be
+// `stepwright check [CELL.toml] [--program IMAGE.swb] [--json F]`: everything about a cell that can be
 // known without running it, in one run.
 
 #include <CLI/CLI.hpp>
@@ -37,10 +37,15 @@ int main(int argc, char** argv) {
   std::string image;
   std::string json;
   stepwright::config::add_cell_options(app, options);
+  app.get_option("--config")->required(false);
+  std::string cell;
+  app.add_option("CELL", cell, "the same as --config (default: cell.toml of this folder)")
+      ->excludes(app.get_option("--config"));
   app.add_option(
       "--program", image,
       "check it against this program (default: the one that a start of the cell loads, or its plan's)");
   app.add_option("--json", json, "write what was found to this file");
   if (const auto exit = stepwright::process::parse(app, argc, argv)) return *exit;
+  if (options.config.empty()) options.config = cell.empty() ? "cell.toml" : cell;
   return stepwright::check::run(options, image, json);
 }

@@ -49,7 +49,7 @@ result::Result<CellRun::Member> CellRun::start_emulator() const {
   const std::filesystem::path log = log_of(options_.emulator->name);
   std::error_code error;
   const auto written = std::filesystem::file_size(log, error);
-  auto process = ChildProcess::start(options_.emulator->arguments, log);
+  auto process = process::ChildProcess::start({.arguments = options_.emulator->arguments, .log = log});
   if (!process) return result::forward(process);
   auto line = EmulatorLine::open(*process, log, error ? 0 : written, line_link(), kEmulatorPatience);
   if (!line) return result::forward(line);
@@ -76,9 +76,30 @@ result::Result<CellRun::Member> CellRun::start(const std::string& name) const {
   // Without a page there is nobody who could start it.
   if (name == "supervisor" && !options_.page)
     arguments.insert(arguments.end(), {"--set", "executive.start=auto", "--once"});
-  auto process = ChildProcess::start(arguments, log_of(name));
+  auto process = process::ChildProcess::start(
+      {.arguments = arguments, .log = log_of(name), .environment = {listener_->variable()}});
   if (!process) return result::forward(process);
   return Member{name, std::move(*process)};
+}
+
+void CellRun::hear(std::vector<Member>& members) {
+  for (process::Notice& notice : listener_->take()) {
+    for (Member& member : members) {
+      if (member.process.pid() != notice.sender) continue;
+      member.ready = member.ready || notice.ready;
+      if (notice.status) member.status = std::move(*notice.status);
+    }
+  }
+}
+
+std::optional<std::string> CellRun::page_of(const std::vector<Member>& members) {
+  std::optional<std::string> address;
+  for (const Member& member : members) {
+    if (member.name != "hmi" && member.name != "supervisor") continue;
+    if (!member.ready) return std::nullopt;
+    if (member.name == "hmi") address = member.status;
+  }
+  return address;
 }
 
 void CellRun::take_report(CellRunResult& result) const {
@@ -91,7 +112,7 @@ void CellRun::take_report(CellRunResult& result) const {
 }
 
 // Who has refused its input has said why; nobody else ends well without a report.
-void CellRun::tell_missing_report(const ExitStatus& ended, CellRunResult& result) const {
+void CellRun::tell_missing_report(const process::ExitStatus& ended, CellRunResult& result) const {
   const auto exit = static_cast<result::ExitCode>(ended.code);
   result.exit = exit == result::ExitCode::Done ? result::ExitCode::RuntimeFault : exit;
   result.message = content(log_of("supervisor"));
@@ -145,18 +166,29 @@ result::Result<void> CellRun::start_all(std::vector<Member>& members, CellRunRes
 result::Result<CellRunResult> CellRun::run(const std::atomic<bool>& stop) {
   CellRunResult result;
   std::vector<Member> members;
+  auto listener = process::NotifyListener::open();
+  if (!listener) return result::forward(listener);
+  listener_ = std::move(*listener);
   SetupTokenPrinter printer(log_of("hmi"));
   if (auto started = start_all(members, result); !started) return result::forward(started);
   bool reported = false;
+  bool told = false;
   for (bool going = true; going && !stop;) {
     for (std::size_t i = 0; going && i < members.size(); ++i) {
       auto tended = tend(members[i], result);
       if (!tended) return result::forward(tended);
       going = *tended;
     }
+    hear(members);
     if (options_.page) {
       take_report(result);
-      printer.look();
+      const auto page = told ? std::nullopt : page_of(members);
+      if (page) {
+        std::printf("Open %s in a browser; Ctrl-C ends the demo.\n", page->c_str());
+        std::fflush(stdout);
+        told = true;
+      }
+      if (told) printer.look();
     }
     if (result.report && !std::exchange(reported, true) && options_.page) {
       std::printf("%s", run::report_table(result.report->record).c_str());

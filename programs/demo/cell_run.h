@@ -10,9 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "programs/demo/child_process.h"
 #include "programs/demo/controller_choice.h"
 #include "programs/demo/emulator_line.h"
+#include "runtime/ground/process/child_process.h"
+#include "runtime/ground/process/notify_listener.h"
 #include "runtime/ground/result/exit_code.h"
 #include "runtime/ground/result/result.h"
 #include "supervisor/run/report.h"
@@ -46,22 +47,29 @@ class CellRun {
  private:
   struct Member {
     std::string name;
-    ChildProcess process;
-    EmulatorLine line = {};  // of an emulator
+    process::ChildProcess process;
+    EmulatorLine line = {};   // of an emulator
+    bool ready = false;       // as it has said itself
+    std::string status = {};  // what it has said with it
   };
   [[nodiscard]] result::Result<Member> start(const std::string& name) const;
   [[nodiscard]] result::Result<Member> start_emulator() const;
   [[nodiscard]] result::Result<void> start_all(std::vector<Member>& members, CellRunResult& result) const;
   // False if the run is over.
   [[nodiscard]] result::Result<bool> tend(Member& member, CellRunResult& result);
+  // What the processes have said of themselves since.
+  void hear(std::vector<Member>& members);
+  // Where the page is, once page and supervisor are ready: before that one of them may still refuse the cell.
+  static std::optional<std::string> page_of(const std::vector<Member>& members);
   void take_report(CellRunResult& result) const;
   // Of a supervisor that ended so without one.
-  void tell_missing_report(const ExitStatus& ended, CellRunResult& result) const;
+  void tell_missing_report(const process::ExitStatus& ended, CellRunResult& result) const;
   std::filesystem::path log_of(const std::string& name) const;
   std::filesystem::path line_link() const;  // leads to the emulator's line
 
   CellRunOptions options_;
   std::filesystem::path programs_;  // the folder of the executables
+  std::optional<process::NotifyListener> listener_;
 };
 
 }  // namespace stepwright::demo

@@ -20,8 +20,9 @@ std::string content(const std::filesystem::path& file, std::size_t from) {
 
 }  // namespace
 
-result::Result<EmulatorLine> EmulatorLine::open(ChildProcess& emulator, const std::filesystem::path& log,
-                                                std::size_t from, const std::filesystem::path& link,
+result::Result<EmulatorLine> EmulatorLine::open(process::ChildProcess& emulator,
+                                                const std::filesystem::path& log, std::size_t from,
+                                                const std::filesystem::path& link,
                                                 std::chrono::milliseconds timeout) {
   const std::regex terminal("(/dev/pts/[0-9]+)\\s");
   const auto deadline = std::chrono::steady_clock::now() + timeout;

@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "programs/demo/child_process.h"
+#include "runtime/ground/process/child_process.h"
 #include "runtime/ground/result/result.h"
 
 namespace stepwright::demo {
@@ -18,7 +18,7 @@ class EmulatorLine {
   EmulatorLine() = default;
   // Waits until the emulator has said in its log, behind `from` bytes, where its terminal is, and has `link`
   // lead there. Fails with M0008 if it ends or does not say so within `timeout`.
-  [[nodiscard]] static result::Result<EmulatorLine> open(ChildProcess& emulator,
+  [[nodiscard]] static result::Result<EmulatorLine> open(process::ChildProcess& emulator,
                                                          const std::filesystem::path& log, std::size_t from,
                                                          const std::filesystem::path& link,
                                                          std::chrono::milliseconds timeout);

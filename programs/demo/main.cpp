@@ -188,13 +188,16 @@ int run_demo(const DemoOptions& options) {
   if (setting.emulator && config->clock.mode == config::ClockMode::Simulated)
     count_instructions(*setting.emulator);
   if (auto writable = check_outputs(options); !writable) return fail(writable.error(), ExitCode::BadInput);
-  if (!options.headless) {
-    std::printf("Open http://%s:%u in a browser; Ctrl-C ends the demo.\n", config->hmi.host.c_str(),
-                static_cast<unsigned>(config->hmi.port));
-    std::fflush(stdout);
-  }
   const missions::MissionTable* const mission = config->mission.table.get();
-  const std::string in_sequence = mission == nullptr ? std::string() : mission->in_sequence();
+  if (mission == nullptr) {
+    return fail(
+        result::Diagnostics{{.code = "M0011",
+                             .where = {cell->string(), 0, 0},
+                             .message = "this cell has no planner, so that it has no main job to show",
+                             .hint = "stepwright up " + cell->string() + " runs its processes"}},
+        ExitCode::BadInput);
+  }
+  const std::string in_sequence = mission->in_sequence();
   if (options.sequential && in_sequence.empty()) {
     return fail(result::Diagnostics{{.code = "M0009",
                                      .where = {cell->string(), 0, 0},
@@ -205,7 +208,7 @@ int run_demo(const DemoOptions& options) {
   if (options.sequential) overrides->push_back(in_sequence);
   // What people would have to see to ends a run at which nobody can look; whoever sets the value himself
   // wins.
-  if (options.headless && mission != nullptr) {
+  if (options.headless) {
     const auto unattended = mission->unattended();
     overrides->insert(overrides->begin(), unattended.begin(), unattended.end());
   }

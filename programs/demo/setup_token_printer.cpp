@@ -6,10 +6,10 @@
 #include <system_error>
 #include <utility>
 
+#include "cell/processes/setup_token.h"
+
 namespace stepwright::demo {
 namespace {
-
-constexpr const char* kBefore = "stepwright hmi: set-up token ";
 
 std::uintmax_t size_of(const std::filesystem::path& file) {
   std::error_code error;
@@ -29,11 +29,9 @@ void SetupTokenPrinter::look() {
   // The last line may still be written.
   for (std::string line; std::getline(file, line) && !file.eof();) {
     told_ += line.size() + 1;
-    const std::size_t at = line.find(kBefore);
-    if (at == std::string::npos) continue;
-    const std::string rest = line.substr(at + std::char_traits<char>::length(kBefore));
-    std::printf("To act on the page, log in there with the set-up token %s (once).\n",
-                rest.substr(0, rest.find(' ')).c_str());
+    const auto token = processes::setup_token_of(line);
+    if (!token) continue;
+    std::printf("To act on the page, log in there with the set-up token %s (once).\n", token->c_str());
     std::fflush(stdout);
   }
 }

@@ -28,6 +28,10 @@ struct Command {
 };
 
 constexpr std::array kCommands = {
+    Command{"new", "stepwright-new", "write the folder of a new cell, which runs as it is"},
+    Command{"up", "stepwright-up", "start all processes of a cell, and keep them alive"},
+    Command{"down", "stepwright-up", "end all processes of a cell, in order"},
+    Command{"status", "stepwright-up", "say how the processes of a cell are"},
     Command{"demo", "stepwright-demo", "run a cell: all its processes, its main job, a report"},
     Command{"plan", "stepwright-plan", "find a plan for a PDDL problem"},
     Command{"validate", "stepwright-plan", "check a plan step by step"},

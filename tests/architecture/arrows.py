@@ -204,6 +204,7 @@ ARROWS = {
     "cell/metrics_server": ["cell/config", "hmi_web/server", "runtime/metrics"],
     "cell/modbus_client": ["cell/device_status", "runtime/io_memory", "runtime/metrics", "runtime/modbus/client"],
     "cell/modbus_server": ["cell/config", "runtime/metrics", "runtime/modbus/server"],
+    "cell/processes": ["cell/config", "runtime/ground/process"],
     "cell/missions/table": ["ladder/source", "runtime/ground/settings"],
     "cell/missions": ["cell/config", "supervisor/run"],
 }

@@ -180,12 +180,25 @@ TEST_F(CellConfigTest, WhenRetainAndBootAreSet_ThenPathsHaveTheirFolders) {
   EXPECT_EQ(config->boot.keep, folder_ / "s" / "boot.swb");
 }
 
+TEST_F(CellConfigTest, WhenSourcesAreNamed_ThenTheProgramIsMadeOfThem) {
+  std::ofstream(folder_ / "line.st") << "x";
+  const auto config = load_cell_config(
+      write("[cell]\nstate_dir = \"s\"\n[runtime]\nsources = [\"line.st\"]\nautostart = true\n"));
+  ASSERT_TRUE(config.has_value()) << result::to_string(config.error());
+  EXPECT_EQ(config->boot.sources, std::vector<std::filesystem::path>{folder_ / "line.st"});
+  EXPECT_EQ(config->boot.program, folder_ / "s" / "program.swb");
+  const auto named = load_cell_config(write("[runtime]\nsources = [\"line.st\"]\nprogram = \"line.swb\"\n"));
+  ASSERT_TRUE(named.has_value()) << result::to_string(named.error());
+  EXPECT_EQ(named->boot.program, folder_ / "line.swb");
+}
+
 TEST_F(CellConfigTest, WhenRetainIsWrong_ThenEachPlaceIsNamed) {
   const std::pair<const char*, const char*> wrong[] = {
       {"[retain]\nperiod_ms = 0\n", "cell.toml:2:13: C0004"},
       {"[retain]\npolicy = \"maybe\"\n", "cell.toml:2:10: C000"},
       {"[retain]\nfiles = \"x\"\n", "cell.toml:2:1: C0002"},
       {"[runtime]\nautostart = true\n", "cell.toml:2:13: C0006"},
+      {"[runtime]\nsources = [\"gone.st\"]\n", "cell.toml:2:11: C0006: there is no file"},
   };
   for (const auto& [text, place] : wrong) {
     const auto config = load_cell_config(write(text));

@@ -55,6 +55,20 @@ TEST(Drawing, WhenPartsAreReferredTo_ThenTheirIdsAreTheDrawingsOwn) {
   EXPECT_THAT(svg, HasSubstr("url('#drawing-g')"));
 }
 
+TEST(Drawing, WhenElementsAreBound_ThenEachNameHasItsPlace) {
+  const auto drawing = read_drawing("plant.svg",
+                                    "<svg viewBox='0 0 9 9'>\n <rect data-on='!main.run'/>\n\n"
+                                    "<g><text data-text='a1.level' data-alarm='main.dry'/></g></svg>");
+  ASSERT_TRUE(drawing) << result::to_string(drawing.error());
+  std::vector<std::string> names;
+  for (const BoundName& each : drawing->names)
+    names.push_back(each.name + " " + each.where.file + ":" + std::to_string(each.where.line) + ":" +
+                    std::to_string(each.where.column));
+  EXPECT_THAT(names, testing::ElementsAre("main.run plant.svg:2:3", "a1.level plant.svg:4:5",
+                                          "main.dry plant.svg:4:5"));
+  EXPECT_EQ(drawing->bindings, 3u);
+}
+
 struct Hostile {
   const char* inside;
   const char* mistake;

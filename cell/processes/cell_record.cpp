@@ -1,0 +1,48 @@
+#include "cell/processes/cell_record.h"
+
+#include <nlohmann/json.hpp>
+
+#include "runtime/ground/process/files.h"
+
+namespace stepwright::processes {
+
+std::filesystem::path record_path(const config::CellConfig& config) {
+  return config.state_dir / "up.json";
+}
+
+std::string to_json(const CellRecord& record) {
+  nlohmann::ordered_json json = {{"cell", record.cell},   {"config", record.config},
+                                 {"pid", record.pid},     {"address", record.address},
+                                 {"ready", record.ready}, {"processes", nlohmann::ordered_json::array()}};
+  for (const ProcessRecord& each : record.processes)
+    json["processes"].push_back(
+        {{"name", each.name}, {"pid", each.pid}, {"phase", each.phase}, {"restarts", each.restarts}});
+  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+result::Diagnostics write_record(const std::filesystem::path& file, const CellRecord& record) {
+  return process::write_file(file.string(), to_json(record));
+}
+
+result::Result<CellRecord> read_record(const std::filesystem::path& file) {
+  const auto text = process::read_file(file.string());
+  if (!text) return tl::unexpected(text.error());
+  CellRecord record;
+  try {
+    const auto json = nlohmann::json::parse(*text);
+    json.at("cell").get_to(record.cell);
+    json.at("config").get_to(record.config);
+    json.at("pid").get_to(record.pid);
+    json.at("address").get_to(record.address);
+    json.at("ready").get_to(record.ready);
+    for (const auto& each : json.at("processes"))
+      record.processes.push_back({each.at("name"), each.at("pid"), each.at("phase"), each.at("restarts")});
+  } catch (const nlohmann::json::exception& error) {
+    return result::fail("M0015", {file.string(), 0, 0},
+                        std::string("this is no record of a cell that is up: ") + error.what(),
+                        "stepwright up writes it; remove it if no process of the cell runs");
+  }
+  return record;
+}
+
+}  // namespace stepwright::processes

@@ -1,0 +1,50 @@
+#pragma once
+
+// What `stepwright up` leaves of a cell that is up, in the cell's state folder, for `status`, `down` and
+// scripts (programs/doc/up.md).
+//
+//   write_record(record_path(config), record);
+//   const auto record = read_record(record_path(config));
+//
+// Any thread; one process writes.
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "cell/config/cell_config.h"
+#include "runtime/ground/result/result.h"
+
+namespace stepwright::processes {
+
+struct ProcessRecord {
+  std::string name;
+  pid_t pid = 0;      // 0: it does not run now
+  std::string phase;  // to_string(Phase)
+  int restarts = 0;
+
+  bool operator==(const ProcessRecord&) const = default;
+};
+
+struct CellRecord {
+  std::string cell;
+  std::string config;   // the cell's file, as a whole path
+  pid_t pid = 0;        // of `stepwright up`
+  std::string address;  // of the page; empty: it is not served yet
+  bool ready = false;   // all of them have been
+  std::vector<ProcessRecord> processes;
+
+  bool operator==(const CellRecord&) const = default;
+};
+
+std::filesystem::path record_path(const config::CellConfig& config);
+
+std::string to_json(const CellRecord& record);
+// E0002 or nothing.
+[[nodiscard]] result::Diagnostics write_record(const std::filesystem::path& file, const CellRecord& record);
+// E0001: it cannot be read; M0015: it is no such record.
+[[nodiscard]] result::Result<CellRecord> read_record(const std::filesystem::path& file);
+
+}  // namespace stepwright::processes

@@ -1,0 +1,36 @@
+#pragma once
+
+// The one log of a cell that is up: a line for each line of its processes, with the name of who says it, in a
+// colour of its own on a terminal.
+//
+//   Console console(stdout, {"hmi", "link", "runtime"});
+//   console.line("link", "listens");          // "link     | listens"
+//
+// Threads: one. What cannot be written is lost.
+
+#include <cstdio>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace stepwright::up {
+
+class Console {
+ public:
+  // In colour if `out` is a terminal and NO_COLOR is not set.
+  Console(std::FILE* out, const std::vector<std::string>& names);
+
+  void line(std::string_view name, std::string_view text);
+  // What `stepwright up` itself has to say.
+  void say(std::string_view text) { line(kOwn, text); }
+
+  static constexpr const char* kOwn = "up";
+
+ private:
+  std::FILE* out_;
+  std::size_t width_ = 0;                            // of the longest name
+  std::map<std::string, int, std::less<>> colours_;  // of the terminal; empty: none
+};
+
+}  // namespace stepwright::up

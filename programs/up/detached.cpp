@@ -1,0 +1,78 @@
+#include "programs/up/detached.h"
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+
+#include "runtime/ground/result/exit_code.h"
+
+namespace stepwright::up {
+namespace {
+
+tl::unexpected<result::Diagnostics> failure(const std::string& what) {
+  return result::fail("M0014", {}, what + ": " + std::strerror(errno));
+}
+
+void print(const std::filesystem::path& log, std::FILE* out) {
+  std::ifstream file(log);
+  for (std::string line; std::getline(file, line);) std::fprintf(out, "%s\n", line.c_str());
+  std::fflush(out);
+}
+
+// Its exit code, or that of a fault if it was killed.
+int exit_of(pid_t child) {
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  return WIFEXITED(status) ? WEXITSTATUS(status) : to_int(result::ExitCode::RuntimeFault);
+}
+
+}  // namespace
+
+Detached::~Detached() {
+  if (waiter_ >= 0) close(waiter_);
+}
+
+result::Result<std::optional<int>> Detached::leave(const std::filesystem::path& log) {
+  const int file = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC | O_NOFOLLOW, 0600);
+  if (file < 0) return failure("the log " + log.string() + " cannot be opened");
+  std::array<int, 2> ends{};
+  if (pipe2(ends.data(), O_CLOEXEC) != 0) return failure("the system gives no pipe");
+  const pid_t child = fork();
+  if (child < 0) return failure("cannot fork");
+  if (child == 0) {
+    close(ends[0]);
+    waiter_ = ends[1];
+    setsid();
+    const int nothing = open("/dev/null", O_RDONLY | O_CLOEXEC);
+    if (nothing >= 0) dup2(nothing, STDIN_FILENO);
+    dup2(file, STDOUT_FILENO);
+    dup2(file, STDERR_FILENO);
+    return std::optional<int>();
+  }
+  close(ends[1]);
+  close(file);
+  char word = 0;
+  ssize_t length = 0;
+  while ((length = read(ends[0], &word, 1)) < 0 && errno == EINTR) {
+  }
+  close(ends[0]);
+  const int exit = length == 1 ? to_int(result::ExitCode::Done) : exit_of(child);
+  print(log, length == 1 ? stdout : stderr);
+  return std::optional(exit);
+}
+
+void Detached::ready() {
+  if (waiter_ < 0) return;
+  [[maybe_unused]] const ssize_t written = write(waiter_, "r", 1);
+  close(waiter_);
+  waiter_ = -1;
+}
+
+}  // namespace stepwright::up

@@ -1,0 +1,79 @@
+#include "programs/up/up_command.h"
+
+#include <filesystem>
+#include <thread>
+
+#include "cell/config/state_dir.h"
+#include "cell/processes/process_list.h"
+#include "programs/up/cell_keeper.h"
+#include "programs/up/cell_lock.h"
+#include "programs/up/compile_step.h"
+#include "programs/up/detached.h"
+#include "runtime/ground/process/command_line.h"
+
+namespace stepwright::up {
+namespace {
+
+using process::fail;
+using result::ExitCode;
+
+result::Diagnostics check(const config::CellConfig& config, const Options& options) {
+  if (options.watch && config.boot.sources.empty())
+    return {{"M0017",
+             result::Severity::Error,
+             {config.file.string(), 0, 0},
+             "--watch: the cell names no sources that could be saved",
+             "[runtime] sources = [\"main.st\"]"}};
+  if (options.watch && config.controller.remote())
+    return {{"M0017",
+             result::Severity::Error,
+             {config.file.string(), 0, 0},
+             "--watch: a controller behind Modbus takes no online change",
+             "leave --watch out"}};
+  return {};
+}
+
+int keep_up(const config::CellConfig& config, const Options& options, Detached& detached) {
+  const process::StopSignal stop;
+  const std::filesystem::path programs = std::filesystem::read_symlink("/proc/self/exe").parent_path();
+  std::vector<std::string> names = processes::starting_order(config);
+  names.emplace_back("watch");
+  Console console(stdout, names);
+  auto keeper = CellKeeper::make({.config = config,
+                                  .overrides = overrides_of(options),
+                                  .programs = programs,
+                                  .watch = options.watch,
+                                  .terminal = !options.detach,
+                                  .on_ready = [&detached] { detached.ready(); }},
+                                 console);
+  if (!keeper) return fail(keeper.error(), ExitCode::RuntimeFault);
+  const auto compiled = compile(config, programs, stop);
+  if (!compiled) return fail(compiled.error(), ExitCode::RuntimeFault);
+  if (*compiled != ExitCode::Done) {
+    console.say("the cell '" + config.name + "' is not up: its program does not compile");
+    return to_int(*compiled);
+  }
+  return to_int((*keeper)->run(stop));
+}
+
+}  // namespace
+
+int run_up(const Options& options) {
+  const auto config = load(options);
+  if (!config) return fail(config.error(), ExitCode::BadInput);
+  if (const auto problems = check(*config, options); !problems.empty())
+    return fail(problems, ExitCode::Usage);
+  if (auto claimed = config::claim_state_dir(*config); !claimed)
+    return fail(claimed.error(), ExitCode::BadInput);
+  const auto lock = take_cell(*config);
+  if (!lock) return fail(lock.error(), ExitCode::BadInput);
+  Detached detached;
+  if (options.detach) {
+    const auto exit = detached.leave(config->state_dir / "up.log");
+    if (!exit) return fail(exit.error(), ExitCode::RuntimeFault);
+    if (*exit) return **exit;
+  }
+  return keep_up(*config, options, detached);
+}
+
+}  // namespace stepwright::up

@@ -1,0 +1,95 @@
+"""`stepwright check`: what alarms, recipes and the drawing name is held against the program that the cell's sources make."""
+
+import pathlib
+import tempfile
+import unittest
+
+from processes import stepwright
+
+CELL = """\
+[cell]
+name = "line"
+state_dir = "state"
+[runtime]
+sources = ["main.st"]
+[history]
+alarms = "alarms.toml"
+[hmi]
+recipes = "recipes.toml"
+drawing = "plant.svg"
+"""
+PROGRAM = """\
+PROGRAM Main
+  VAR temp : REAL; limit : REAL := 50.0; cleaning : BOOL; END_VAR
+  temp := MIN(temp + 0.1, limit);
+END_PROGRAM
+"""
+ALARM = '[[alarm]]\nname = "hot"\nsource = "{}"\nwhen = "high"\nlimit = 90\nsuppress_when = "{}"\n'
+RECIPE = '[[tag]]\nname = "{}"\ntype = "REAL"\nmin = 0\nmax = 100\n'
+DRAWING = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 10 10">\n<text data-text="{}"/>\n<rect data-on="!{}"/>\n</svg>\n'
+
+
+class CheckNames(unittest.TestCase):
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory(prefix="stepwright-test-")
+        self.addCleanup(temporary.cleanup)
+        self.folder = pathlib.Path(temporary.name)
+        self.write(**{"cell.toml": CELL, "main.st": PROGRAM})
+        self.names("Main.temp", "main.CLEANING", "Main.limit", "Main.temp", "Main.cleaning")
+
+    def write(self, **files):
+        for name, text in files.items():
+            (self.folder / name).write_text(text, encoding="utf-8")
+
+    def names(self, source, suppress, tag, text, on):
+        self.write(**{"alarms.toml": ALARM.format(source, suppress), "recipes.toml": RECIPE.format(tag),
+                      "plant.svg": DRAWING.format(text, on)})
+
+    def check(self):
+        return stepwright("check", cwd=self.folder)
+
+    def test_names_that_are_there_in_any_case_are_sound(self):
+        done = self.check()
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+
+    def test_each_name_that_is_not_there_is_told_at_its_place_with_the_nearest_one(self):
+        self.names("Main.tempp", "Main.cleanin", "Main.limits", "Main.tmep", "Main.cleaned")
+        done = self.check()
+        self.assertEqual(done.returncode, 1)
+        for place, said, meant in [
+                ("alarms.toml:3:10", "the alarm 'hot' (source) names 'Main.tempp'", "Main.temp"),
+                ("alarms.toml:6:17", "the alarm 'hot' (suppress_when) names 'Main.cleanin'", "Main.cleaning"),
+                ("recipes.toml:2:8", "a recipe's tag (name) names 'Main.limits'", "Main.limit"),
+                ("plant.svg:2:2", "the drawing names 'Main.tmep'", "Main.temp"),
+                ("plant.svg:3:2", "the drawing names 'Main.cleaned'", "Main.cleaning")]:
+            self.assertIn(f"{place}: C0532: {said}, which the program does not have\n  hint: did you mean '{meant}'?", done.stderr)
+        self.assertEqual(done.stderr.count("C0532"), 5)
+
+    def test_a_name_like_no_other_has_a_hint_too(self):
+        self.names("Boiler.pressure", "Main.cleaning", "Main.limit", "Main.temp", "Main.cleaning")
+        self.assertIn("hint: `stepwright snapshot` lists", self.check().stderr)
+
+    def test_states_of_the_cell_and_addresses_are_no_variables(self):
+        self.names("cell.runtime_alive", "Main.cleaning", "%MW4", "Main.temp", "Main.cleaning")
+        self.assertEqual(self.check().stderr, "")
+
+    def test_a_monitor_of_a_variable_that_is_not_there_is_told(self):
+        self.write(**{"cell.toml": CELL + '[[monitors]]\nname = "cool"\nformula = "always cool"\nlet = { cool = "Main.tempp < 60.0" }\n'})
+        done = self.check()
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("tempp", done.stderr)
+
+    def test_sources_that_do_not_compile_are_told(self):
+        self.write(**{"main.st": PROGRAM.replace("0.1", "'x'")})
+        done = self.check()
+        self.assertEqual(done.returncode, 1)
+        self.assertRegex(done.stderr, r"main\.st:3:\d+: E\d{4}")
+
+    def test_points_of_the_plant_are_names_too(self):
+        self.write(**{"cell.toml": CELL + '[plant]\nkind = "tank_bench"\n'})
+        self.names("a1.level", "Main.cleaning", "Main.limit", "a1.level", "Main.cleaning")
+        self.assertNotIn("C0532", self.check().stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

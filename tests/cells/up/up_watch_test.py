@@ -1,0 +1,49 @@
+"""`stepwright up --watch`: what is saved takes over while the program runs, or it is said why not."""
+
+import re
+import unittest
+
+from kept_cell import NO_PLANT, PAGE, PROGRAM, KeptCell
+from processes import eventually, stepwright
+
+
+class Watch(unittest.TestCase):
+    def kept(self, **options):
+        cell = KeptCell(**options)
+        self.addCleanup(cell.__exit__)
+        return cell
+
+    def value(self, cell, name):
+        found = re.search(rf"{re.escape(name)} = (\S+)", stepwright("snapshot", "--config", cell.config, name).stdout)
+        return found.group(1) if found else None
+
+    def test_what_is_saved_takes_over_and_is_kept(self):
+        cell = self.kept()
+        process = cell.ready("--watch")
+        self.assertTrue(eventually(lambda: int(self.value(cell, "Main.n") or 0) > 100))
+        (cell.folder / "main.st").write_text(PROGRAM.replace("n : UDINT;", "n : UDINT; more : INT := 7;"), encoding="utf-8")
+        process.wait_for("brought in: what was saved runs")
+        self.assertTrue(eventually(lambda: self.value(cell, "Main.more") == "7"))
+        self.assertGreater(int(self.value(cell, "Main.n")), 100, "values go on")
+        self.assertIn(b"more", (cell.state / "program.swb").read_bytes())
+
+    def test_what_does_not_compile_is_told_and_the_program_goes_on(self):
+        cell = self.kept()
+        process = cell.ready("--watch")
+        (cell.folder / "main.st").write_text(PROGRAM.replace("n + 1", "m + 1"), encoding="utf-8")
+        process.wait_for("not brought in: the sources are wrong")
+        self.assertRegex(process.output(), r"(?m)^watch +\| .*main\.st:3:8: .*E\d{4}")
+        before = int(self.value(cell, "Main.n"))
+        self.assertTrue(eventually(lambda: int(self.value(cell, "Main.n")) > before))
+        (cell.folder / "main.st").write_text(PROGRAM.replace("n + 1", "n + 2"), encoding="utf-8")
+        process.wait_for("brought in: what was saved runs")
+
+    def test_a_cell_without_sources_cannot_be_watched(self):
+        cell = self.kept(more=NO_PLANT + PAGE)
+        done = cell.run("up", "--watch")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("M0017", done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,34 @@
+#include "cell/processes/cell_record.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "tests/support/temporary_folder.h"
+
+namespace stepwright::processes {
+namespace {
+
+TEST(CellRecord, WhenItIsWritten_ThenItIsReadTheSame) {
+  const support::TemporaryFolder folder;
+  const CellRecord record{"line", "/cells/line/cell.toml",
+                          41,     "http://127.0.0.1:8080/",
+                          true,   {{"runtime", 42, "ready", 3}, {"link", 0, "failed", 5}}};
+  ASSERT_TRUE(write_record(folder.path() / "up.json", record).empty());
+  const auto read = read_record(folder.path() / "up.json");
+  ASSERT_TRUE(read);
+  EXPECT_EQ(*read, record);
+}
+
+TEST(CellRecord, WhenItIsNoRecord_ThenItIsRefused) {
+  const support::TemporaryFolder folder;
+  for (const char* text : {"", "[]", "{\"cell\": 3}", "{\"cell\": \"line\"}"}) {
+    std::ofstream(folder.path() / "up.json") << text;
+    const auto read = read_record(folder.path() / "up.json");
+    ASSERT_FALSE(read) << text;
+    EXPECT_EQ(read.error().front().code, "M0015");
+  }
+}
+
+}  // namespace
+}  // namespace stepwright::processes
