@@ -39,11 +39,20 @@ set(STEPWRIGHT_COMPILE_OPTIONS -Wall -Wextra -Wshadow -Wconversion -Wnon-virtual
 # For what computes little: tests, command lines, processes that wait for others, reading and writing of files. It makes the
 # build a good deal shorter (a fifth less than -O1). Benchmarks and the baselines in them are compiled like what they measure.
 set(STEPWRIGHT_LIGHT_OPTIONS $<$<CONFIG:Release>:-Og>)
-string(JOIN "|" STEPWRIGHT_LIGHT_FOLDERS
+set(STEPWRIGHT_LIGHT_FOLDERS
   "cell" "programs" "hmi_web/(access|alarms|api|client|protocol|recorder|server|storage)" "tests/support" "firmware/link"
   "ladder/(driver|exchange|print|source_files)" "runtime/(dds|exec|metrics|remote|replay|scan_test|trace)" "runtime/ground/(log|mqtt|process|settings)" "supervisor/(executive|model|run|translate)"
-  "supervisor/fleet/(executive|program|report|vda5050)")
-set(STEPWRIGHT_LIGHT_FOLDERS "^(${STEPWRIGHT_LIGHT_FOLDERS})(/|$)")
+  "supervisor/fleet/(executive|program|report|vda5050)" "supervisor/ltl/(drawing|hoa|mission|program)" "supervisor/tamp/(drawing|program)"
+  "tests/bench/(campaign|planner/generators)" "tests/fuzz")
+
+function(_stepwright_is_light folder result)
+  set(${result} FALSE PARENT_SCOPE)
+  foreach(light IN LISTS STEPWRIGHT_LIGHT_FOLDERS)
+    if(folder MATCHES "^${light}(/|$)")
+      set(${result} TRUE PARENT_SCOPE)
+    endif()
+  endforeach()
+endfunction()
 
 # g++ looks for garbage all the time while it reads headers; where there is memory that is a twentieth of the build.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
@@ -75,6 +84,7 @@ _stepwright_precompiled(stepwright_precompiled)
 _stepwright_precompiled(stepwright_precompiled_light ${STEPWRIGHT_LIGHT_OPTIONS})
 _stepwright_precompiled_for_programs(stepwright_programs_precompiled)
 _stepwright_precompiled_for_programs(stepwright_programs_precompiled_light ${STEPWRIGHT_LIGHT_OPTIONS})
+target_precompile_headers(stepwright_programs_precompiled_light PRIVATE <CLI/CLI.hpp>)  # of all command lines
 
 function(_stepwright_link target scope)
   foreach(folder IN LISTS ARGN)
@@ -85,25 +95,26 @@ endfunction()
 
 # A library of one folder. PORTABLE: no exceptions, no RTTI (it also builds for the firmware).
 # DEPENDS names folders; PRIVATE names third-party targets, which never show in our headers. Several files are
-# compiled together (together.cmake) but for those after APART, portable libraries, and those of tests/bench, which are full
-# of alternatives with the same names.
+# compiled together (together.cmake) but for those after APART, portable libraries, and those of tests/bench that do not ask
+# for it by TOGETHER: they are full of alternatives with the same names, and what is measured is not to be seen by a loop.
 function(stepwright_library folder)
-  cmake_parse_arguments(ARG "PORTABLE" "" "SOURCES;APART;DEPENDS;PRIVATE" ${ARGN})
+  cmake_parse_arguments(ARG "PORTABLE;TOGETHER" "" "SOURCES;APART;DEPENDS;PRIVATE" ${ARGN})
   string(REPLACE "/" "_" name ${folder})
   string(REGEX REPLACE "^[^/]+/(.*)" "\\1" alias ${folder})
   string(REPLACE "/" "_" alias ${alias})
   set(target stepwright_${name})
   if(ARG_SOURCES)
-    if(NOT ARG_PORTABLE AND NOT folder MATCHES "^tests/bench/")
+    if(ARG_TOGETHER OR NOT (ARG_PORTABLE OR folder MATCHES "^tests/bench/"))
       _stepwright_together(${target} ARG_SOURCES SOURCES ${ARG_SOURCES} APART ${ARG_APART})
       set(ARG_APART "")
     endif()
     add_library(${target} STATIC ${ARG_SOURCES} ${ARG_APART})
     target_include_directories(${target} PUBLIC ${PROJECT_SOURCE_DIR})
     target_compile_options(${target} PRIVATE ${STEPWRIGHT_COMPILE_OPTIONS})
+    _stepwright_is_light(${folder} light)
     if(ARG_PORTABLE)
       target_compile_options(${target} PRIVATE -fno-exceptions -fno-rtti)
-    elseif(folder MATCHES "${STEPWRIGHT_LIGHT_FOLDERS}")
+    elseif(light)
       target_compile_options(${target} PRIVATE ${STEPWRIGHT_LIGHT_OPTIONS})
       target_precompile_headers(${target} REUSE_FROM stepwright_precompiled_light)
     else()
@@ -134,8 +145,8 @@ endfunction()
 
 # An executable in build/<preset>/bin; the target `programs` builds those of programs/.
 function(stepwright_program name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;APART;DEPENDS;PRIVATE" ${ARGN})
-  if("GTest::gtest_main" IN_LIST ARG_PRIVATE OR CMAKE_CURRENT_SOURCE_DIR MATCHES "^${PROJECT_SOURCE_DIR}/programs/")
+  cmake_parse_arguments(ARG "TOGETHER" "" "SOURCES;APART;DEPENDS;PRIVATE" ${ARGN})
+  if(ARG_TOGETHER OR "GTest::gtest_main" IN_LIST ARG_PRIVATE OR CMAKE_CURRENT_SOURCE_DIR MATCHES "^${PROJECT_SOURCE_DIR}/programs/")
     _stepwright_together(${name} ARG_SOURCES SOURCES ${ARG_SOURCES} APART ${ARG_APART})
     set(ARG_APART "")
   endif()
