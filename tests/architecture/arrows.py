@@ -126,6 +126,7 @@ ARROWS = {
     "supervisor/tamp/drawing": ["supervisor/tamp/scene", "runtime/ground/markup"],
     "supervisor/tamp/schedule": ["supervisor/tamp/scene", "supervisor/motion/timing"],
     "supervisor/tamp/program": ["supervisor/tamp/schedule", "supervisor/vehicle", "ladder/graphic"],
+    "supervisor/tamp/mission": ["supervisor/tamp/planner", "supervisor/tamp/program", "supervisor/run", "ladder/driver", "runtime/bytecode/reader"],
     "supervisor/motion/spatial": [],
     "supervisor/motion/robot": ["supervisor/motion/spatial", "runtime/ground/result"],
     "supervisor/motion/kinematics": ["supervisor/motion/robot"],

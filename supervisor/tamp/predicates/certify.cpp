@@ -17,8 +17,13 @@ std::string text_of(const motion::MotionVerdict& verdict) {
 }  // namespace
 
 std::optional<Uncertain> certify(Workspace& workspace, std::vector<Settled>& settled, std::uint64_t seed) {
+  return certify(workspace, settled, seed, initial_state(workspace.cell()), false);
+}
+
+std::optional<Uncertain> certify(Workspace& workspace, std::vector<Settled>& settled, std::uint64_t seed,
+                                 scene::GeometricState state, bool leaves) {
   const scene::RobotCell& cell = workspace.cell();
-  scene::GeometricState state = initial_state(cell);
+  std::vector<bool> moved(cell.arms.size(), false);
   for (std::size_t k = 0; k < settled.size(); ++k) {
     const int arm = settled[k].action.what.arm;
     scene::ArmState& moving = state.arms[static_cast<std::size_t>(arm)];
@@ -35,6 +40,9 @@ std::optional<Uncertain> certify(Workspace& workspace, std::vector<Settled>& set
         exact.emplace(*std::move(made));
       }
       const bool path = each.phase == scene::Phase::Transfer;
+      const bool first = !moved[static_cast<std::size_t>(arm)];
+      moved[static_cast<std::size_t>(arm)] = true;
+      if (leaves && first && each.phase == scene::Phase::Lift) continue;
       if (path)
         each.path = motion::shorten(workspace.path_checker(state, arm), std::move(each.path), {.seed = seed});
       const auto refused = motion::first_refused(*exact, each.path);

@@ -26,5 +26,9 @@ struct Uncertain {
 // `settled`: actions in their order, from the cell's initial state, with motions; paths are replaced by what
 // was accepted. Nothing: all motions are free for certain.
 std::optional<Uncertain> certify(Workspace& workspace, std::vector<Settled>& settled, std::uint64_t seed);
+// The same from another state. `leaves`: where a hand stands among things that are not where they were, it
+// may go straight up with its first motion, whatever it touches.
+std::optional<Uncertain> certify(Workspace& workspace, std::vector<Settled>& settled, std::uint64_t seed,
+                                 scene::GeometricState state, bool leaves);
 
 }  // namespace stepwright::tamp::predicates

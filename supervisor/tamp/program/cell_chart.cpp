@@ -88,6 +88,9 @@ class CellChartWriter {
         ":= "
         "0.0;\nwaiting_{0} := FALSE;\n",
         name);
+    // What charts of an earlier program drove, and those of this one may not drive.
+    for (const char* what : {"carrying", "gripping", "fingering", "align"})
+      text += fmt::format("{}_{} := FALSE;\n", what, name);
     if (context_.observes()) {
       return text + keeping(name) + fmt::format("holds_{0} := SEL(grasp_{0}, 0, width_{0});\n", name);
     }

@@ -1,8 +1,10 @@
 #include "supervisor/tamp/scene/cell_file.h"
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <numbers>
+#include <string_view>
 #include <utility>
 
 #include "runtime/ground/settings/toml_document.h"
@@ -20,6 +22,13 @@ constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr Range kCoordinate{-9.0, 9.0}, kTurns{-360.0, 360.0}, kSide{0.001, 9.0};
 constexpr std::size_t kMostBytes = std::size_t{8} << 20U;
 constexpr std::size_t kMostOfAKind = 64;
+constexpr std::array<std::string_view, 5> kKinds = {"", "cup", "can", "tray", "box"};
+
+// "cup1" is a cup; empty: the name does not say.
+std::string kind_by_name(const std::string& name) {
+  const std::string letters = name.substr(0, name.find_first_of("0123456789_-"));
+  return std::ranges::find(kKinds, letters) == kKinds.end() ? std::string() : letters;
+}
 
 class CellReader {
  public:
@@ -105,8 +114,17 @@ class CellReader {
   }
 
   void read_thing(const TomlTable& table) {
-    Thing each{new_name(table), read_form(table), read_pose(table), table.boolean("turns", false),
-               table.boolean("carries", false)};
+    Thing each{new_name(table),
+               read_form(table),
+               read_pose(table),
+               table.boolean("turns", false),
+               table.boolean("carries", false),
+               {}};
+    each.kind = table.text("kind", kind_by_name(each.name));
+    if (std::ranges::find(kKinds, each.kind) == kKinds.end()) {
+      table.report("kind", "a camera calls nothing '" + each.kind + "'",
+                   "\"cup\", \"can\", \"tray\" or \"box\"");
+    }
     places_.push_back(table.where());
     file_.cell.things.push_back(std::move(each));
   }

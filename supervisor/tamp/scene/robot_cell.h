@@ -34,6 +34,7 @@ struct Thing {
   Pose start;
   bool turns = false;    // its angle matters (a handle): a place has to choose one
   bool carries = false;  // others may be put on it
+  std::string kind{};    // what a camera calls it: "cup", "can", "tray", "box"; empty: none of them
 };
 
 // Something that stands for good: a table, a box, a tray.

@@ -1,9 +1,10 @@
 // The stochastic campaign: simulated runs of the tank bench with random faults, demands and sensor errors, of
-// the sorting line with random faults, or of a fleet to which something happens at a random moment, as fast
-// as the machine allows. Every run must end at the goal or in the safe state with the right report; the
-// undisturbed class is the baseline of costs and times beside the disturbed ones.
+// the sorting line with random faults, of a fleet or of two arms to which something happens at a random
+// moment, as fast as the machine allows. Every run must end at the goal or in the safe state with the right
+// report; the undisturbed class is the baseline of costs and times beside the disturbed ones.
 //
-//   bench_campaign [--cell bench|conveyor|fleet] [--runs N] [--first SEED] [--threads N] [--json FILE]
+//   bench_campaign [--cell bench|conveyor|fleet|robot_cell] [--runs N] [--first SEED] [--threads N] [--json
+//   FILE]
 //
 // Ctrl-C ends it after the runs that are under way, with the table of those that are done (exit 4).
 // A single seed again: --first SEED --runs 1.
@@ -18,6 +19,7 @@
 #include "runtime/ground/process/command_line.h"
 #include "runtime/ground/process/files.h"
 #include "runtime/ground/process/interruption.h"
+#include "tests/bench/campaign/arms.h"
 #include "tests/bench/campaign/campaign.h"
 #include "tests/bench/campaign/fleet.h"
 #include "tests/bench/campaign/line.h"
@@ -37,8 +39,8 @@ struct Arguments {
 };
 
 void describe(CLI::App& app, Arguments& arguments) {
-  app.add_option("--cell", arguments.cell, "bench, conveyor or fleet (bench)")
-      ->check(CLI::IsMember({"bench", "conveyor", "fleet"}));
+  app.add_option("--cell", arguments.cell, "bench, conveyor, fleet or robot_cell (bench)")
+      ->check(CLI::IsMember({"bench", "conveyor", "fleet", "robot_cell"}));
   app.add_option("--runs", arguments.runs, "how many (1000)")->check(CLI::Range(1.0, 1e9));
   app.add_option("--first", arguments.first, "seed of the first one (0)")->check(CLI::NonNegativeNumber);
   app.add_option("--threads", arguments.threads, "that run them (one for each core)")
@@ -65,7 +67,7 @@ std::function<void(std::uint64_t)> progress_of(const Arguments& arguments) {
   };
 }
 
-// `campaign`: line_campaign or fleet_campaign.
+// `campaign`: line_campaign, fleet_campaign or arms_campaign.
 template <typename Campaign>
 int run_cell(const Arguments& arguments, Campaign campaign) {
   const process::Interruption interruption;
@@ -93,6 +95,7 @@ int run(const Arguments& arguments) {
     if (!refused.empty()) return fail(refused, ExitCode::BadInput);
   }
   if (arguments.cell == "conveyor") return run_cell(arguments, line_campaign);
+  if (arguments.cell == "robot_cell") return run_cell(arguments, arms_campaign);
   return arguments.cell == "fleet" ? run_cell(arguments, fleet_campaign) : run_bench(arguments);
 }
 

@@ -219,6 +219,7 @@ std::optional<host::RuntimeStatus> SimulatedController::status() const {
   status.state = running() ? host::RuntimeState::Running : host::RuntimeState::Stopped;
   status.program_digest = loaded_->program->digest();
   status.scan = loaded_->cycle().scan();
+  status.last_event = sequence_;
   status.trace_hash = loaded_->cycle().trace_hash();
   return status;
 }

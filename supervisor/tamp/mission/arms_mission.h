@@ -1,0 +1,151 @@
+#pragma once
+
+// The mission of two arms: looks at the cell, plans tasks and motions from where arms and things are, follows
+// the program that does them, looks again whether the order is done. What comes between is an incident: a
+// thing that slips or falls, one that is not where it was, arms too near to each other, another order. Then
+// the arms come to rest on their paths, the camera looks, and a new plan begins there, with what hands hold
+// put down first. A thing that fails again and again, a drive that has tripped and a joint that is stuck end
+// the run in the safe state. An emergency stop holds.
+//
+// Threads: `run` belongs to one; requests may come from any. In simulated time the clock stands still while a
+// plan is made. The same order, faults and requests at the same scan times give the same run.
+//
+//   ArmsMission mission(*planning, controller, {.cell = "robot_cell"}, publish);
+//   run::RunRecord record = mission.run();
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "supervisor/run/due_requests.h"
+#include "supervisor/run/mission.h"
+#include "supervisor/tamp/mission/arms_planning.h"
+#include "supervisor/tamp/mission/arms_reading.h"
+#include "supervisor/tamp/mission/arms_request.h"
+#include "supervisor/tamp/mission/observed_state.h"
+
+namespace stepwright::tamp::mission {
+
+struct ArmsMissionOptions {
+  std::string cell;
+  int max_replans = 12;
+  int retries = 3;                   // of one thing that fails; once more is the end
+  bool operator_starts = false;      // nothing moves before somebody starts the run
+  bool barrier = true;               // simulated time waits for every decision
+  bool attended = true;              // somebody can see to what the arms cannot do; false: then the run ends
+  std::chrono::seconds hold{3'600};  // of the scan clock: so long the arms wait for somebody
+  std::filesystem::path journal{};   // for a restarted supervisor; empty: none is kept
+  std::vector<TimedArmsRequest> requests{};  // in order of time
+};
+
+class ArmsMission final : public run::Mission {
+ public:
+  ArmsMission(const ArmsPlanning& planning, run::Controller& controller, ArmsMissionOptions options,
+              Observer observer);
+
+  // Things and places, and the orders of the cell's file.
+  std::string goal_form() const override;
+  std::optional<std::string> new_outlook() override;
+  // At the next decision. The codes of orders.
+  [[nodiscard]] result::Result<void> request(const ArmsChange& change);
+
+ private:
+  enum class Kind : std::uint8_t { Look, Follow, Halt };  // of the program that runs
+  enum class Rest : std::uint8_t { Reached, Lost, Ended };
+  // Why the arms were stopped, and whose retries that uses up.
+  struct Surprise {
+    run::Cause cause;
+    std::string about;  // a thing, or an arm's fingers
+    bool ends = false;  // nothing that a plan could mend
+  };
+
+  // arms_mission.cpp: from start to end.
+  bool begin() override;
+  bool drives() const override { return reader_.has_value(); }
+  bool begins_again() const override { return true; }
+  void forget_requests() override { requests_.forget_asked(); }
+  std::optional<bool> resume();
+  void forget_run();
+  bool recover_runtime() override;
+  bool finish() override;
+  void publish(bool now) override;
+  void write_journal() const;
+  void take_order(ArmsOrder order);
+  void note_outlook();
+  // What the page draws of the plan: nothing yet.
+  void show_plan() {}
+
+  // arms_mission_follow.cpp: watching one plan.
+  run::Decision judge_image(std::span<const std::byte> image) override;
+  void see(std::span<const std::byte> image);
+  void note_progress();
+  std::optional<std::string> moved_thing(std::span<const std::byte> image);
+  std::vector<std::optional<scene::Pose>> expected() const;
+  const schedule::ScheduledStep* step_of(std::size_t arm) const;
+  int held_by(std::size_t arm) const;
+
+  // arms_surprise.cpp: what has stopped the arms.
+  Surprise surprise() const;
+  Surprise drive_fault(std::size_t arm, const std::string& who) const;
+  run::Decision answer(Surprise what);
+
+  // arms_mission_rest.cpp: to rest, and there.
+  std::optional<run::Cause> hold_stopped() override;
+  std::optional<run::Cause> hold(const run::Cause& cause, run::Phase phase, const std::string& message);
+  bool bring_to_rest();
+  bool look();
+  bool picture();
+  Rest await(bool (*there)(const ArmsReading&), double within_s, const std::string& late,
+             run::IncidentKind kind);
+
+  // arms_mission_plan.cpp: from rest to the next plan.
+  bool replan(const run::Cause& cause) override;
+  bool look_and_plan();
+  bool plan_rest();
+  bool stay(const std::string& reason);
+  bool launch(PreparedArms prepared);
+  void launch_record();
+  bool install(const PreparedArms& prepared, Kind kind);
+
+  // arms_mission_requests.cpp: what people ask for.
+  result::Result<void> take(const run::Request& request) override;
+  result::Result<void> request_start(const run::Request& request);
+  std::optional<run::Cause> due(double time_s) override;
+  bool apply(const GoalChange& goal, run::Cause& cause);
+  bool apply(const HoldChange& hold, run::Cause& cause);
+  bool apply(const ResumeChange& resume, run::Cause& cause);
+
+  const ArmsPlanning& planning_;
+  const ArmsMissionOptions options_;
+
+  ArmsOrder order_;
+  std::vector<scene::Pose> believed_;  // of each thing
+  std::vector<int> held_;              // the thing that each arm holds; -1: nothing
+  Observed observed_;                  // at the newest look
+  Sight sight_;                        // likewise
+  std::map<std::string, int> tries_;   // that failed
+  std::uint32_t looks_ = 0;            // programs that have looked
+
+  Kind kind_ = Kind::Look;
+  std::optional<PreparedArms> driven_;  // the plan; none where a restarted supervisor does not know it
+  std::optional<ArmsReader> reader_;    // of the program that runs
+  ArmsReading reading_, before_;        // the newest, and the one before
+  std::vector<Report> newest_;          // while arms work, the last two reports
+  int seen_reports_ = 0;
+  std::uint64_t rested_at_ = 0;  // the event with which the arms rested
+  bool held_at_rest_ = false;    // by an operator or an emergency stop
+  bool to_hold_ = false;         // an operator wants it as soon as the arms rest
+  bool changed_ = false;         // since the journal was written
+  bool ran_ = false;             // this is not the first run
+
+  std::mutex outlook_mutex_;
+  std::optional<std::string> outlook_;  // that nobody has fetched yet; guarded by the mutex
+  run::DueRequests<TimedArmsRequest> requests_;
+};
+
+}  // namespace stepwright::tamp::mission

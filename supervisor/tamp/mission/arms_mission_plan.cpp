@@ -1,0 +1,150 @@
+// From rest to the next plan.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "supervisor/tamp/mission/arms_mission.h"
+
+namespace stepwright::tamp::mission {
+
+using run::IncidentKind;
+using run::Phase;
+using run::Response;
+
+bool ArmsMission::replan(const run::Cause& cause) {
+  record_.replans.push_back({clock_.now_s(), run::sentence_of(cause.evidence), {}, to_hold_});
+  open_incident(cause);
+  if (!to_hold_ && static_cast<int>(run::counted(record_.replans)) > options_.max_replans)
+    return give_up(
+        fmt::format("{} plans were not enough: {}", options_.max_replans, run::sentence_of(cause.evidence)),
+        cause.kind);
+  set_phase(to_hold_ ? Phase::Holding : Phase::Replanning, run::sentence_of(cause.evidence));
+  return bring_to_rest() && look_and_plan();
+}
+
+// An order that is done is the end; one that is not is planned for from what is seen.
+bool ArmsMission::look_and_plan() {
+  const bool after_a_plan = kind_ == Kind::Follow && reading_.stage == CellStage::Done;
+  if (!look()) return false;
+  for (std::size_t k = 0; k < believed_.size(); ++k)
+    if (observed_.state.things[k].holder < 0) believed_[k] = observed_.state.things[k].pose;
+  for (std::size_t arm = 0; arm < held_.size(); ++arm) held_[arm] = observed_.state.arms[arm].holds;
+  note_outlook();
+  const std::string missing = not_yet(planning_.cell(), observed_.state, order_);
+  if (!after_a_plan || missing.empty()) return plan_rest();
+  // The plan has come to its end, and the camera does not agree.
+  const std::string why = "the plan has ended, and not yet is " + missing;
+  if (++tries_[missing] > options_.retries) return give_up(why, IncidentKind::Position);
+  record_.replans.push_back({clock_.now_s(), why, {}, false});
+  open_incident({IncidentKind::Position, {why}});
+  set_phase(Phase::Replanning, why);
+  return plan_rest();
+}
+
+// What cannot be planned is no end while the arms stand: people can see to it, or want something else.
+bool ArmsMission::plan_rest() {
+  while (true) {
+    const scene::RobotCell& cell = planning_.cell();
+    for (std::size_t k = 0; k < order_.wanted.size(); ++k)
+      record_.goal[k].met = is_met(cell, observed_.state, order_.wanted[k]);
+    const bool home = std::ranges::all_of(observed_.state.arms, [&](const scene::ArmState& each) {
+      const auto arm = static_cast<std::size_t>(&each - observed_.state.arms.data());
+      return each.holds < 0 && each.at == cell.arms[arm].home;
+    });
+    if (home && not_yet(cell, observed_.state, order_).empty()) {
+      decide(Response::GoOn);
+      record_.finished_s = clock_.now_s();
+      (void)controller_.stop("the order is done");
+      set_phase(Phase::Done, fmt::format("the order is done: {}", order_.name));
+      return false;
+    }
+    auto prepared = planning_.plan(
+        {.order = &order_, .state = observed_.state, .strangers = sight_.strangers, .cancel = &abort_});
+    if (abort_) return give_up_aborted();
+    if (prepared) {
+      if (!record_.incidents.empty()) record_.incidents.back().replan_ms = prepared->spent_ms;
+      return launch(*std::move(prepared));
+    }
+    if (!stay(result::to_string(prepared.error())) || !look()) return false;
+  }
+}
+
+// False if the run is over.
+bool ArmsMission::stay(const std::string& reason) {
+  if (!options_.attended && requests_.none_to_come()) return give_up(reason, IncidentKind::Position);
+  decide(Response::Replan);
+  (void)controller_.acknowledge(rested_at_);  // the clock goes on while the arms are held
+  const auto cause =
+      hold({IncidentKind::Position, {reason}}, Phase::Held,
+           reason + ": the arms stand until they are resumed, with another order perhaps, or aborted");
+  if (!cause) return false;
+  open_incident(*cause);
+  set_phase(Phase::Replanning, cause->evidence.front());
+  return true;
+}
+
+bool ArmsMission::launch(PreparedArms prepared) {
+  driven_ = std::move(prepared);
+  newest_.clear();
+  seen_reports_ = 0;
+  decide(Response::Replan);
+  if (!bring_to_run([&] { return install(*driven_, Kind::Follow); })) return false;
+  launch_record();
+  show_plan();
+  set_phase(Phase::Executing, fmt::format("the arms work: {}", order_.name));
+  return true;
+}
+
+void ArmsMission::launch_record() {
+  run::Episode episode;
+  episode.digest = digest_;
+  episode.started_s = clock_.now_s();
+  episode.origin = record_.episodes.empty() ? "planned" : "replanned";
+  episode.first_plan_ms = driven_->spent_ms;
+  episode.planned_makespan_s = driven_->schedule.makespan_s;
+  episode.planned_sequential_makespan_s = driven_->schedule.sequential_s;
+  episode.cost = driven_->schedule.makespan_s;
+  for (const scene::PlannedAction& each : driven_->plan.actions) {
+    run::ActionRecord action;
+    action.text = text_of(*driven_->cell, each.what);
+    action.planned_start_s = std::numeric_limits<double>::max();
+    episode.actions.push_back(std::move(action));
+  }
+  for (std::size_t arm = 0; arm < driven_->schedule.arms.size(); ++arm)
+    for (const schedule::ScheduledStep& step : driven_->schedule.arms[arm].steps) {
+      run::ActionRecord& action = episode.actions[step.action];
+      action.planned_start_s = std::min(action.planned_start_s, step.start_s);
+      action.planned_finish_s = std::max(action.planned_finish_s, step.finish_s);
+      action.planned_cost += step.duration_s;
+    }
+  for (const program::ArmsStep& step : driven_->program.steps)
+    if (step.arm >= 0 && step.kind != program::ArmsStepKind::Start &&
+        step.kind != program::ArmsStepKind::Done && step.action < episode.actions.size() &&
+        episode.actions[step.action].step.empty())
+      episode.actions[step.action].step = step.name;
+  for (run::ActionRecord& action : episode.actions)  // without a motion of its own
+    if (action.planned_start_s == std::numeric_limits<double>::max()) {
+      action.planned_start_s = action.planned_finish_s = 0.0;
+      action.state = run::ActionState::Done;
+    }
+  if (record_.episodes.empty()) record_.started_s = episode.started_s;
+  record_.episodes.push_back(std::move(episode));
+}
+
+// A program that runs is relieved without a stop. False: the runtime is lost, or the run is over.
+bool ArmsMission::install(const PreparedArms& prepared, Kind kind) {
+  auto reader = ArmsReader::create(prepared.container, planning_.cell(), prepared.program.variables);
+  if (!reader) return give_up("the program cannot be read", reader.error());
+  const bool took_over = runs() && change(prepared.container);
+  if (!took_over && runs()) (void)controller_.stop("the next program cannot take over");
+  reader_ = *std::move(reader);
+  kind_ = kind;
+  reading_.stage = CellStage::Begins;
+  if (took_over) return await_event(host::EventKind::Changed);
+  return download(prepared.container) && start();
+}
+
+}  // namespace stepwright::tamp::mission

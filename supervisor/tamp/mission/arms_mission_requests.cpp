@@ -1,0 +1,179 @@
+// What people ask for, and what becomes of it.
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "runtime/service/answer_codes.h"
+#include "supervisor/run/internal/record_json.h"
+#include "supervisor/tamp/mission/arms_mission.h"
+
+namespace stepwright::tamp::mission {
+
+using run::IncidentKind;
+using run::internal::json;
+
+namespace {
+
+constexpr const char* kExampleOfAGoal =
+    R"_(for example {"request": "goal", "goal": "(in cup1 red-region)"})_";
+
+result::Result<ArmsChange> change_of(const run::Request& request) {
+  const std::string& word = request.word();
+  if (word == "hold") return HoldChange{};
+  if (word == "resume") return ResumeChange{};
+  const auto text = request.text("goal");
+  if (!text) {
+    auto none = run::no_request(kExampleOfAGoal);
+    return result::forward(none);
+  }
+  return GoalChange{*text};
+}
+
+}  // namespace
+
+std::string ArmsMission::goal_form() const {
+  const scene::RobotCell& cell = planning_.cell();
+  json things = json::array(), places = json::array(), orders = json::array();
+  for (const scene::Thing& each : cell.things) things.push_back(each.name);
+  for (const scene::Surface& each : cell.surfaces) places.push_back(each.name);
+  for (const scene::Thing& each : cell.things)
+    if (each.carries) places.push_back(each.name);
+  for (const ArmsOrder& each : planning_.options().orders)
+    orders.push_back({{"name", each.name}, {"goal", each.goal}});
+  const json in = {
+      {"name", "in"},
+      {"parameters", {{{"name", "thing"}, {"type", "thing"}}, {{"name", "place"}, {"type", "place"}}}},
+      {"changes", true}};
+  return run::internal::text_of({{"available", true},
+                                 {"domain", "stacking-arms"},
+                                 {"metric", ""},
+                                 {"objects", {{"thing", std::move(things)}, {"place", std::move(places)}}},
+                                 {"predicates", json::array({in})},
+                                 {"functions", json::array()},
+                                 {"sensors", json::array()},
+                                 {"labels", json::object()},
+                                 {"orders", std::move(orders)}});
+}
+
+// The goal, and where things are believed to stand.
+void ArmsMission::note_outlook() {
+  const scene::RobotCell& cell = planning_.cell();
+  scene::GeometricState state = initial_state(cell);
+  for (std::size_t k = 0; k < believed_.size(); ++k) state.things[k].pose = believed_[k];
+  json facts = json::array();
+  const auto add = [&](const Wanted& each) {
+    if (!is_met(cell, state, each)) return;
+    const std::string& place = each.surface >= 0 ? cell.surfaces[static_cast<std::size_t>(each.surface)].name
+                                                 : cell.things[static_cast<std::size_t>(each.on)].name;
+    facts.push_back("(in " + cell.things[static_cast<std::size_t>(each.thing)].name + " " + place + ")");
+  };
+  for (int thing = 0; thing < static_cast<int>(cell.things.size()); ++thing) {
+    for (int surface = 0; surface < static_cast<int>(cell.surfaces.size()); ++surface)
+      add({thing, surface, -1});
+    for (int on = 0; on < static_cast<int>(cell.things.size()); ++on)
+      if (on != thing && cell.things[static_cast<std::size_t>(on)].carries) add({thing, -1, on});
+  }
+  std::string text = run::internal::text_of({{"goal", order_.goal},
+                                             {"facts", std::move(facts)},
+                                             {"fluents", json::object()},
+                                             {"what_if", nullptr}});
+  const std::lock_guard lock(outlook_mutex_);
+  outlook_ = std::move(text);
+}
+
+std::optional<std::string> ArmsMission::new_outlook() {
+  const std::lock_guard lock(outlook_mutex_);
+  return std::exchange(outlook_, std::nullopt);
+}
+
+result::Result<void> ArmsMission::take(const run::Request& request) {
+  const std::string& word = request.word();
+  if (word == "start") return request_start(request);
+  if (word != "hold" && word != "resume" && word != "goal")
+    return run::not_of_this_mission("start, goal, hold, resume, abort");
+  auto change = change_of(request);
+  if (!change) return result::forward(change);
+  return over() ? run_is_over() : this->request(*change);
+}
+
+// With another order, if one comes with it.
+result::Result<void> ArmsMission::request_start(const run::Request& request) {
+  const auto order = request.text_or("goal", "");
+  if (!order) return run::no_request(kExampleOfAGoal);
+  if (!order->empty())
+    if (auto good = planning_.order(*order); !good) return result::forward(good);
+  return accept_start([&] {
+    if (!order->empty()) requests_.add({0.0, GoalChange{*order}});
+  });
+}
+
+result::Result<void> ArmsMission::request(const ArmsChange& change) {
+  if (const auto* goal = std::get_if<GoalChange>(&change))
+    if (auto good = planning_.order(goal->order); !good) return result::forward(good);
+  const std::lock_guard lock(requests_mutex_);
+  if (stage_ != Stage::Running && !std::holds_alternative<GoalChange>(change))
+    return result::fail(service::kNotNow, {}, "nothing moves yet", "the run waits for its start");
+  requests_.add({0.0, change});
+  return {};
+}
+
+std::optional<run::Cause> ArmsMission::due(double time_s) {
+  // A program whose schedule nobody knows any more cannot be brought to rest on its paths: it runs to its
+  // end.
+  if (kind_ == Kind::Follow && reader_ && !driven_ && reading_.stage <= CellStage::Works) return std::nullopt;
+  run::Cause cause{IncidentKind::NewGoal, {}};
+  bool replans = false;
+  for (const TimedArmsRequest& each : requests_.take(time_s))
+    replans |= std::visit([&](const auto& change) { return apply(change, cause); }, each.change);
+  if (cause.evidence.empty()) return std::nullopt;
+  if (replans && !held_at_rest_) return cause;
+  open_incident(cause);
+  decide(run::Response::GoOn);
+  return std::nullopt;
+}
+
+bool ArmsMission::apply(const GoalChange& goal, run::Cause& cause) {
+  auto order = planning_.order(goal.order);
+  if (!order) {
+    cause.evidence.push_back("refused: " + result::to_string(order.error()));
+    return false;
+  }
+  take_order(*std::move(order));
+  tries_.clear();
+  cause.evidence.push_back("another order: " + order_.name);
+  return true;
+}
+
+bool ArmsMission::apply(const HoldChange&, run::Cause& cause) {
+  cause.kind = IncidentKind::Operator;
+  if (held_at_rest_ || to_hold_) {
+    cause.evidence.emplace_back("the arms are held already");
+    return false;
+  }
+  to_hold_ = true;
+  cause.evidence.emplace_back("held by the operator");
+  return true;
+}
+
+bool ArmsMission::apply(const ResumeChange&, run::Cause& cause) {
+  cause.kind = IncidentKind::Operator;
+  if (std::exchange(to_hold_, false)) {
+    cause.evidence.emplace_back("the arms may go on");
+    return false;
+  }
+  if (!held_at_rest_) {
+    cause.evidence.emplace_back("nothing holds the arms that could be resumed");
+    return false;
+  }
+  if (!reading_.estop_ok) {
+    cause.evidence.emplace_back("the arms cannot go on: the emergency stop is still pressed");
+    return false;
+  }
+  held_at_rest_ = false;
+  cause.evidence.emplace_back("the arms may go on");
+  return true;
+}
+
+}  // namespace stepwright::tamp::mission

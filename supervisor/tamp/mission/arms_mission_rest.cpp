@@ -1,0 +1,146 @@
+// To rest, between two plans and while something holds the arms; and a look from there.
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "supervisor/tamp/mission/arms_mission.h"
+
+namespace stepwright::tamp::mission {
+
+using run::IncidentKind;
+using run::Phase;
+using run::Response;
+using std::chrono::milliseconds;
+
+namespace {
+
+// Of the scan clock.
+constexpr double kRestWithin_s = 10.0;
+constexpr double kLookWithin_s = 30.0;
+constexpr int kLooks = 3;  // at what is not seen
+
+}  // namespace
+
+std::optional<run::Cause> ArmsMission::hold_stopped() {
+  return hold({IncidentKind::Operator, {"the emergency stop is pressed"}}, Phase::Waiting,
+              "the emergency stop is pressed: see to it, then let the arms go on");
+}
+
+// The arms stand, and the program goes on scanning. Why the next plan is made; nothing if the run has ended.
+std::optional<run::Cause> ArmsMission::hold(const run::Cause& cause, Phase phase,
+                                            const std::string& message) {
+  held_at_rest_ = true;
+  to_hold_ = false;
+  const bool goes_on = hold_at_rest({.cause = cause,
+                                     .phase = phase,
+                                     .message = message,
+                                     .most = options_.hold,
+                                     .stopped = "the program was stopped while the arms were held",
+                                     .left = cause.evidence.front() + "; nobody has let the arms go on",
+                                     .holds = [this] { return held_at_rest_; },
+                                     .see = [this](std::span<const std::byte> image) { see(image); }});
+  if (!goes_on) return std::nullopt;
+  return run::Cause{IncidentKind::Operator, {"the arms go on"}};
+}
+
+// On their paths where a program drives them. One that was stopped by a cause is judged once they stand.
+bool ArmsMission::bring_to_rest() {
+  const bool works = reading_.stage == CellStage::Works || reading_.stage == CellStage::Begins;
+  if (reader_ && runs() && kind_ == Kind::Follow && works && driven_) {
+    const auto prepared = planning_.halt(*driven_);
+    if (!prepared) return give_up("the arms cannot be brought to rest", prepared.error());
+    if (!bring_to_run([&] { return install(*prepared, Kind::Halt); })) return false;
+    const Rest rest = await([](const ArmsReading& now) { return now.stage == CellStage::Done; },
+                            kRestWithin_s, "the arms do not come to rest", IncidentKind::Timeout);
+    if (rest == Rest::Ended) return false;
+    if (rest == Rest::Lost) driven_.reset();
+  }
+  if (!to_hold_) return true;
+  decide(Response::Replan);
+  (void)controller_.acknowledge(rested_at_);  // the clock goes on while the arms are held
+  const auto cause = hold({IncidentKind::Operator, {"held by the operator: the arms stand"}}, Phase::Held,
+                          "held by the operator: the arms stand until they are resumed or aborted");
+  if (!cause) return false;
+  open_incident(*cause);
+  set_phase(Phase::Replanning, cause->evidence.front());
+  return true;
+}
+
+// Until all that has to be known is seen, or several looks have not shown it.
+bool ArmsMission::look() {
+  for (int tried = 1;; ++tried) {
+    if (!picture()) return false;
+    if (!reading_.estop_ok) {
+      if (!options_.attended) return give_up("the emergency stop is pressed", IncidentKind::Operator);
+      decide(Response::Replan);
+      (void)controller_.acknowledge(rested_at_);
+      const auto cause = hold_stopped();
+      if (!cause) return false;
+      open_incident(*cause);
+      set_phase(Phase::Replanning, cause->evidence.front());
+      tried = 0;
+      continue;
+    }
+    if (observed_.wrong.empty()) return true;
+    if (tried < kLooks) continue;
+    if (!stay(observed_.wrong)) return false;
+    tried = 0;
+  }
+}
+
+// Programs that look differ, so that each is another one for the runtime.
+bool ArmsMission::picture() {
+  while (true) {
+    const auto prepared = planning_.observe(++looks_);
+    if (!prepared) return give_up("the cell cannot be looked at", prepared.error());
+    if (!bring_to_run([&] { return install(*prepared, Kind::Look); })) return false;
+    const Rest rest = await([](const ArmsReading& now) { return now.stage == CellStage::Done; },
+                            kLookWithin_s, "the camera does not report", IncidentKind::FailedSensor);
+    if (rest == Rest::Ended) return false;
+    if (rest == Rest::Reached) break;
+  }
+  return true;
+}
+
+// The clock stands still at the event with which it is there.
+ArmsMission::Rest ArmsMission::await(bool (*there)(const ArmsReading&), double within_s,
+                                     const std::string& late, IncidentKind kind) {
+  const double until_s = clock_.now_s() + within_s;
+  while (true) {
+    if (abort_) {
+      give_up_aborted();
+      return Rest::Ended;
+    }
+    const auto event = controller_.wait_event(milliseconds(200));
+    if (!event) {
+      if (!runtime_lost() || has_gone_on()) continue;
+      return record_.phase == Phase::Safe ? Rest::Ended : Rest::Lost;
+    }
+    if (run::ends_program(event->kind) && event->program_digest == digest_) {
+      give_up("the program was stopped while the arms were brought to rest: " + event->detail,
+              IncidentKind::ProgramFault);
+      return Rest::Ended;
+    }
+    if (event->program_digest == digest_ && event->kind == host::EventKind::StepChange) {
+      clock_.see(event->incarnation, event->time_ns);
+      see(event->image);
+      if (there(reading_)) {
+        rested_at_ = event->sequence;
+        if (kind_ == Kind::Look) {
+          sight_ = agree(planning_.cell(), reader_->all(event->image), believed_);
+          observed_ = observe(planning_.cell(), reading_, sight_, held_);
+        }
+        return Rest::Reached;
+      }
+      if (clock_.now_s() > until_s) {
+        (void)controller_.acknowledge(event->sequence);
+        give_up(late, kind);
+        return Rest::Ended;
+      }
+    }
+    (void)controller_.acknowledge(event->sequence);
+  }
+}
+
+}  // namespace stepwright::tamp::mission

@@ -1,0 +1,171 @@
+#include "supervisor/tamp/mission/arms_planning.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "ladder/driver/compile.h"
+#include "supervisor/tamp/mission/way_home.h"
+#include "supervisor/tamp/planner/skeleton_planner.h"
+#include "supervisor/tamp/schedule/schedule_plan.h"
+
+namespace stepwright::tamp::mission {
+namespace {
+
+using std::chrono::steady_clock;
+
+constexpr std::size_t kTries = 3;               // of a plan whose motions bring the arms too near
+constexpr std::uint64_t kMostFailed = 400'000;  // configurations: the same end on every machine
+// The same while only what is wanted is moved, by way of where things change hands.
+constexpr std::uint64_t kFirstFailed = 100'000;
+
+// A body of that kind, as large as those that the cell has.
+scene::Form form_of(const scene::RobotCell& cell, int kind) {
+  for (const scene::Thing& each : cell.things)
+    if (kind_of(each) == kind) return each.form;
+  return {.round = true, .radius_m = 0.05, .height_m = 0.12};
+}
+
+}  // namespace
+
+program::ArmsProgramOptions program_options() {
+  program::ArmsProgramOptions options;
+  options.reports = 5;
+  options.camera_every = std::chrono::milliseconds(250);
+  return options;
+}
+
+result::Result<ArmsPlanning> ArmsPlanning::open(ArmsPlanningOptions options) {
+  ArmsPlanning planning(std::move(options));
+  const scene::RobotCell& cell = planning.options_.cell;
+  if (auto good = check_names(cell); !good) return result::forward(good);
+  for (const scene::Thing& each : cell.things)
+    if (kind_of(each) == 0)
+      return result::fail("G0407", {}, "nobody knows what the camera calls '" + each.name + "'",
+                          "kind = \"cup\", \"can\", \"tray\" or \"box\" of the [[object]]");
+  const scene::GeometricState start = initial_state(cell);
+  const std::string problem = problem_text(cell, planning.first_order(), start, nullptr);
+  if (auto read = planner::read_skeletons(planning.options_.domain, {"order.pddl", problem}); !read)
+    return result::forward(read);
+  return planning;
+}
+
+result::Result<ArmsOrder> ArmsPlanning::order(const std::string& text) const {
+  const auto known = std::ranges::find(options_.orders, text, &ArmsOrder::name);
+  if (known != options_.orders.end()) return *known;
+  if (!text.starts_with('(')) {
+    std::string names;
+    for (const ArmsOrder& each : options_.orders) names += (names.empty() ? "" : ", ") + each.name;
+    return result::fail("G0401", {"goal", 1, 1}, "there is no order '" + text + "'",
+                        "orders are " + names + "; or a goal: (in cup1 red-region)");
+  }
+  return read_order(options_.cell, text, text, "goal");
+}
+
+// Things stand where they do now, and what nobody has a name for stands there for good.
+scene::RobotCell ArmsPlanning::cell_with(const ArmsPlanRequest& request,
+                                         const scene::GeometricState& state) const {
+  scene::RobotCell cell = options_.cell;
+  for (std::size_t k = 0; k < cell.things.size(); ++k) cell.things[k].start = state.things[k].pose;
+  for (std::size_t k = 0; k < request.strangers.size(); ++k)
+    cell.furniture.push_back({"stranger " + std::to_string(k + 1), form_of(cell, request.strangers[k].kind),
+                              request.strangers[k].pose});
+  return cell;
+}
+
+result::Result<std::vector<scene::PlannedAction>> ArmsPlanning::actions_for(
+    const ArmsPlanRequest& request, const scene::RobotCell& cell, const scene::GeometricState& state,
+    std::uint64_t seed) const {
+  if (not_yet(cell, state, *request.order).empty()) return std::vector<scene::PlannedAction>();
+  const planner::IntervalModel model(cell);
+  planner::TampOptions how;
+  how.seed = seed;
+  how.cancel = request.cancel;
+  how.until = steady_clock::now() + std::chrono::duration_cast<steady_clock::duration>(
+                                        std::chrono::duration<double>(options_.most_s));
+  planner::TampOutcome outcome;
+  for (const bool all : {false, true}) {
+    auto task = planner::read_skeletons(
+        options_.domain,
+        {"order.pddl", problem_text(cell, *request.order, state, all ? nullptr : &options_.exchange)});
+    if (!task) return result::forward(task);
+    how.most_failed = all ? kMostFailed : kFirstFailed;
+    outcome = planner::plan(cell, *task, model, how);
+    if (outcome.plan) return std::move(outcome.plan->actions);
+  }
+  const bool proved = outcome.kind == model::OutcomeKind::Infeasible;
+  return result::fail(proved ? kNoPlan : kNotFound, {},
+                      (proved ? "no plan exists for " : "no plan was found for ") + request.order->name +
+                          (outcome.reason.empty() ? "" : ": " + outcome.reason),
+                      "another order, or see to what is in the way");
+}
+
+result::Result<PreparedArms> ArmsPlanning::plan(const ArmsPlanRequest& request) const {
+  const auto began = steady_clock::now();
+  result::Diagnostics why;
+  for (std::size_t tried = 0; tried < kTries; ++tried) {
+    const std::uint64_t seed = options_.seed + tried;
+    PreparedArms prepared;
+    prepared.start = request.state;
+    auto first = way_home(cell_with(request, request.state), request.state, request.order->wanted,
+                          {.seed = seed, .leaves = true});
+    if (!first) return result::forward(first);
+    scene::RobotCell cell = cell_with(request, first->after);
+    auto actions = actions_for(request, cell, first->after, seed);
+    if (!actions) return result::forward(actions);
+    auto last = way_home(cell, state_after(cell, first->after, *actions), {}, {.seed = seed});
+    if (!last) return result::forward(last);
+    for (auto* part : {&first->actions, &*actions, &last->actions})
+      for (scene::PlannedAction& each : *part) prepared.plan.actions.push_back(std::move(each));
+    auto schedule = schedule::schedule_plan(cell, request.state, prepared.plan, {.seed = seed});
+    if (!schedule) {
+      why = schedule.error();
+      continue;
+    }
+    prepared.schedule = *std::move(schedule);
+    prepared.cell = std::make_shared<const scene::RobotCell>(std::move(cell));
+    if (auto made = compile(program::ArmsProgramKind::Follow, 0, prepared); !made) {
+      why = made.error();
+      continue;
+    }
+    prepared.spent_ms = std::chrono::duration<double, std::milli>(steady_clock::now() - began).count();
+    return prepared;
+  }
+  return tl::unexpected(std::move(why));
+}
+
+result::Result<PreparedArms> ArmsPlanning::halt(const PreparedArms& driven) const {
+  PreparedArms prepared = driven;
+  if (auto made = compile(program::ArmsProgramKind::Halt, 0, prepared); !made) return result::forward(made);
+  return prepared;
+}
+
+result::Result<PreparedArms> ArmsPlanning::observe(std::uint32_t reset) const {
+  PreparedArms prepared;
+  if (auto made = compile(program::ArmsProgramKind::Observe, reset, prepared); !made)
+    return result::forward(made);
+  return prepared;
+}
+
+result::Result<void> ArmsPlanning::compile(program::ArmsProgramKind kind, std::uint32_t reset,
+                                           PreparedArms& prepared) const {
+  program::ArmsProgramOptions options = options_.program;
+  options.reset = reset;
+  const bool looks = kind == program::ArmsProgramKind::Observe;
+  auto made = program::arms_program({.kind = kind,
+                                     .cell = looks ? &options_.cell : prepared.cell.get(),
+                                     .schedule = looks ? nullptr : &prepared.schedule},
+                                    options_.terminals, options);
+  if (!made) return result::forward(made);
+  prepared.program = *std::move(made);
+  driver::CompileInput input;
+  input.projects.push_back(&prepared.program.project);
+  input.document = true;
+  input.watchers = options_.watchers;
+  auto output = driver::compile(input);
+  if (!output) return result::forward(output);
+  prepared.container = std::move(output->container);
+  return {};
+}
+
+}  // namespace stepwright::tamp::mission

@@ -1,0 +1,23 @@
+#pragma once
+
+// What people, or the cell's file, ask of two arms while they work. Values.
+
+#include <string>
+#include <variant>
+
+namespace stepwright::tamp::mission {
+
+struct GoalChange {
+  std::string order;  // its name, or a goal in PDDL; in place of the one that is worked on
+};
+struct HoldChange {};
+struct ResumeChange {};
+
+using ArmsChange = std::variant<GoalChange, HoldChange, ResumeChange>;
+
+struct TimedArmsRequest {
+  double at_s = 0.0;  // of the scan clock
+  ArmsChange change;
+};
+
+}  // namespace stepwright::tamp::mission

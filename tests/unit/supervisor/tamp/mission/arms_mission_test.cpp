@@ -1,0 +1,208 @@
+// A run of two arms with its real planner, compiler, scan and plant.
+
+#include "supervisor/tamp/mission/arms_mission.h"
+
+#include <gtest/gtest.h>
+
+#include <utility>
+
+#include "supervisor/tamp/mission/arms_journal.h"
+#include "tests/unit/supervisor/run/asked.h"
+#include "tests/unit/supervisor/tamp/mission/arms_cell.h"
+
+namespace stepwright::tamp::mission {
+namespace {
+
+using run::IncidentKind;
+using run::Phase;
+using testing::ArmsCell;
+using testing::story;
+
+constexpr const char* kUp = "(in cup1 box-top)";
+
+void expect_on_the_box(const ArmsCell& cell) {
+  EXPECT_NEAR(cell.truth("z_cup1"), 0.85, 0.001);
+  EXPECT_NEAR(cell.truth("x_cup1"), 0.45, 0.1);
+  EXPECT_NEAR(cell.truth("y_cup1"), 0.0, 0.12);
+}
+
+void expect_done(const ArmsCell& cell, const run::RunRecord& record) {
+  ASSERT_EQ(record.phase, Phase::Done) << story(record);
+  for (const run::GoalRecord& each : record.goal) EXPECT_TRUE(each.met) << each.text;
+  for (const run::ActionRecord& action : record.episodes.back().actions)
+    EXPECT_EQ(action.state, run::ActionState::Done) << action.text;
+  EXPECT_EQ(cell.truth("held_left") + cell.truth("held_right"), 0.0);
+}
+
+bool tells(const run::RunRecord& record, const std::string& words) {
+  for (const run::Incident& each : record.incidents)
+    if (run::sentence_of(each.evidence).find(words) != std::string::npos) return true;
+  return record.message.find(words) != std::string::npos;
+}
+
+TEST(ArmsMission, WhenAnOrderIsWorkedOn_ThenItIsDoneWithoutAContactAndTheArmsAreHome) {
+  ArmsCell cell("(in cup1 red-region)");
+  std::vector<Phase> phases;
+  const run::RunRecord record = cell.run(cell.options(), [&](const run::RunRecord& now) {
+    if (phases.empty() || phases.back() != now.phase) phases.push_back(now.phase);
+  });
+  expect_done(cell, record);
+  EXPECT_EQ(phases, (std::vector{Phase::Planning, Phase::Executing, Phase::Observing, Phase::Done}));
+  EXPECT_TRUE(record.incidents.empty()) << story(record);
+  EXPECT_EQ(cell.contacts(), 0.0);
+  ASSERT_EQ(record.episodes.size(), 1u);
+  const auto& actions = record.episodes[0].actions;
+  ASSERT_GE(actions.size(), 5u);
+  EXPECT_EQ(actions[0].text, "right picks cup1");
+  for (const run::ActionRecord& each : actions) {
+    EXPECT_LT(each.planned_start_s, each.planned_finish_s) << each.text;
+    EXPECT_LT(*each.started_s, *each.finished_s) << each.text;
+  }
+  EXPECT_FALSE(cell.controller().any_output());
+  const auto& home = cell.planning().cell().arms[1].home;
+  EXPECT_NEAR(cell.truth("true_right_2"), home[1], 0.01);
+}
+
+TEST(ArmsMission, WhenTheSameIsRunTwice_ThenItIsTheSameRun) {
+  ArmsCell first(kUp), second(kUp);
+  const run::RunRecord a = first.run(first.options()), b = second.run(second.options());
+  expect_done(first, a);
+  expect_on_the_box(first);
+  EXPECT_EQ(a.finished_s, b.finished_s);
+  EXPECT_EQ(first.truth("x_cup1"), second.truth("x_cup1"));
+  EXPECT_EQ(first.truth("true_right_1"), second.truth("true_right_1"));
+}
+
+TEST(ArmsMission, WhenAThingFallsOutOfAHand_ThenItIsPickedUpAgain) {
+  ArmsCell cell(kUp, {{7.5, "drop_right", 1.0}, {9.0, "drop_right", 0.0, true}});
+  const run::RunRecord record = cell.run(cell.options());
+  expect_done(cell, record);
+  expect_on_the_box(cell);
+  EXPECT_TRUE(tells(record, "cup1")) << story(record);
+  EXPECT_GE(record.episodes.size(), 2u) << story(record);
+  EXPECT_EQ(cell.truth("contacts_arm_arm") + cell.truth("contacts_arm_fixed"), 0.0);
+}
+
+TEST(ArmsMission, WhenAThingIsMovedMeanwhile_ThenItIsSeenAndPlannedForWhereItIs) {
+  ArmsCell cell(kUp, {{1.6, "shift_y_cup1", 100.0}});
+  const run::RunRecord record = cell.run(cell.options());
+  expect_done(cell, record);
+  expect_on_the_box(cell);
+  EXPECT_TRUE(tells(record, "cup1 was moved")) << story(record);
+  EXPECT_EQ(cell.contacts(), 0.0);
+}
+
+TEST(ArmsMission, WhenAThingSlipsAgainAndAgain_ThenTheRunEndsSafeWithTheCause) {
+  ArmsCell cell(kUp, {{1.0, "drop_right", 1.0}});
+  ArmsMissionOptions options = cell.options();
+  options.retries = 1;
+  const run::RunRecord record = cell.run(options);
+  EXPECT_EQ(record.phase, Phase::Safe) << story(record);
+  EXPECT_NE(record.message.find("the right hand has closed and does not hold cup1"), std::string::npos)
+      << story(record);
+  EXPECT_FALSE(cell.controller().any_output());
+}
+
+TEST(ArmsMission, WhenTheEmergencyStopIsPressed_ThenTheArmsStandUntilPeopleLetThemGoOn) {
+  ArmsCell cell(kUp, {{6.5, "press_estop", 1.0}, {9.0, "press_estop", 0.0, true}});
+  ArmsMissionOptions options = cell.options();
+  options.attended = true;
+  options.requests = {{8.0, ResumeChange{}}, {11.0, ResumeChange{}}};
+  const run::RunRecord record = cell.run(options);
+  expect_done(cell, record);
+  expect_on_the_box(cell);
+  EXPECT_GE(record.finished_s, 11.0);
+  EXPECT_EQ(record.incidents[0].kind, IncidentKind::Operator) << story(record);
+  EXPECT_TRUE(tells(record, "still pressed")) << story(record);
+}
+
+TEST(ArmsMission, WhenSomebodyWantsSomethingElse_ThenWhatIsHeldIsTakenThere) {
+  ArmsCell cell("(in cup1 red-region)");
+  ArmsMissionOptions options = cell.options();
+  options.requests = {{7.0, GoalChange{kUp}}};
+  const run::RunRecord record = cell.run(options);
+  expect_done(cell, record);
+  expect_on_the_box(cell);
+  ASSERT_EQ(record.replans.size(), 1u) << story(record);
+  EXPECT_EQ(record.incidents[0].kind, IncidentKind::NewGoal);
+  EXPECT_EQ(cell.controller().stops(), 1) << "at the end";
+  EXPECT_EQ(cell.contacts(), 0.0);
+}
+
+TEST(ArmsMission, WhenAJointIsStuck_ThenTheRunEndsSafeAndSaysWhichOne) {
+  ArmsCell cell(kUp, {{3.2, "stuck_right_1", 1.0}});
+  const run::RunRecord record = cell.run(cell.options());
+  EXPECT_EQ(record.phase, Phase::Safe) << story(record);
+  EXPECT_NE(record.message.find("joint 1 of the right arm does not move"), std::string::npos)
+      << record.message;
+  EXPECT_EQ(cell.contacts(), 0.0);
+}
+
+TEST(ArmsMission, WhenADriveTrips_ThenTheRunEndsSafeAndSaysSo) {
+  ArmsCell cell(kUp, {{3.2, "overcurrent_right_3", 1.0}});
+  const run::RunRecord record = cell.run(cell.options());
+  EXPECT_EQ(record.phase, Phase::Safe) << story(record);
+  EXPECT_NE(record.message.find("a drive of the right arm has tripped"), std::string::npos) << record.message;
+}
+
+TEST(ArmsMission, WhenTheCameraIsDead_ThenTheRunEndsSafeAndSaysSo) {
+  ArmsCell cell(kUp, {{0.0, "camera_dead", 1.0}});
+  const run::RunRecord record = cell.run(cell.options());
+  EXPECT_EQ(record.phase, Phase::Safe) << story(record);
+  EXPECT_NE(record.message.find("the camera does not report"), std::string::npos) << record.message;
+}
+
+TEST(ArmsMission, WhenAnOrderIsOutOfReach_ThenTheRunEndsWithTheReason) {
+  ArmsCell cell("(in cup1 red-region)", {{0.0, "shift_x_cup1", 450.0}});
+  const run::RunRecord record = cell.run(cell.options());
+  EXPECT_EQ(record.phase, Phase::Safe) << story(record);
+  EXPECT_NE(record.message.find("no plan"), std::string::npos) << record.message;
+  EXPECT_EQ(cell.contacts(), 0.0);
+}
+
+TEST(ArmsMission, WhenTheSupervisorIsRestarted_ThenItsProgramGoesOnAndTheCameraJudges) {
+  ArmsCell cell(kUp);
+  ArmsMissionOptions options = cell.options();
+  options.journal = cell.journal();
+  struct Killed {};
+  try {
+    cell.run(options, [&](const run::RunRecord& record) {
+      if (!record.episodes.empty() && record.episodes[0].actions[0].state == run::ActionState::Done &&
+          record.phase == Phase::Executing)
+        throw Killed{};
+    });
+    FAIL() << "it ended before it was killed";
+  } catch (const Killed&) {
+  }
+  const run::RunRecord record = cell.run(options);
+  ASSERT_EQ(record.phase, Phase::Done) << story(record);
+  expect_on_the_box(cell);
+  EXPECT_EQ(record.incidents[0].kind, IncidentKind::LostSupervisor) << story(record);
+  EXPECT_EQ(cell.contacts(), 0.0);
+}
+
+TEST(ArmsMission, WhenTheRuntimeIsLost_ThenTheRunGoesOnFromWhereTheArmsStand) {
+  ArmsCell cell(kUp);
+  cell.controller().kill_runtime_at(7.0);
+  const run::RunRecord record = cell.run(cell.options());
+  expect_done(cell, record);
+  expect_on_the_box(cell);
+  EXPECT_EQ(record.incidents[0].kind, IncidentKind::LostRuntime) << story(record);
+}
+
+TEST(ArmsMission, WhenRequestsMeanNothing_ThenTheyAreRefusedAtOnce) {
+  ArmsCell cell(kUp);
+  ArmsMission mission(cell.planning(), cell.controller(), cell.options(), {});
+  const auto code = [&](const char* text) { return run::refusal(mission, text); };
+  EXPECT_NE(mission.goal_form().find("\"across\""), std::string::npos);
+  EXPECT_EQ(code(R"({"request": "goal", "goal": "acros"})"), "G0401");
+  EXPECT_EQ(code(R"_({"request": "goal", "goal": "(in cup2 table)"})_"), "G0401");
+  EXPECT_EQ(code(R"({"request": "goal"})"), "X0005");
+  EXPECT_EQ(code(R"({"request": "block", "name": "x"})"), "X0003");
+  EXPECT_EQ(code(R"({"request": "start"})"), "X0008");
+  EXPECT_EQ(code(R"({"request": "goal", "goal": "across"})"), "");
+  EXPECT_EQ(code(R"_({"request": "goal", "goal": "(in cup1 table)"})_"), "");
+}
+
+}  // namespace
+}  // namespace stepwright::tamp::mission

@@ -1,0 +1,77 @@
+#include "supervisor/tamp/mission/sight.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/supervisor/tamp/mission/arms_cell.h"
+
+namespace stepwright::tamp::mission {
+namespace {
+
+constexpr int kCup = 1, kCan = 2;
+
+scene::RobotCell two_cups() {
+  scene::RobotCell cell = testing::paper_cell();
+  scene::Thing other = cell.things[0];
+  other.name = "cup2";
+  other.start.x_m += 0.2;
+  cell.things.push_back(other);
+  return cell;
+}
+
+std::vector<scene::Pose> starts(const scene::RobotCell& cell) {
+  std::vector<scene::Pose> poses;
+  for (const scene::Thing& each : cell.things) poses.push_back(each.start);
+  return poses;
+}
+
+TEST(ArmsSight, WhenMostReportsAgree_ThenTheMeanIsBelievedAndGhostsAreNot) {
+  const scene::RobotCell cell = two_cups();
+  const scene::Pose a = cell.things[0].start, b = cell.things[1].start;
+  std::vector<Report> reports;
+  for (int k = 0; k < 5; ++k) {
+    Report report;
+    const double off_m = 0.001 * (k - 2);
+    if (k != 3) report.push_back({kCup, {b.x_m + off_m, b.y_m, b.z_m, 0.0}});
+    if (k != 1) report.push_back({kCup, {a.x_m, a.y_m + off_m, a.z_m, 0.0}});
+    if (k == 2) report.push_back({kCup, {0.6, 0.3, 0.7, 0.0}});
+    reports.push_back(report);
+  }
+  const Sight sight = agree(cell, reports, starts(cell));
+  ASSERT_TRUE(sight.things[0] && sight.things[1]);
+  EXPECT_NEAR(sight.things[0]->y_m, a.y_m, 0.001);
+  EXPECT_NEAR(sight.things[1]->x_m, b.x_m, 0.001);
+  EXPECT_TRUE(sight.strangers.empty());
+}
+
+TEST(ArmsSight, WhenAThingIsNotInMostReports_ThenNothingIsBelievedOfIt) {
+  const scene::RobotCell cell = two_cups();
+  const scene::Pose a = cell.things[0].start, b = cell.things[1].start;
+  std::vector<Report> reports(5, Report{{kCup, a}});
+  reports[0].push_back({kCup, b});
+  reports[4].push_back({kCup, b});
+  const Sight sight = agree(cell, reports, starts(cell));
+  EXPECT_TRUE(sight.things[0]);
+  EXPECT_FALSE(sight.things[1]);
+}
+
+TEST(ArmsSight, WhenThereIsMoreThanTheCellHas_ThenItIsAStranger) {
+  const scene::RobotCell& cell = testing::paper_cell();
+  const std::vector<Report> reports(
+      5, Report{{kCup, {0.6, 0.2, 0.7, 0.0}}, {kCup, cell.things[0].start}, {kCan, {0.7, 0.2, 0.7, 0.0}}});
+  const Sight sight = agree(cell, reports, starts(cell));
+  ASSERT_TRUE(sight.things[0]);
+  EXPECT_NEAR(sight.things[0]->y_m, cell.things[0].start.y_m, 1e-9);
+  EXPECT_EQ(sight.strangers.size(), 2u);
+}
+
+TEST(ArmsSight, WhenAThingIsSeenOnSomething_ThenItsHeightIsThatOfWhatItStandsOn) {
+  const scene::RobotCell& cell = testing::paper_cell();
+  Sight sight;
+  sight.things.resize(1);
+  EXPECT_DOUBLE_EQ(settled(cell, sight, 0, {0.45, 0.0, 0.853, 0.0}).z_m, 0.85);
+  EXPECT_DOUBLE_EQ(settled(cell, sight, 0, {0.5, -0.4, 0.694, 0.0}).z_m, 0.7);
+  EXPECT_DOUBLE_EQ(settled(cell, sight, 0, {0.5, -0.4, 0.78, 0.0}).z_m, 0.78) << "it hangs in a hand";
+}
+
+}  // namespace
+}  // namespace stepwright::tamp::mission
