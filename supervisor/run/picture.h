@@ -1,8 +1,8 @@
 #pragma once
 
-// Pictures of a plan for the page: a floor seen from above, an automaton. A mission shows them when it has a
-// plan (Mission::show). What moves is not in them: they name the variables of the program that tell it, which
-// the page has live (supervisor/doc/pictures.md).
+// Pictures of a plan for the page: a floor seen from above, an automaton, a cell of arms. A mission shows
+// them when it has a plan (Mission::show). What moves is not in them: they name the variables of the program
+// that tell it, which the page has live (supervisor/doc/pictures.md).
 //
 //   Pictures pictures;
 //   pictures.floors.push_back({.id = "floor", .border = hall.ring, .progress = "arc"});
@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "supervisor/geometry/point.h"
+#include "supervisor/run/arms_picture.h"
 
 namespace stepwright::run {
 
@@ -109,6 +110,7 @@ struct AutomatonPicture {
 struct Pictures {
   std::vector<FloorPicture> floors{};
   std::vector<AutomatonPicture> automata{};
+  std::vector<ArmsPicture> arms{};
 };
 
 // JSON text of at most dds::kMaxPicturesBytes: what is too long is left out, and the picture says what that

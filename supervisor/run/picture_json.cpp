@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "runtime/dds/plan_channel.h"
+#include "supervisor/run/internal/arms_picture_json.h"
 #include "supervisor/run/internal/record_json.h"
 
 namespace stepwright::run {
@@ -129,7 +130,7 @@ json automaton_json(const AutomatonPicture& automaton) {
 }
 
 // What a picture is still worth looking at without, the least first.
-constexpr std::array kDispensable = {"regions", "earlier_m", "swept", "walls"};
+constexpr std::array kDispensable = {"regions", "earlier_m", "swept", "walls", "ways", "bodies"};
 
 }  // namespace
 
@@ -137,6 +138,7 @@ std::string to_json(const Pictures& pictures) {
   json all = json::array();
   for (const FloorPicture& floor : pictures.floors) all.push_back(floor_json(floor));
   for (const AutomatonPicture& automaton : pictures.automata) all.push_back(automaton_json(automaton));
+  for (const ArmsPicture& arms : pictures.arms) all.push_back(internal::arms_json(arms));
   json document = {{"pictures", std::move(all)}};
   std::string text = internal::text_of(document);
   for (const char* part : kDispensable) {

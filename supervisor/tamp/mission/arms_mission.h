@@ -77,8 +77,10 @@ class ArmsMission final : public run::Mission {
   void write_journal() const;
   void take_order(ArmsOrder order);
   void note_outlook();
-  // What the page draws of the plan: nothing yet.
-  void show_plan() {}
+
+  // arms_mission_pictures.cpp: what the page draws.
+  void show_plan();
+  void show_look(const program::ArmsProgram* looking);
 
   // arms_mission_follow.cpp: watching one plan.
   run::Decision judge_image(std::span<const std::byte> image) override;

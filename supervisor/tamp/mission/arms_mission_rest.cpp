@@ -95,6 +95,7 @@ bool ArmsMission::picture() {
     const auto prepared = planning_.observe(++looks_);
     if (!prepared) return give_up("the cell cannot be looked at", prepared.error());
     if (!bring_to_run([&] { return install(*prepared, Kind::Look); })) return false;
+    show_look(&prepared->program);
     const Rest rest = await([](const ArmsReading& now) { return now.stage == CellStage::Done; },
                             kLookWithin_s, "the camera does not report", IncidentKind::FailedSensor);
     if (rest == Rest::Ended) return false;

@@ -83,7 +83,9 @@ class ArmsProjectWriter {
     for (const std::string& name : context_.names) {
       ArmVariables one;
       for (int k = 1; k <= 7; ++k) one.joints.push_back(fmt::format("joint_{}_{}", name, k));
+      for (int k = 1; k <= 7; ++k) one.angles.push_back(fmt::format("pos_{}_{}", name, k));
       one.width = "opening_" + name;
+      one.opening = "width_" + name;
       one.progress = "progress_" + name;
       one.state = "state_" + name;
       one.error = "error_" + name;

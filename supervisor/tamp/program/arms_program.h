@@ -81,6 +81,8 @@ struct ArmsStep {
 struct ArmVariables {
   std::vector<std::string> joints;  // LREAL, rad, as measured: "joint_left_1"
   std::string width;                // LREAL, m: between the fingers, as measured
+  std::vector<std::string> angles;  // INT, 0.0001 rad: the same as terminals say it, "pos_left_1"
+  std::string opening;              // INT, 0.1 mm: likewise
   std::string progress;             // LREAL: schedule::Wait
   std::string state, error;         // INT, UINT: of the group of axes (MC_GROUP_STATE, ErrorID)
   std::string standing;             // BOOL: set points do not change

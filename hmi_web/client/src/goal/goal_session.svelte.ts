@@ -17,6 +17,7 @@ export class GoalSession {
   noForm = $state(''); // why there is none
   outlook = $state.raw<Outlook | null>(null);
   private asked = $state('');
+  private hasForm = false; // the mission tells of its goals in words
   private closed = false;
 
   constructor(private readonly session: Session) {}
@@ -27,12 +28,18 @@ export class GoalSession {
     return this.asked !== '' && told?.id === this.asked ? told : null;
   }
 
+  // A mission without a form knows no outlook either, until somebody has asked it something: the server would answer that there is none.
+  get hasOutlook(): boolean {
+    return this.hasForm || this.asked !== '';
+  }
+
   get planning(): boolean {
     return this.asked !== '' && (this.whatIf === null || this.whatIf.state === 'planning');
   }
 
   async open(): Promise<void> {
     const form = await this.session.ask<unknown>('GET', '/api/plan/goal-form');
+    this.hasForm = form.ok;
     const words = form.ok ? readWords(form.data) : sentences(form.problems);
     if (typeof words === 'string') this.noForm = words;
     else this.words = words;
@@ -68,6 +75,7 @@ export class GoalSession {
   }
 
   private async look(): Promise<void> {
+    if (!this.hasOutlook) return;
     const reply = await this.session.ask<unknown>('GET', '/api/plan/outlook');
     if (reply.ok) this.outlook = readOutlook(reply.data);
   }

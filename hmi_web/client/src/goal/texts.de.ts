@@ -12,6 +12,8 @@ export default {
   noConditions: 'Alles ist, wie es sein soll. Fügen Sie hinzu, was erreicht werden soll.',
   addQuantity: 'Größe hinzufügen',
   addFact: 'Tatsache hinzufügen',
+  order: 'Auftrag',
+  ownGoal: 'ein anderes Ziel',
   asText: 'Als PDDL-Text',
   asForm: 'Als Formular',
   preview: 'das Ziel als PDDL',

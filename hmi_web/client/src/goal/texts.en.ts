@@ -10,6 +10,8 @@ export default {
   noConditions: 'Everything is as it is wanted. Add what should be.',
   addQuantity: 'Add a quantity',
   addFact: 'Add a fact',
+  order: 'Order',
+  ownGoal: 'another goal',
   asText: 'As PDDL text',
   asForm: 'As a form',
   preview: 'the goal as PDDL',

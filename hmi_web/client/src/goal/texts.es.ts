@@ -12,6 +12,8 @@ export default {
   noConditions: 'Todo está como se desea. Añada lo que deba alcanzarse.',
   addQuantity: 'Añadir una magnitud',
   addFact: 'Añadir un hecho',
+  order: 'Orden',
+  ownGoal: 'otro objetivo',
   asText: 'Como texto PDDL',
   asForm: 'Como formulario',
   preview: 'el objetivo como PDDL',

@@ -12,6 +12,8 @@ export default {
   noConditions: 'Tout est comme souhaité. Ajoutez ce qui doit être atteint.',
   addQuantity: 'Ajouter une grandeur',
   addFact: 'Ajouter un fait',
+  order: 'Ordre',
+  ownGoal: 'un autre but',
   asText: 'En texte PDDL',
   asForm: 'En formulaire',
   preview: 'l’objectif en PDDL',

@@ -1,7 +1,7 @@
 // What goals of this cell can be made of (GET /api/plan/goal-form) and what holds now (GET /api/plan/outlook), read with
 // doubt: both come from another process. supervisor/doc/goals.md says what they mean.
 
-import { fieldsOf, listOf, numberOf, textOf } from '../lib/doubt';
+import { fieldsOf, listOf, numberOf, recordsOf, textOf } from '../lib/doubt';
 import { t } from './texts';
 import { readWhatIf, type WhatIf } from './what_if';
 
@@ -24,12 +24,19 @@ export interface GoalSensor {
   range: [number, number] | null;
 }
 
+// A goal that the cell's file has a name for.
+export interface NamedGoal {
+  name: string;
+  goal: string;
+}
+
 export interface GoalWords {
   objects: Map<string, string[]>; // by type
   predicates: GoalSymbol[];
   functions: GoalSymbol[];
   sensors: Map<string, GoalSensor>; // by fluent
   labels: Map<string, string>; // of facts that a switch shows
+  orders: NamedGoal[];
 }
 
 export interface Outlook {
@@ -66,6 +73,11 @@ function sensorsOf(value: unknown): Map<string, GoalSensor> {
   return sensors;
 }
 
+function ordersOf(value: unknown): NamedGoal[] {
+  const orders = recordsOf(value).map(({ name, goal }) => ({ name: textOf(name), goal: textOf(goal) }));
+  return orders.filter(({ name, goal }) => name !== '' && goal !== '');
+}
+
 // The words, or why there is no form.
 export function readWords(value: unknown): GoalWords | string {
   const form = fieldsOf(value);
@@ -76,6 +88,7 @@ export function readWords(value: unknown): GoalWords | string {
     functions: symbolsOf(form.functions),
     sensors: sensorsOf(form.sensors),
     labels: new Map(Object.entries(fieldsOf(form.labels) ?? {}).map(([fact, label]) => [fact, textOf(label)])),
+    orders: ordersOf(form.orders),
   };
 }
 

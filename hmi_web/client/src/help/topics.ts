@@ -4,7 +4,7 @@
 export const TOPICS = [
   'synoptic', 'sfc', 'plan', 'incidents', 'trend', 'state', 'replans', 'scan', 'tags', 'monitors', 'result',
   'alarms', 'history', 'recipes', 'scan-details', 'program-details', 'change-details',
-  'plan-floor', 'automaton', 'floor', 'vehicles', 'mission', 'gantt', 'goals',
+  'plan-floor', 'automaton', 'arms', 'floor', 'vehicles', 'mission', 'gantt', 'goals',
 ] as const;
 
 export type Topic = (typeof TOPICS)[number];

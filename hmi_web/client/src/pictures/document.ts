@@ -3,6 +3,7 @@
 
 import { outline, place, type Pair } from '../fleet/document';
 import { fieldsOf, listOf, numberOf, recordsOf, textOf, type Fields } from '../lib/doubt';
+import { armsPicture, type ArmsPicture } from './arms_document';
 
 export interface Area {
   name: string;
@@ -97,7 +98,7 @@ export interface AutomatonPicture {
   leftOut: number;
 }
 
-export type Picture = FloorPicture | AutomatonPicture;
+export type Picture = FloorPicture | AutomatonPicture | ArmsPicture;
 
 const MOST_LINKS = 64;
 
@@ -205,6 +206,7 @@ export function readPictures(value: unknown): Picture[] {
   const pictures = recordsOf(value).flatMap((from): Picture[] => {
     const id = textOf(from.id);
     if (from.kind === 'floor') return [floorPicture(from, id)];
+    if (from.kind === 'arms') return [armsPicture(from, id)];
     return from.kind === 'automaton' ? [automatonPicture(from, id)] : [];
   });
   return [...new Map(pictures.map((picture) => [`${picture.kind} ${picture.id}`, picture])).values()];

@@ -35,6 +35,12 @@ test('Goal_WhenItIsOfPlainConditions_ThenItComesBackAsItWas', () => {
   assert.deepEqual(goal.readGoal('(and)', words), []);
 });
 
+test('Words_WhenACellHasNamedGoals_ThenTheyAreOrders', () => {
+  const orders = [{ name: 'P1', goal: '(is-at v1 f1)' }, { name: '', goal: '(x)' }, { name: 'P2' }, 7, null];
+  assert.deepEqual(goal.readWords({ ...FORM, orders }).orders, [{ name: 'P1', goal: '(is-at v1 f1)' }]);
+  assert.deepEqual(words.orders, []);
+});
+
 test('Goal_WhenItSaysMore_ThenTheFormDoesNotTakeItForLess', () => {
   for (const text of [
     '', '(', ')', '(is-at v1 f1', '(is-at v1 f1))', '(or (is-at v1 f1) (is-at v1 a1))', '(forall (?p - place) (is-at v1 ?p))',
