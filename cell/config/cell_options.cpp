@@ -13,9 +13,9 @@ void add_cell_options(CLI::App& app, CellOptions& options) {
   app.add_option("--set", options.overrides, "KEY=VALUE that wins over the file, e.g. plant.seed=7");
 }
 
-result::ExitCode concerned(const CellOptions& options, bool remote) {
+result::ExitCode concerned(const CellOptions& options, bool (*wants)(const CellConfig&)) {
   const CellReading cell = read_cell_config(options.config, options.overrides);
-  return cell.config.controller.remote() == remote ? result::ExitCode::Done : result::ExitCode::BadInput;
+  return wants(cell.config) ? result::ExitCode::Done : result::ExitCode::BadInput;
 }
 
 tl::expected<CellConfig, int> load_cell(const CellOptions& options) {

@@ -29,10 +29,9 @@ struct CellOptions {
 // `options` is filled when `app` parses and must live until then.
 void add_cell_options(CLI::App& app, CellOptions& options);
 
-// For ExecCondition= of systemd: Done if the cell's program is run by the process that asks (`remote`: the
-// gateway, else the runtime), BadInput if by the other. Of a file that is wrong it says what can be read of
-// it, so that one of the two starts and says what is wrong.
-[[nodiscard]] result::ExitCode concerned(const CellOptions& options, bool remote);
+// For ExecCondition= of systemd: Done if the cell wants the process that asks, else BadInput. `wants` judges
+// what can be read of a file that is wrong, so that the runtime or the gateway starts and says what is wrong.
+[[nodiscard]] result::ExitCode concerned(const CellOptions& options, bool (*wants)(const CellConfig&));
 
 // The cell that the parsed options name, with a state folder that can be trusted (check_state_dir); or the
 // exit code, after what is wrong went to stderr.

@@ -13,6 +13,7 @@
 #include "cell/config/cell_config.h"
 #include "programs/demo/cell_run.h"
 #include "programs/demo/controller_choice.h"
+#include "programs/demo/known_cells.h"
 #include "programs/demo/summary.h"
 #include "runtime/ground/process/command_line.h"
 #include "runtime/ground/process/files.h"
@@ -31,6 +32,7 @@ struct DemoOptions {
   bool fast = false;
   bool sequential = false;
   bool compare = true;
+  bool list = false;
   std::optional<std::uint64_t> seed;
   std::optional<int> port;
   std::string json;
@@ -40,24 +42,6 @@ struct DemoOptions {
   std::vector<std::string> faults;
   std::vector<std::string> overrides;
 };
-
-// A path to a configuration, or the name of a cell of this tree.
-result::Result<std::filesystem::path> find_cell(const std::string& cell) {
-  if (cell.ends_with(".toml")) return std::filesystem::path(cell);
-  const std::filesystem::path root =
-      std::filesystem::read_symlink("/proc/self/exe").parent_path() / "../../..";
-  const std::filesystem::path cells = (root / "tests/cells").lexically_normal();
-  const std::filesystem::path file = cells / cell / "cell.toml";
-  if (std::filesystem::is_regular_file(file)) return file;
-  std::string known;
-  std::error_code error;
-  for (const auto& entry : std::filesystem::directory_iterator(cells, error)) {
-    if (!std::filesystem::is_regular_file(entry.path() / "cell.toml")) continue;
-    known += (known.empty() ? "" : ", ") + entry.path().filename().string();
-  }
-  return result::fail("M0002", {}, "there is no cell '" + cell + "'",
-                      "known cells: " + known + "; or give the path of a cell's .toml file");
-}
 
 // "leak_a1=0.5@12" -> {at_s = 12, name = "leak_a1", value = 0.5}
 result::Result<std::string> fault_toml(const std::string& text) {
@@ -242,7 +226,8 @@ int run_demo(const DemoOptions& options) {
 int demo_main(int argc, char** argv) {
   CLI::App app{"Run a cell: all its processes, its main job, a report", "stepwright demo"};
   DemoOptions options;
-  app.add_option("CELL", options.cell, "name of a cell under tests/cells, or a cell's .toml file");
+  app.add_option("CELL", options.cell, "name of a cell that --list names, or a cell's .toml file");
+  app.add_flag("--list", options.list, "name the cells that come with Stepwright, and end");
   app.add_flag("--headless", options.headless, "without the web page; ends with the run");
   app.add_flag("--fast", options.fast, "simulated time as fast as the machine allows");
   app.add_flag("--sequential", options.sequential, "a strictly sequential chart, as in the paper");
@@ -258,6 +243,10 @@ int demo_main(int argc, char** argv) {
   app.add_option("--fault", options.faults, "NAME=VALUE@SECONDS: a fault of the plant, or a changed demand");
   app.add_option("--set", options.overrides, "KEY=VALUE that wins over the cell's file");
   if (const auto exit = process::parse(app, argc, argv)) return *exit;
+  if (options.list) {
+    for (const std::string& name : known_cells()) std::puts(name.c_str());
+    return to_int(ExitCode::Done);
+  }
   return run_demo(options);
 }
 

@@ -135,10 +135,9 @@ int main(int argc, char** argv) {
   if (const auto exit = stepwright::process::parse(app, argc, argv)) return *exit;
   // Of a file that is wrong the runtime says so.
   if (guard.concerned) {
-    using stepwright::result::ExitCode;
-    const auto cell = stepwright::config::read_cell_config(options.config, options.overrides);
-    const bool wanted = cell.config.safety.io.shared_memory && cell.config.safety.guard.enabled;
-    return to_int(wanted ? ExitCode::Done : ExitCode::BadInput);
+    return to_int(stepwright::config::concerned(options, [](const stepwright::config::CellConfig& cell) {
+      return cell.safety.io.shared_memory && cell.safety.guard.enabled;
+    }));
   }
   const auto config = stepwright::config::load_cell(options);
   return config ? stepwright::guard::run(*config, guard) : config.error();

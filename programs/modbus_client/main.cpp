@@ -184,7 +184,15 @@ int main(int argc, char** argv) {
   app.add_flag("--status", client.status, "say what the client that runs knows of devices and tags, and end");
   app.add_flag("--metrics", client.metrics, "the same for Prometheus");
   app.add_option("--json", client.json, "with --status: write it to this file, too");
-  const auto config = stepwright::config::parse_cell(app, options, argc, argv);
+  bool concerned = false;
+  app.add_flag("--concerned", concerned,
+               "only tell by the exit code whether the I/O of this cell is over Modbus: 0 yes, 1 no");
+  if (const auto exit = stepwright::process::parse(app, argc, argv)) return *exit;
+  if (concerned) {
+    return to_int(stepwright::config::concerned(
+        options, [](const stepwright::config::CellConfig& cell) { return cell.safety.io.modbus; }));
+  }
+  const auto config = stepwright::config::load_cell(options);
   if (!config) return config.error();
   const bool asks = client.status || client.metrics;
   return asks ? stepwright::modbus_client::tell_status(*config, client)

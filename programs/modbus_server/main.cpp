@@ -138,6 +138,14 @@ int main(int argc, char** argv) {
   CLI::App app{"Serve the variables of a runtime over Modbus", "stepwright modbus-server"};
   stepwright::config::CellOptions options;
   stepwright::config::add_cell_options(app, options);
-  const auto config = stepwright::config::parse_cell(app, options, argc, argv);
+  bool concerned = false;
+  app.add_flag("--concerned", concerned,
+               "only tell by the exit code whether this cell serves Modbus: 0 yes, 1 no");
+  if (const auto exit = stepwright::process::parse(app, argc, argv)) return *exit;
+  if (concerned) {
+    return to_int(stepwright::config::concerned(
+        options, [](const stepwright::config::CellConfig& cell) { return cell.modbus_server.enabled; }));
+  }
+  const auto config = stepwright::config::load_cell(options);
   return config ? stepwright::modbus_server::run(*config) : config.error();
 }

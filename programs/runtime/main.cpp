@@ -160,7 +160,10 @@ int main(int argc, char** argv) {
   app.add_flag("--concerned", concerned,
                "only tell by the exit code whether this cell's program is for this process: 0 yes, 1 no");
   if (const auto exit = stepwright::process::parse(app, argc, argv)) return *exit;
-  if (concerned) return to_int(stepwright::config::concerned(options, false));
+  if (concerned) {
+    return to_int(stepwright::config::concerned(
+        options, [](const stepwright::config::CellConfig& cell) { return !cell.controller.remote(); }));
+  }
   const auto config = stepwright::config::load_cell(options);
   return config ? stepwright::cell_runtime::run(*config) : config.error();
 }

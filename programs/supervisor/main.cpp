@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "cell/config/cell_config.h"
+#include "cell/config/cell_options.h"
 #include "cell/config/dds_options.h"
 #include "cell/config/reload_log.h"
 #include "cell/config/state_dir.h"
@@ -220,7 +221,15 @@ int main(int argc, char** argv) {
       ->allow_extra_args(false);
   app.add_option("--set", overrides, "KEY=VALUE that wins over the files, e.g. plant.seed=7");
   app.add_flag("--once", once, "end with the runs instead of keeping their results for viewers");
+  bool concerned = false;
+  app.add_flag("--concerned", concerned,
+               "only tell by the exit code whether the first cell has a planner: 0 yes, 1 no");
   if (const auto exit = stepwright::process::parse(app, argc, argv)) return *exit;
+  if (concerned) {
+    return to_int(config::concerned({files.front(), overrides}, [](const config::CellConfig& cell) {
+      return cell.mission.table != nullptr;
+    }));
+  }
   std::vector<config::CellConfig> cells;
   for (const std::string& file : files) {
     auto cell = config::load_cell_config(file, overrides);

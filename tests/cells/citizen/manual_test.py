@@ -53,6 +53,8 @@ class Manual(unittest.TestCase):
                            check=True, capture_output=True)
             found = {path.relative_to(root).as_posix() for path in pathlib.Path(root).rglob("*") if path.is_file()}
             self.assertIn("share/man/man1/stepwright.1", found)
+            self.assertIn("share/stepwright/cells/bench/cell.toml", found)
+            self.assertIn("lib/systemd/system/stepwright@.service", found)
             for name in ("runtime", "guard", "link", "supervisor", "hmi", "modbus-server"):
                 self.assertIn(f"lib/systemd/system/stepwright-{name}@.service", found)
 

@@ -139,7 +139,7 @@ class Units(unittest.TestCase):
         self.assertEqual([unit.name for unit in UNITS],
                          [f"stepwright-{name}@.service"
                           for name in ("gateway", "guard", "hmi", "link", "modbus-client", "modbus-server", "runtime",
-                                       "supervisor")])
+                                       "supervisor")] + ["stepwright@.service"])
 
     def test_systemd_finds_nothing_wrong(self):
         for unit in UNITS:
@@ -174,6 +174,31 @@ class Units(unittest.TestCase):
                 codes = {name: stepwright(name, "--concerned", "--config", file).returncode
                          for name in ("runtime", "gateway")}
                 self.assertEqual(codes, {"runtime": 1, "gateway": 1, wanted: 0})
+
+    def test_the_unit_of_a_cell_wants_those_of_its_processes_which_stop_and_reload_with_it(self):
+        cell = UNITS[-1].read_text(encoding="utf-8")
+        self.assertIn("\nAssertPathExists=/etc/stepwright/%i.toml\n", cell)
+        wanted = {key: " ".join(re.findall(rf"(?m)^{key}=(.*)$", cell)).split() for key in ("Wants", "PropagatesReloadTo")}
+        members = UNITS[:-1]
+        self.assertEqual(sorted(wanted["Wants"]), [unit.name.replace("@.", "@%i.") for unit in members])
+        reloaded = [unit for unit in members if "\nExecReload=" in unit.read_text(encoding="utf-8")]
+        self.assertEqual(sorted(wanted["PropagatesReloadTo"]), [unit.name.replace("@.", "@%i.") for unit in reloaded])
+        for unit in members:
+            self.assertIn("\nPartOf=stepwright@%i.service\n", unit.read_text(encoding="utf-8"), unit.name)
+
+    def test_a_process_that_the_cell_does_not_want_stays_away(self):
+        file = self.folder / "cell.toml"
+        cells = {"": [], "[modbus.server]\nenabled = true\n": ["modbus-server"], '[io]\nkind = "modbus"\n': ["modbus-client"],
+                 '[ltl]\nproblem = "hall.json"\n': ["supervisor"], "[modbus\n": []}
+        for text, wanted in cells.items():
+            with self.subTest(text=text):
+                file.write_text('[cell]\nname = "x"\n' + text, encoding="utf-8")
+                codes = {name: stepwright(name, "--concerned", "--config", file).returncode
+                         for name in ("modbus-client", "modbus-server", "supervisor")}
+                self.assertEqual(codes, {name: 0 if name in wanted else 1 for name in codes})
+        for name in ("modbus-client", "modbus-server", "supervisor"):
+            text = (SOURCES / f"programs/systemd/stepwright-{name}@.service").read_text(encoding="utf-8")
+            self.assertIn(f"\nExecCondition=/usr/bin/stepwright {name} --concerned --config /etc/stepwright/%i.toml\n", text)
 
     def test_the_guard_has_a_unit_of_its_own_that_the_runtime_wants(self):
         text = (SOURCES / "programs/systemd/stepwright-runtime@.service").read_text(encoding="utf-8")
