@@ -212,6 +212,7 @@ CellReading read_cell_config(const std::filesystem::path& file, const std::vecto
       std::chrono::milliseconds(executive.integer("what_if_ms", 10'000, {1, 86'400'000}));
   config.executive.what_if_mb =
       static_cast<std::size_t>(executive.integer("what_if_mb", 512, {16, 1'048'576}));
+  config.tags = read_tags(root.table("tags"));
   config.monitors = read_monitors(root, folder);
   const TomlTable dds = root.table("dds");
   config.dds.domain_id = static_cast<std::uint32_t>(dds.integer("domain_id", 0, {0, 232}));

@@ -27,6 +27,7 @@
 #include "cell/config/retain_config.h"
 #include "cell/config/robot_cell_config.h"
 #include "cell/config/safety_config.h"
+#include "cell/config/tag_config.h"
 #include "cell/config/task_config.h"
 #include "cell/config/tugger_config.h"
 #include "cell/missions/table/mission_tables.h"
@@ -123,6 +124,7 @@ struct CellConfig {
   PlantConfig plant;
   ImageConfig image;
   std::vector<ScheduledFault> faults;
+  std::vector<TagConfig> tags;          // [tags]: unit, description, range of tags, for people
   std::vector<MonitorConfig> monitors;  // [[monitors]]: formulas that the scan watches
   SafetyConfig safety;  // [safe_state] by cause and output, [watchdog], [tasks.NAME], [guard], [io]
   LostSupervisorPolicy on_lost_supervisor = LostSupervisorPolicy::Continue;

@@ -96,6 +96,18 @@ json to_json(const Box& box) {
           {"angle", box.angle_point}};
 }
 
+// What is not said is left out.
+json to_json(const TagNote& note) {
+  json object = {{"name", note.name}};
+  if (!note.unit.empty()) object["unit"] = note.unit;
+  if (!note.description.empty()) object["description"] = note.description;
+  if (!note.group.empty()) object["group"] = note.group;
+  if (note.decimals) object["decimals"] = *note.decimals;
+  if (note.normal) object["normal"] = {note.normal->first, note.normal->second};
+  if (!note.values.empty()) object["values"] = note.values;
+  return object;
+}
+
 template <typename T>
 json list(const std::vector<T>& items) {
   json result = json::array();
@@ -113,6 +125,7 @@ std::string hello_message(const Greeting& greeting, const Synoptic& synoptic, co
                {"version", greeting.server_version},
                {"recipes", greeting.recipes},
                {"drawing", greeting.drawing},
+               {"tags", list(greeting.tags)},
                {"synoptic",
                 {{"points", list(synoptic.points)},
                  {"places", list(synoptic.places)},

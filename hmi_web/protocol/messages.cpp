@@ -25,6 +25,14 @@ std::string program_message(const Program& program, const PointTags& points) {
   json tags = json::array();
   for (const auto& tag : program.tags) {
     tags.push_back({{"name", tag.name}, {"type", tag.type}, {"address", tag.address}});
+    if (!tag.comment.empty()) tags.back()["comment"] = tag.comment;
+    if (tag.enumeration) tags.back()["enumeration"] = *tag.enumeration;
+  }
+  json enumerations = json::array();
+  for (const auto& enumeration : program.enumerations) {
+    json names = json::object();
+    for (const auto& [value, name] : enumeration) names[std::to_string(value)] = name;
+    enumerations.push_back(std::move(names));
   }
   return text({{"type", "program"},
                {"digest", program.digest},
@@ -32,6 +40,7 @@ std::string program_message(const Program& program, const PointTags& points) {
                {"steps", std::move(steps)},
                {"transitions", std::move(transitions)},
                {"tags", std::move(tags)},
+               {"enumerations", std::move(enumerations)},
                {"points", points}});
 }
 

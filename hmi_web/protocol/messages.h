@@ -13,10 +13,12 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "hmi_web/protocol/cell_state.h"
 #include "hmi_web/protocol/program.h"
 #include "hmi_web/protocol/synoptic.h"
+#include "hmi_web/protocol/tag_note.h"
 
 namespace stepwright::protocol {
 
@@ -27,6 +29,7 @@ struct Greeting {
   std::string server_version;
   bool recipes = false;  // the API has some
   bool drawing = false;  // the API has one of the plant
+  std::vector<TagNote> tags = {};
 };
 
 // `epoch` names this run of the server: numbers of another one mean nothing.

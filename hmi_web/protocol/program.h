@@ -6,6 +6,8 @@
 // Plain values; any thread.
 
 #include <cstdint>
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,10 +27,15 @@ struct ProgramTransition {
 };
 
 struct ProgramTag {
-  std::string name;     // "PLAN.S1_FILTERED"
-  std::string type;     // IEC type name: "BOOL", "INT", "REAL", "TIME" (a TIME value counts nanoseconds)
-  std::string address;  // "%IX0.0", or empty if the tag is not located
+  std::string name;          // "PLAN.S1_FILTERED"
+  std::string type;          // IEC type name: "BOOL", "INT", "REAL", "TIME" (a TIME value counts nanoseconds)
+  std::string address;       // "%IX0.0", or empty if the tag is not located
+  std::string comment = {};  // of its declaration
+  std::optional<std::uint32_t> enumeration = std::nullopt;  // index into Program::enumerations
 };
+
+// The names of an enumeration's values; several tags have the same one.
+using Enumeration = std::map<std::int64_t, std::string>;
 
 // Of each point of the synoptic the tags at its place, as indexes into Program::tags: what is forced of them
 // is forced in the picture, too.
@@ -47,6 +54,7 @@ struct Program {
   std::vector<ProgramStep> steps;
   std::vector<ProgramTransition> transitions;
   std::vector<ProgramTag> tags;
+  std::vector<Enumeration> enumerations;
 };
 
 }  // namespace stepwright::protocol

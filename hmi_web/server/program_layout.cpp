@@ -1,10 +1,12 @@
 #include "hmi_web/server/program_layout.h"
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <string_view>
 #include <utility>
 
+#include "hmi_web/server/declared_comments.h"
 #include "runtime/bytecode/reader/document_text.h"
 #include "runtime/bytecode/value_type.h"
 #include "runtime/ground/naming/ascii_names.h"
@@ -60,6 +62,16 @@ std::map<std::string_view, std::size_t> array_sizes(const std::vector<reader::Ta
   return sizes;
 }
 
+// Where the names of a variable's values stand in the program; nothing if it is no enumeration.
+std::optional<std::uint32_t> enumeration_of(const reader::Variable& variable, protocol::Program& program) {
+  if (!variable.enumerators) return std::nullopt;
+  auto& known = program.enumerations;
+  const auto found = std::find(known.begin(), known.end(), *variable.enumerators);
+  const auto index = static_cast<std::uint32_t>(found - known.begin());
+  if (found == known.end()) known.push_back(*variable.enumerators);
+  return index;
+}
+
 // "%QX0.3" of a variable in an I/O area; empty for any other.
 std::string address_of(const reader::Variable& variable, const bytecode::SizesRecord& sizes) {
   const bool input = variable.address < sizes.input_bytes;
@@ -97,13 +109,15 @@ result::Result<ProgramLayout> read_layout(std::span<const std::byte> container, 
   for (const auto& transition : layout.transitions) {
     if (transition) drawn.insert(place_of(*transition));
   }
+  const DeclaredComments comments(info->instances(), layout.document);
   const auto arrays = array_sizes(info->tags());
   for (const auto& tag : info->tags()) {
     if (drawn.contains(place_of(tag.variable))) continue;
     const auto array = arrays.find(array_of(tag.name));
     if (array != arrays.end() && array->second > kMostOfAnArray) continue;
-    layout.program.tags.push_back(
-        {tag.name, bytecode::name_of(tag.variable.type), address_of(tag.variable, info->sizes())});
+    layout.program.tags.push_back({tag.name, bytecode::name_of(tag.variable.type),
+                                   address_of(tag.variable, info->sizes()), comments.of(tag.name),
+                                   enumeration_of(tag.variable, layout.program)});
     layout.tags.push_back(tag.variable);
   }
   return layout;

@@ -6,6 +6,7 @@
 #include "cell/monitor_check/missing_monitors.h"
 #include "cell/runtime/boot_program.h"
 #include "cell/runtime/host_options.h"
+#include "programs/check/check_described_tags.h"
 #include "programs/check/check_names.h"
 #include "programs/check/check_tags.h"
 #include "programs/check/check_wires.h"
@@ -72,6 +73,7 @@ result::Diagnostics check_program(const config::CellConfig& config, const CellPr
     add(problems, modbus::map::build_map(*info, config.modbus_server.map).problems);
   add(problems, check_tags(config.modbus_client, *info));
   add(problems, check_wires(config, *info));
+  add(problems, check_described_tags(config.tags, *info));
   add(problems, cell_monitors::missing_monitors(config, *info));
   add(problems, check_names(config, *info));
   return problems;

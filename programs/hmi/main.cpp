@@ -12,6 +12,7 @@
 #include "cell/config/cell_options.h"
 #include "cell/config/reload_log.h"
 #include "cell/hmi/plant_picture.h"
+#include "cell/hmi/tag_notes.h"
 #include "hmi_web/client/client_assets.h"
 #include "hmi_web/drawing/drawing_file.h"
 #include "hmi_web/monitor/cell_monitor.h"
@@ -61,7 +62,8 @@ int run(const config::CellConfig& config) {
     else
       (*log)->warning("setup", result::to_string(made.error()));
   }
-  server::Feed feed({config.name, STEPWRIGHT_VERSION, !config.hmi.recipes.empty(), !drawn.svg.empty()},
+  server::Feed feed({config.name, STEPWRIGHT_VERSION, !config.hmi.recipes.empty(), !drawn.svg.empty(),
+                     hmi::tag_notes(config.tags)},
                     picture->synoptic);
   const auto where = hmi::listening_of(config.hmi);
   if (!where) return fail(where.error(), ExitCode::BadInput);

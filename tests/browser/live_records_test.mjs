@@ -13,6 +13,41 @@ const shot = (page, name) => page.screenshot({ path: join(given.out, `live-recor
 
 const span = (page) => page.getByTestId('history').evaluate((one) => [Number(one.dataset.from), Number(one.dataset.to)]);
 
+const DESCRIBED = `
+[tags."main.LEVEL"]
+unit = "%"
+description = "how full the mixer is"
+group = "mixer"
+decimals = 1
+range = [0, 50]
+`;
+
+// By what the tags are described with, not by their names.
+async function describesTags(page, cell) {
+  const search = page.getByLabel('Search tags by name or address');
+  const shows = (what, words) =>
+    waitFor(page, what, (wanted) => {
+      const text = document.querySelector('[role=region][aria-label="tag values"]')?.innerText ?? '';
+      return wanted.every((word) => text.includes(word));
+    }, words);
+  await search.fill('full the mixer');
+  await shows('a tag has its unit and is described', ['Main.level', 'mixer · how full the mixer is', '12.5 %']);
+  cell.force('Main.level', '60.04');
+  await shows('its decimals are those that the cell says', ['60.0 %']);
+  await waitFor(page, 'a value beyond what is normal is marked', () => document.querySelector('td.abnormal')?.title === 'normal is 0 to 50');
+  await shot(page, 'described');
+  await search.fill('batches in a row');
+  await shows('the comment of a declaration describes a tag, too', ['Main.batches', 'batches in a row']);
+  await search.fill('Main.phase');
+  await shows('a value of an enumeration has its name', ['Main.phase', 'Waiting']);
+  cell.force('Main.stir', 'TRUE');
+  await shows('and the name of the next one', ['Mixing']);
+  cell.force('Main.level', '12.5'); // nobody else writes it
+  cell.run('unforce', '--config', cell.config, 'Main.stir');
+  cell.run('unforce', '--config', cell.config, 'Main.level');
+  await search.fill('');
+}
+
 async function drawsZoomsAndExports(page, cell) {
   await page.getByRole('button', { name: 'History' }).click();
   await page.getByLabel('Tag to add').fill('Main.level');
@@ -20,6 +55,8 @@ async function drawsZoomsAndExports(page, cell) {
   const valueIs = (value, what) =>
     waitFor(page, what, (wanted) => new RegExp(`Main\\.level[\\s\\S]*\\b${wanted}\\b`).test(document.querySelector('[data-testid=history-values] tbody')?.innerText ?? ''), value);
   await valueIs('12.5', 'the level is in the history');
+  await waitFor(page, 'with its unit', () => document.querySelector("[data-testid=history-values] tbody").innerText.includes("12.5 %"));
+  await waitFor(page, 'and what it is', () => document.querySelector('[data-testid=history-values] tbody').innerText.includes('how full the mixer is (Main.level)'));
   cell.force('Main.level', '60.0');
   await valueIs('60', 'and so is what it is forced to');
   await page.getByTestId('history').focus();
@@ -78,9 +115,10 @@ async function hidesAnAlarm(page, cell) {
 
 await leadOverPage(given, {
   name: 'live-records',
-  start: () => startMixer(given.server, { 'alarms.toml': `${LEVEL_ALARM}suppress_by_hand = true\n` }, KEEPS_RECORDS),
+  start: () => startMixer(given.server, { 'alarms.toml': `${LEVEL_ALARM}suppress_by_hand = true\n` }, KEEPS_RECORDS + DESCRIBED),
   steps: async (page, cell) => {
     await claims(page, await cell.setupToken());
+    await describesTags(page, cell);
     await drawsZoomsAndExports(page, cell);
     await hidesAnAlarm(page, cell);
   },

@@ -3,10 +3,14 @@
 import { cellWithFiles } from './cell_folder.mjs';
 
 export const PROGRAM = `
+TYPE
+  Phase : (Waiting, Mixing) := Waiting;
+END_TYPE
 PROGRAM Mixer
   VAR
+    phase : Phase;
     level : REAL := 12.5;
-    batches : INT := 3;
+    batches : INT := 3; // batches in a row
     stir : BOOL := FALSE;
     soak : TIME := T#30s;
     soaking : TON;
@@ -22,6 +26,7 @@ PROGRAM Mixer
   before := level;
   batches_before := batches;
   soaking(IN := stir, PT := soak);
+  IF stir THEN phase := Mixing; ELSE phase := Waiting; END_IF;
   total := level * INT_TO_REAL(batches);
 END_PROGRAM
 CONFIGURATION Plant

@@ -91,6 +91,15 @@ class Check(unittest.TestCase):
         self.assertEqual(result.returncode, 1)
         self.assertIn("there is no such file", result.stderr)
 
+    def test_what_is_said_of_a_tag_that_the_program_lacks_is_a_warning(self):
+        source = self.folder / "line.st"
+        source.write_text("PROGRAM Main\n  VAR level : REAL; table : ARRAY[1..3] OF INT; END_VAR\n  level := 1.0;\nEND_PROGRAM\n", encoding="utf-8")
+        self.assertEqual(stepwright("compile", source, "-o", self.folder / "line.swb").returncode, 0)
+        self.check('[cell]\nname = "line"\n[plant]\nkind = "none"\n[tags."main.LEVEL"]\nunit = "l"\n[tags."Main.table"]\nunit = "m"\n'
+                   '[tags."Main.levle"]\nunit = "l"\n', "--program", self.folder / "line.swb")
+        found = [each for each in json.loads(self.json.read_text(encoding="utf-8"))["diagnostics"] if each["code"] == "C0632"]
+        self.assertEqual([(each["line"], each["severity"], each["hint"]) for each in found], [(9, "warning", "did you mean 'Main.level'?")])
+
     def test_checking_leaves_nothing_behind(self):
         self.check('[cell]\nname = "line"\nstate_dir = "state"\n')
         self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["cell.toml", "check.json"])

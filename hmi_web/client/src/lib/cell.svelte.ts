@@ -16,6 +16,7 @@ import {
   type StateMessage,
 } from './protocol';
 import { ForcedNames } from './forces';
+import { enumerationOf, told, toldNumber, TagNotes } from './tag_notes';
 import { TrendData } from './trend_data';
 import { numberOr, type TagValue, type Value } from './value';
 import { Wanted } from './wanted';
@@ -75,6 +76,8 @@ export class Cell {
     const ids = (this.hello?.synoptic.points ?? []).map(({ id }) => id);
     return new Set(ids.filter((_, index) => program.points[index]?.some((tag) => forced.has(program.tags[tag]?.name ?? ''))));
   });
+  // What the cell says of tags beside their values.
+  readonly notes: TagNotes = $derived.by(() => new TagNotes(this.hello?.tags));
   scanOpen = $state(false); // the scan in detail is asked for
   programOpen = $state(false); // so are the sources of the program
   changeOpen = $state(false); // so is what changes it
@@ -168,6 +171,18 @@ export class Cell {
   get tags(): readonly TagValue[] {
     void this.tagVersion;
     return this.tagValues;
+  }
+
+  // A value of a tag as people read it, with its unit.
+  told(index: number, value: TagValue | undefined): string {
+    const tag = this.program?.tags[index];
+    return tag ? told(value, tag.type, this.notes.of(tag.name), enumerationOf(this.program, index)) : told(value, '');
+  }
+
+  // The same of a number that was kept of the tag of that name, in whatever program.
+  toldNumber(name: string, value: Value | undefined): string {
+    const index = this.tagNumber(name.toLowerCase());
+    return toldNumber(value, this.notes.of(name), enumerationOf(this.program, index), this.program?.tags[index]?.type);
   }
 
   // The value of a variable of the program by its whole name in lower case.

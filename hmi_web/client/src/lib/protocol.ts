@@ -160,6 +160,17 @@ export interface SynopticDescription {
   floor: FloorDescription;
 }
 
+// What is not said is missing.
+export interface TagNote {
+  name: string; // of a tag, or of an array for all its elements
+  unit?: string;
+  description?: string;
+  group?: string;
+  decimals?: number;
+  normal?: [least: number, greatest: number];
+  values?: string[]; // names of 0, 1, 2, ...
+}
+
 export interface HelloMessage {
   type: 'hello';
   protocol: number;
@@ -168,6 +179,7 @@ export interface HelloMessage {
   version: string;
   recipes: boolean; // the API has some
   drawing: boolean; // the API has one of the plant
+  tags?: TagNote[]; // what the cell says of some
   synoptic: SynopticDescription;
 }
 
@@ -188,6 +200,8 @@ export interface Tag {
   name: string;
   type: string;
   address: string;
+  comment?: string; // of its declaration
+  enumeration?: number; // index into ProgramMessage.enumerations
 }
 
 // So many of the steps and of the transitions, behind those of the chart before.
@@ -205,6 +219,7 @@ export interface ProgramMessage {
   steps: Step[];
   transitions: Transition[];
   tags: Tag[];
+  enumerations: Record<string, string>[]; // names by value
   points: number[][]; // of each point of the synoptic, the tags at its place
 }
 

@@ -1,6 +1,7 @@
 // What the names of a sheet stand for in one of its instances: tags of the running program, or steps of its chart.
 
 import type { ProgramMessage, Tag, TagValue } from '../lib/protocol';
+import { enumerationOf, nameOr } from '../lib/tag_notes';
 import type { Instance, Sheet, Sources } from './document';
 
 // Names are compared without upper and lower case.
@@ -34,6 +35,11 @@ export class TagTable {
 
   tag(index: number): Tag | undefined {
     return this.program?.tags[index];
+  }
+
+  // A value of it, of an enumeration by its name.
+  value(index: number, values: readonly TagValue[]): TagValue {
+    return nameOr(values[index] ?? null, enumerationOf(this.program, index));
   }
 
   step(chart: string, name: string): number {
@@ -87,7 +93,7 @@ export class Scope {
   live(path: string, values: readonly TagValue[], activeSteps: ReadonlySet<number>): Live {
     let known = this.known.get(path);
     if (!known) this.known.set(path, (known = this.find(path)));
-    if (known.tag >= 0) return { value: values[known.tag] ?? null, type: known.type };
+    if (known.tag >= 0) return { value: this.tags.value(known.tag, values), type: known.type };
     return known.step < 0 ? NOT_KNOWN : { value: activeSteps.has(known.step) ? 1 : 0, type: 'BOOL' };
   }
 

@@ -4,6 +4,7 @@
 import uPlot from 'uplot';
 
 import { inUnits, marks, roomFor, unitOf } from '../lib/axis';
+import { TagNotes } from '../lib/tag_notes';
 import type { History } from './records';
 
 const HEIGHT = 300;
@@ -29,10 +30,12 @@ export interface ChartEvents {
   onPin(index: number): void;
 }
 
-export function tracesOf(tags: string[], points: { id: string; label: string; unit: string }[]): Trace[] {
+export function tracesOf(tags: string[], points: { id: string; label: string; unit: string }[], notes = new TagNotes()): Trace[] {
   return tags.map((tag, index) => {
     const point = points.find((one) => `points/${one.id}` === tag);
-    return { tag, label: point ? `${point.label} (${point.id})` : tag, unit: point?.unit ?? '', colour: `--series-${(index % COLOURS) + 1}` };
+    const note = notes.of(tag);
+    const label = point ? `${point.label} (${point.id})` : note?.description ? `${note.description} (${tag})` : tag;
+    return { tag, label, unit: point?.unit ?? note?.unit ?? '', colour: `--series-${(index % COLOURS) + 1}` };
   });
 }
 

@@ -42,6 +42,32 @@ TEST(HelloMessage, WhenThePlantIsDescribed_ThenEveryElementIsInIt) {
   EXPECT_EQ(message["synoptic"]["boxes"][0]["angle"], "a");
 }
 
+TEST(HelloMessage, WhenTheCellDescribesTags_ThenWhatItSaysIsInItAndNothingElse) {
+  Greeting greeting{"bench", "1.2.3"};
+  greeting.tags = {{"Main.level", "l", "level of the buffer", "buffer", 1, std::pair(0.0, 200.5), {}},
+                   {"mode", "", "", "", std::nullopt, std::nullopt, {"off", "by hand"}}};
+
+  const json tags = json::parse(hello_message(greeting, {}, "e1"))["tags"];
+
+  EXPECT_EQ(tags, json::parse(R"([{"name": "Main.level", "unit": "l", "description": "level of the buffer",
+      "group": "buffer", "decimals": 1, "normal": [0.0, 200.5]}, {"name": "mode", "values": ["off", "by hand"]}])"));
+  EXPECT_EQ(json::parse(hello_message({"bench", "1.2.3"}, {}, "e1"))["tags"], json::array());
+}
+
+TEST(ProgramMessage, WhenATagIsAnEnumeration_ThenTheNamesOfItsValuesAreSentOnce) {
+  Program program;
+  program.tags = {{"a", "INT", "", "", 0}, {"b", "INT", "", "", 0}, {"n", "INT", "", "pieces"}};
+  program.enumerations = {{{-1, "Fault"}, {0, "Off"}, {7, "Auto"}}};
+
+  const json message = json::parse(program_message(program));
+
+  EXPECT_EQ(message["enumerations"], json::parse(R"([{"-1": "Fault", "0": "Off", "7": "Auto"}])"));
+  EXPECT_EQ(message["tags"][1]["enumeration"], 0);
+  EXPECT_FALSE(message["tags"][2].contains("enumeration"));
+  EXPECT_EQ(message["tags"][2]["comment"], "pieces");
+  EXPECT_FALSE(message["tags"][0].contains("comment"));
+}
+
 TEST(HelloMessage, WhenThePlantIsAFloor_ThenItsMapAndVehiclesAreInIt) {
   Synoptic synoptic;
   synoptic.floor.maps = {{-1, 2.5, 0.0125, 10, 5, {{3, 1, 2, 2, -2}}}};

@@ -1,0 +1,65 @@
+// What the cell and the program say of a tag beside its value: hmi_web/doc/tags.md.
+
+import { fixed, short, tagValue } from './format';
+import type { ProgramMessage, TagNote } from './protocol';
+import type { TagValue, Value } from './value';
+
+// IEC 61131-3 does not tell upper and lower case apart.
+const fold = (name: string) => name.toLowerCase();
+const withoutIndices = (name: string) => name.replace(/\[[^\]]*\]/g, '');
+const TIMES = ['TIME', 'LTIME'];
+const COUNTED = ['BOOL', ...TIMES]; // whose decimals nobody chooses
+const MOST = 1e9; // beyond it the power of ten says more than digits
+
+export class TagNotes {
+  private readonly byName: Map<string, TagNote>;
+
+  constructor(notes: readonly TagNote[] = []) {
+    this.byName = new Map(notes.map((note) => [fold(note.name), note]));
+  }
+
+  // By its whole name; of an element of an array also by that of the array.
+  of(name: string): TagNote | undefined {
+    if (this.byName.size === 0) return undefined;
+    const key = fold(name);
+    return this.byName.get(key) ?? this.byName.get(withoutIndices(key));
+  }
+}
+
+// The name of a value of an enumeration, of the cell or of the program; any other value as it is.
+export function nameOr(value: TagValue, names: Record<string, string> | undefined, note?: TagNote): TagValue {
+  if (typeof value !== 'number') return value;
+  return note?.values?.[value] ?? names?.[String(value)] ?? value;
+}
+
+export function enumerationOf(program: ProgramMessage | null, index: number): Record<string, string> | undefined {
+  const number = program?.tags[index]?.enumeration;
+  return number === undefined ? undefined : program?.enumerations[number];
+}
+
+// As a person reads it, with its unit: "12.5 l", "by hand", "TRUE". A number is a literal of IEC 61131-3, as tagValue has it.
+export function told(value: TagValue | undefined, type: string, note?: TagNote, names?: Record<string, string>): string {
+  const named = nameOr(value ?? null, names, note);
+  if (typeof named === 'string' && typeof value === 'number') return named;
+  if (typeof named !== 'number') return tagValue(named, type);
+  const chosen = note?.decimals !== undefined && !COUNTED.includes(type) && Math.abs(named) < MOST;
+  return withUnit(chosen ? named.toFixed(note.decimals) : tagValue(named, type), note);
+}
+
+// The same of a number that was kept, in the history or of an alarm, maybe of a tag that the program has no more. Written as the
+// page's language does.
+export function toldNumber(value: Value | undefined, note?: TagNote, names?: Record<string, string>, type = ''): string {
+  const named = nameOr(value ?? null, names, note);
+  if (typeof named === 'string') return named;
+  if (named === null) return short(named);
+  if (TIMES.includes(type)) return tagValue(named, type);
+  return withUnit(note?.decimals === undefined ? short(named) : fixed(named, note.decimals), note);
+}
+
+const withUnit = (text: string, note?: TagNote) => (note?.unit ? `${text} ${note.unit}` : text);
+
+// Beyond what the cell calls normal.
+export function isAbnormal(value: TagValue | undefined, note?: TagNote): boolean {
+  if (typeof value !== 'number' || !note?.normal) return false;
+  return value < note.normal[0] || value > note.normal[1];
+}

@@ -1,0 +1,73 @@
+// What the cell says of tags: units, decimals, names of values, what is normal.
+//
+//   node --test tag_notes_test.mjs, with CLIENT: the folder in which the client is built
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+
+import { load } from './load_modules.mjs';
+
+const { TagNotes, enumerationOf, isAbnormal, language, nameOr, told, toldNumber, tracesOf } = await load(process.env.CLIENT, [
+  'lib/language.svelte', 'lib/tag_notes', 'records/history_chart',
+]);
+
+const level = { name: 'Main.level', unit: 'l', description: 'level of the buffer', decimals: 1, normal: [0, 200] };
+const mode = { name: 'Main.mode', values: ['off', 'by hand'] };
+
+test('Notes_WhenATagIsLookedUp_ThenCaseDoesNotMatterAndAnArrayIsMeantWithAllItsElements', () => {
+  const notes = new TagNotes([level, { name: 'Main.levels', unit: 'm' }, { name: 'main.levels[2]', unit: 'mm' }, { name: 'Tank.at', unit: 'cm' }]);
+  assert.equal(notes.of('MAIN.LEVEL'), level);
+  assert.equal(notes.of('Main.levels[1]').unit, 'm');
+  assert.equal(notes.of('Main.levels[2]').unit, 'mm', 'what is said of one element wins');
+  assert.equal(notes.of('Tank[3].at').unit, 'cm');
+  assert.equal(notes.of('Main.other'), undefined);
+  assert.equal(new TagNotes().of('Main.level'), undefined);
+});
+
+test('Value_WhenItHasAUnitAndDecimals_ThenBothAreShown', () => {
+  assert.equal(told(12.46, 'REAL', level), '12.5 l');
+  assert.equal(told(12.46, 'REAL'), '12.460', 'without a note as ever');
+  assert.equal(told(7, 'INT', { name: 'n', unit: 'pcs' }), '7 pcs');
+  assert.equal(told(2.5e9, 'TIME', { name: 't', decimals: 3 }), '2.50 s', 'a time has its own form');
+  assert.equal(told(null, 'REAL', level), '–', 'what is not known has no unit');
+  assert.equal(told('ready', 'STRING', { name: 's', unit: 'l' }), "'ready'");
+  assert.equal(told(1, 'BOOL', { name: 'b' }), 'TRUE');
+  assert.equal(told(2e38, 'REAL', level), '2.0E38 l');
+});
+
+test('Value_WhenItHasAName_ThenTheNameIsShownAndTheCellWins', () => {
+  const names = { '-1': 'Fault', 0: 'Off', 1: 'Manual', 7: 'Auto' };
+  assert.equal(told(7, 'INT', undefined, names), 'Auto');
+  assert.equal(told(-1, 'INT', undefined, names), 'Fault');
+  assert.equal(told(3, 'INT', undefined, names), '3', 'a value that has none');
+  assert.equal(told(1, 'INT', mode, names), 'by hand');
+  assert.equal(told(1, 'BOOL', { name: 'b', values: ['shut', 'open'] }), 'open');
+  assert.equal(nameOr(null, names), null);
+  const program = { tags: [{ name: 'm', enumeration: 0 }, { name: 'n' }], enumerations: [names] };
+  assert.equal(enumerationOf(program, 0), names);
+  assert.equal(enumerationOf(program, 1), undefined);
+  assert.equal(enumerationOf(null, 0), undefined);
+});
+
+test('Number_WhenItIsOfTheHistory_ThenItIsWrittenInTheLanguageOfThePage', () => {
+  language.code = language.locale = 'de';
+  assert.equal(toldNumber(12.46, level), '12,5 l');
+  assert.equal(toldNumber(1, mode), 'by hand');
+  language.code = language.locale = 'en';
+  assert.equal(toldNumber(0.42), '0.42');
+  assert.equal(toldNumber(undefined, level), '–');
+  assert.equal(toldNumber(30e9, undefined, undefined, 'TIME'), '30 s', 'nobody counts nanoseconds');
+});
+
+test('Value_WhenItIsBeyondWhatIsNormal_ThenItIsMarked', () => {
+  assert.deepEqual([-0.1, 0, 200, 200.1, null, 'x'].map((value) => isAbnormal(value, level)), [true, false, false, true, false, false]);
+  assert.equal(isAbnormal(1e9, mode), false);
+});
+
+test('Trend_WhenATagIsDescribed_ThenItsLineIsCalledSoAndHasItsUnit', () => {
+  const points = [{ id: 'a1.level', label: 'a1', unit: '%' }];
+  const [point, tag, plain] = tracesOf(['points/a1.level', 'Main.level', 'x'], points, new TagNotes([level]));
+  assert.deepEqual([point.label, point.unit], ['a1 (a1.level)', '%']);
+  assert.deepEqual([tag.label, tag.unit], ['level of the buffer (Main.level)', 'l']);
+  assert.deepEqual([plain.label, plain.unit], ['x', '']);
+});
