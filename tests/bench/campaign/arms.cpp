@@ -36,7 +36,7 @@ struct ArmsOrderCell {
   explicit ArmsOrderCell(const char* order)
       : config(or_throw(config::load_cell_config(
             STEPWRIGHT_SOURCE_DIR "/tests/cells/robot_cell/cell.toml",
-            {std::string("tamp.order=\"") + order + "\"", "tamp.attended=false", "tamp.time_s=600"}))),
+            {std::string("tamp.order=\"") + order + "\"", "tamp.attended=false", "tamp.time_s=4"}))),
         planning(or_throw(missions::open_arms_planning(config))) {}
 
   config::CellConfig config;
