@@ -83,8 +83,11 @@ class Observation {
     for (std::size_t k = 0; k < cell_.things.size(); ++k) {
       if (!sight_.things[k] || seen_.state.things[k].holder >= 0) continue;
       const scene::Pose& seen = *sight_.things[k];
-      const double up_m = seen.z_m + cell_.tool_above(static_cast<int>(k)) - tool.position_m.z;
-      const double far_m = std::hypot(seen.x_m - tool.position_m.x, seen.y_m - tool.position_m.y);
+      // Where its underside would be between the pads, however the hand is turned.
+      const motion::Vector3 there =
+          tool.position_m + cell_.tool_above(static_cast<int>(k)) * tool.rotation.column(2);
+      const double up_m = seen.z_m - there.z;
+      const double far_m = std::hypot(seen.x_m - there.x, seen.y_m - there.y);
       if (std::abs(up_m) > kBetween_m || far_m >= least_m) continue;
       if (held && std::abs(2.0 * cell_.grip_m(static_cast<int>(k)) - width_m) > kWidth_m) continue;
       least_m = far_m;

@@ -35,7 +35,8 @@ double far(const scene::Pose& a, const scene::Pose& b) {
   return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m, a.z_m - b.z_m);
 }
 
-std::vector<Cluster> clusters_of(const std::vector<Report>& reports) {
+// More than half of the reports have it; or two, where a thing was believed to be.
+std::vector<Cluster> clusters_of(const std::vector<Report>& reports, const std::vector<scene::Pose>& before) {
   std::vector<Cluster> clusters;
   for (const Report& report : reports)
     for (const Seen& each : report) {
@@ -48,7 +49,11 @@ std::vector<Cluster> clusters_of(const std::vector<Report>& reports) {
       else
         found->poses.push_back(each.pose);
     }
-  std::erase_if(clusters, [&](const Cluster& each) { return 2 * each.poses.size() <= reports.size(); });
+  std::erase_if(clusters, [&](const Cluster& each) {
+    const auto was_there = [&](const scene::Pose& pose) { return far(each.mean(), pose) < kSame_m; };
+    return 2 * each.poses.size() <= reports.size() &&
+           (each.poses.size() < 2 || std::ranges::none_of(before, was_there));
+  });
   return clusters;
 }
 
@@ -63,7 +68,7 @@ Sight agree(const scene::RobotCell& cell, const std::vector<Report>& reports,
             const std::vector<scene::Pose>& before) {
   Sight sight;
   sight.things.resize(cell.things.size());
-  std::vector<Cluster> clusters = clusters_of(reports);
+  std::vector<Cluster> clusters = clusters_of(reports, before);
   // The nearest pair of all first.
   while (true) {
     double nearest_m = 1e9;

@@ -93,6 +93,7 @@ std::string wrong_stop(const ArmsRun& run) {
   if (run.kind == "stuck") return says("stuck") || says("tripped") ? "" : "stopped for: " + message;
   if (run.kind == "trip") return says("tripped") ? "" : "stopped for: " + message;
   // What lies on the floor, or was moved out of reach, has no plan.
+  if (run.kind == "camera" && (says("is not seen") || says("does not show"))) return {};
   const bool may = run.kind == "drop" || run.kind == "slip" || run.kind == "move";
   return may && (says("no plan") || says("is not seen") || says("time with")) ? ""
                                                                               : "stopped for: " + message;

@@ -48,10 +48,15 @@ TEST(ArmsSight, WhenAThingIsNotInMostReports_ThenNothingIsBelievedOfIt) {
   const scene::Pose a = cell.things[0].start, b = cell.things[1].start;
   std::vector<Report> reports(5, Report{{kCup, a}});
   reports[0].push_back({kCup, b});
-  reports[4].push_back({kCup, b});
+  scene::Pose elsewhere = b;
+  elsewhere.x_m += 0.1;
+  reports[3].push_back({kCup, elsewhere});
+  reports[4].push_back({kCup, elsewhere});
   const Sight sight = agree(cell, reports, starts(cell));
   EXPECT_TRUE(sight.things[0]);
   EXPECT_FALSE(sight.things[1]);
+  reports[4].push_back({kCup, b});
+  EXPECT_TRUE(agree(cell, reports, starts(cell)).things[1]) << "two have it where it stood";
 }
 
 TEST(ArmsSight, WhenThereIsMoreThanTheCellHas_ThenItIsAStranger) {
