@@ -35,8 +35,8 @@ struct RecipeTag {
   double most = 0;
   std::string unit;
   std::string comment;
-  result::Location where;       // of its table
-  result::Location name_where;  // of its name
+  result::Location where;         // of its table
+  result::Location name_where{};  // of its name
 };
 
 // Literals of IEC 61131-3 by the names of tags.

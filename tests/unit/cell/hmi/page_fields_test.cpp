@@ -181,7 +181,15 @@ TEST(PageFields, WhenThePlantIsDescribed_ThenThePageKnowsExactlyItsMembers) {
   plant.floor.pallets.resize(1);
   plant.floor.blockages.resize(1);
   const auto page = support::read_interfaces(STEPWRIGHT_SOURCE_DIR "/hmi_web/client/src/lib/protocol.ts");
-  const json hello = json::parse(protocol::hello_message({"bench", "1.0"}, plant, "7"));
+  protocol::Greeting greeting{"bench", "1.0"};
+  greeting.tags = {{.name = "Main.level",
+                    .unit = "l",
+                    .description = "of the tank",
+                    .group = "tanks",
+                    .decimals = 1,
+                    .normal = std::pair(0.0, 9.0),
+                    .values = {"low"}}};
+  const json hello = json::parse(protocol::hello_message(greeting, plant, "7"));
   EXPECT_EQ(support::difference(hello, page, "HelloMessage"), "");
 }
 
@@ -208,7 +216,8 @@ TEST(PageFields, WhenTheProgramIsDescribed_ThenThePageKnowsExactlyItsMembers) {
                                   .charts = {{"main", 1, 1}},
                                   .steps = {{"s0", "idle", true}},
                                   .transitions = {{"t0", {0}, {0}, "go"}},
-                                  .tags = {{"main.go", "BOOL", "%IX0.0"}}};
+                                  .tags = {{"main.go", "BOOL", "%IX0.0", "by hand", 0}},
+                                  .enumerations = {{{1, "RUNS"}}}};
   const auto page = support::read_interfaces(STEPWRIGHT_SOURCE_DIR "/hmi_web/client/src/lib/protocol.ts");
   // The number of the program is put in front of what is written once.
   const json message = json::parse(protocol::with_revision(protocol::program_message(program, {{0}}), 3));
