@@ -130,6 +130,14 @@ std::optional<std::string> Mission::new_pictures() {
   return std::exchange(pictures_, std::nullopt);
 }
 
+void Mission::begin_record() {
+  RunRecord fresh;
+  fresh.cell = std::move(record_.cell);
+  fresh.started_s = clock_.now_s();
+  fresh.finished_s = clock_.now_s();
+  record_ = std::move(fresh);
+}
+
 void Mission::open_incident(const Cause& cause) {
   Incident incident;
   incident.time_s = clock_.now_s();

@@ -91,6 +91,13 @@ class Mission {
     Over,
   };
   enum class Wish : std::uint8_t { Start, OtherPlan, Abort };
+  // How a wait for rest has ended.
+  enum class Rest : std::uint8_t {
+    Reached,  // at an event that is not acknowledged (rested_at_): the clock stands still
+    Error,    // something that people have to see to; the clock goes on
+    Lost,     // the runtime has gone, or has lost the program
+    Ended,    // the run is over
+  };
 
   // Functions of a mission. From a journal or afresh, up to a program that runs:
   virtual bool begin() = 0;
@@ -177,10 +184,22 @@ class Mission {
   };
   // Until it no longer holds; what people ask for meanwhile is taken (due). False: the run is over.
   bool hold_at_rest(const Hold& hold);
+  // A plant that is brought to rest, or looked at, by the program that runs.
+  struct Await {
+    double within_s = 0.0;  // of the scan clock
+    std::string late;       // why the run ends if it takes longer,
+    IncidentKind late_kind = IncidentKind::Timeout;
+    std::string stopped;  // and if the program is stopped meanwhile
+    // Reached, Error, or nothing: not yet.
+    std::function<std::optional<Rest>(std::span<const std::byte> image)> see;
+  };
+  Rest await_rest(const Await& await);
   // The newest time that the runtime's picture of that program shows; at least `now_s`. A plant at rest
   // causes no events that would tell it.
   double shown_time(const std::optional<host::Snapshot>& snapshot, double now_s) const;
 
+  // An empty record for another run; cell and clock go on.
+  void begin_record();
   // From one run, or plan, to the next. A plan that waits for its operator:
   void enter(Stage stage);
   // Begins what waits, or another run. X0008: nothing waits, there is no plan, or no runtime answers. `also`
@@ -210,6 +229,7 @@ class Mission {
   Stage stage_ = Stage::Running;       // guarded by the mutex, as the next one
   bool start_ = false;                 // asked for and not yet begun
   std::condition_variable start_signal_;
+  std::uint64_t rested_at_ = 0;  // the event at which the plant rested
 
   void tell() const {
     if (observer_) observer_(record_);

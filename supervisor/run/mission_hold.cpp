@@ -1,4 +1,4 @@
-// A plant that is held at rest.
+// A plant that comes to rest, and one that is held there.
 
 #include <algorithm>
 #include <chrono>
@@ -6,6 +6,36 @@
 #include "supervisor/run/mission.h"
 
 namespace stepwright::run {
+
+Mission::Rest Mission::await_rest(const Await& await) {
+  const double until_s = clock_.now_s() + await.within_s;
+  const auto end = [&](const std::string& reason, IncidentKind kind) {
+    give_up(reason, kind);
+    return Rest::Ended;
+  };
+  while (true) {
+    if (abort_) return end("aborted by the operator", IncidentKind::Operator);
+    const auto event = controller_.wait_event(std::chrono::milliseconds(200));
+    if (!event) {
+      if (!runtime_lost() || has_gone_on()) continue;
+      return record_.phase == Phase::Safe ? Rest::Ended : Rest::Lost;
+    }
+    const bool ours = event->program_digest == digest_;
+    if (ours && ends_program(event->kind))
+      return end(await.stopped + ": " + event->detail, IncidentKind::ProgramFault);
+    if (ours && event->kind == host::EventKind::StepChange) {
+      clock_.see(event->incarnation, event->time_ns);
+      const auto rest = await.see(event->image);
+      rested_at_ = event->sequence;
+      if (rest == Rest::Reached) return *rest;
+      if (rest || clock_.now_s() > until_s) {
+        (void)controller_.acknowledge(event->sequence);
+        return rest ? *rest : end(await.late, await.late_kind);
+      }
+    }
+    (void)controller_.acknowledge(event->sequence);
+  }
+}
 
 bool Mission::hold_at_rest(const Hold& hold) {
   open_incident(hold.cause);

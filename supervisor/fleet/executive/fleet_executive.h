@@ -37,6 +37,7 @@
 #include "supervisor/fleet/executive/track.h"
 #include "supervisor/run/due_requests.h"
 #include "supervisor/run/mission.h"
+#include "supervisor/run/operator_hold.h"
 
 namespace stepwright::fleet {
 
@@ -69,7 +70,6 @@ class FleetExecutive final : public run::Mission {
   std::string goal_form() const override;
 
  private:
-  enum class Rest : std::uint8_t { Reached, EmergencyStop, Ended };
   // fleet_executive_requests.cpp: what people ask for.
   [[nodiscard]] result::Result<void> take(const run::Request& request) override;
 
@@ -127,7 +127,7 @@ class FleetExecutive final : public run::Mission {
   std::optional<run::Cause> hold_asked();
   run::Cause resumed();
   bool bring_to_rest();
-  Rest await_rest(const PreparedFleet& halt, const std::vector<double>& begun_m);
+  Rest await_fleet(const PreparedFleet& halt, const std::vector<double>& begun_m);
   bool all_rest(const PreparedFleet& halt) const;
   void watch_errors(const std::vector<double>& begun_m);
   void receive_returned(bool seen_anew);
@@ -162,9 +162,7 @@ class FleetExecutive final : public run::Mission {
   std::vector<bool> resets_;                        // by vehicle: with the next program
   std::vector<bool> reset_running_;                 // with the one that brings the fleet to rest
   std::uint32_t reset_number_ = 0;
-  bool held_ = false;            // by an emergency stop or an operator
-  std::uint64_t rested_at_ = 0;  // the event with which all rested
-  bool to_hold_ = false;         // an operator wants it as soon as all rest
+  run::OperatorHold hold_{"the fleet is"};  // or an emergency stop holds it
   std::vector<Blocked> blocked_;
   LedgerState planned_from_;  // of the plan: what the ledger said, and what was asked
   FleetRequest planned_as_;

@@ -208,33 +208,11 @@ bool FleetExecutive::apply(const ReturnChange& back, run::Cause& cause) {
 }
 
 bool FleetExecutive::apply(const HoldChange&, run::Cause& cause) {
-  cause.kind = IncidentKind::Operator;
-  if (held_ || to_hold_) {
-    cause.evidence.emplace_back("the fleet is held already");
-    return false;
-  }
-  to_hold_ = true;
-  cause.evidence.emplace_back("held by the operator");
-  return true;
+  return hold_.want(cause);
 }
 
 bool FleetExecutive::apply(const ResumeChange&, run::Cause& cause) {
-  cause.kind = IncidentKind::Operator;
-  if (std::exchange(to_hold_, false)) {
-    cause.evidence.emplace_back("the fleet may go on");
-    return false;
-  }
-  if (!held_) {
-    cause.evidence.emplace_back("nothing holds the fleet that could be resumed");
-    return false;
-  }
-  if (reading_.emergency_stop) {
-    cause.evidence.emplace_back("the fleet cannot go on: the emergency stop is still pressed");
-    return false;
-  }
-  held_ = false;
-  cause.evidence.emplace_back("the fleet may go on");
-  return true;
+  return hold_.resume(cause, !reading_.emergency_stop);
 }
 
 milliseconds FleetExecutive::plan_clock() const {

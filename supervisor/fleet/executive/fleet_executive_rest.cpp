@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <span>
 #include <string>
 #include <utility>
@@ -17,7 +16,6 @@ namespace stepwright::fleet {
 using run::IncidentKind;
 using run::Phase;
 using run::Response;
-using std::chrono::milliseconds;
 
 namespace {
 
@@ -49,8 +47,7 @@ std::optional<run::Cause> FleetExecutive::hold_asked() {
 // ended.
 std::optional<run::Cause> FleetExecutive::hold(const run::Cause& cause, Phase phase,
                                                const std::string& message) {
-  held_ = true;
-  to_hold_ = false;  // whoever resumes the fleet means both
+  hold_.begin();
   const bool goes_on =
       hold_at_rest({.cause = cause,
                     .phase = phase,
@@ -58,7 +55,7 @@ std::optional<run::Cause> FleetExecutive::hold(const run::Cause& cause, Phase ph
                     .most = options_.hold,
                     .stopped = "the fleet was stopped while it was held",
                     .left = nobody_came(cause.kind, cause.evidence.front(), phase),
-                    .holds = [this] { return held_; },
+                    .holds = [this] { return hold_.holds(); },
                     .see = [this](std::span<const std::byte> image) { reading_ = reader_->read(image); }});
   return goes_on ? std::optional(resumed()) : std::nullopt;
 }
@@ -86,9 +83,12 @@ bool FleetExecutive::bring_to_rest() {
                      IncidentKind::ProgramFault);
     }
     if (!bring_to_run([&] { return install(*prepared); })) return false;
-    const Rest rest = await_rest(*prepared, begun_m);
-    const bool asked = rest == Rest::Reached && to_hold_;
-    if (rest != Rest::EmergencyStop && !asked) return rest == Rest::Reached;
+    const Rest rest = await_fleet(*prepared, begun_m);
+    const bool asked = rest == Rest::Reached && hold_.wanted();
+    if (rest == Rest::Lost)
+      return give_up("the runtime was lost while the fleet was brought to rest", IncidentKind::LostRuntime);
+    if (rest != Rest::Error && !asked) return rest == Rest::Reached;
+    if (asked) (void)controller_.acknowledge(rested_at_);  // the clock goes on while the fleet is held
     decide(Response::Replan);
     const auto cause = asked ? hold_asked() : hold_stopped();
     if (!cause) return false;
@@ -105,46 +105,23 @@ ErrorReset FleetExecutive::take_resets() {
 }
 
 // Who stops by himself meanwhile is lost as well. The clock stands still at the event with which all rest.
-FleetExecutive::Rest FleetExecutive::await_rest(const PreparedFleet& halt,
-                                                const std::vector<double>& begun_m) {
+FleetExecutive::Rest FleetExecutive::await_fleet(const PreparedFleet& halt,
+                                                 const std::vector<double>& begun_m) {
   const double begun_s = clock_.now_s();
   const bool reset = std::ranges::find(reset_running_, true) != reset_running_.end();
-  const double until_s = begun_s + kRestWithin_s;
-  const auto end = [&](const std::string& reason, IncidentKind kind) {
-    give_up(reason, kind);
-    return Rest::Ended;
-  };
-  while (true) {
-    if (abort_) return end("aborted by the operator", IncidentKind::Operator);
-    const auto event = controller_.wait_event(milliseconds(200));
-    if (!event) {
-      if (!runtime_lost() || has_gone_on()) continue;
-      if (record_.phase == Phase::Safe) return Rest::Ended;
-      return end("the runtime was lost while the fleet was brought to rest", IncidentKind::LostRuntime);
-    }
-    if (run::ends_program(event->kind))
-      return end("the fleet was stopped while it was brought to rest: " + event->detail,
-                 IncidentKind::ProgramFault);
-    if (event->program_digest == digest_ && event->kind == host::EventKind::StepChange) {
-      clock_.see(event->incarnation, event->time_ns);
-      reading_ = reader_->read(event->image);
-      if (reading_.emergency_stop) {
-        (void)controller_.acknowledge(event->sequence);  // the clock goes on while the fleet is held
-        return Rest::EmergencyStop;
-      }
-      const bool seen_anew = !reset || clock_.now_s() >= begun_s + kSeenAnew_s;
-      receive_returned(seen_anew);
-      watch_errors(begun_m);
-      if (seen_anew && all_rest(halt)) {
-        rested_at_ = event->sequence;
-        track(begun_m);
-        if (to_hold_) (void)controller_.acknowledge(event->sequence);  // as above
-        return Rest::Reached;
-      }
-      if (clock_.now_s() > until_s) return end("the fleet does not come to rest", IncidentKind::Timeout);
-    }
-    (void)controller_.acknowledge(event->sequence);
-  }
+  return await_rest({.within_s = kRestWithin_s,
+                     .late = "the fleet does not come to rest",
+                     .stopped = "the fleet was stopped while it was brought to rest",
+                     .see = [&](std::span<const std::byte> image) -> std::optional<Rest> {
+                       reading_ = reader_->read(image);
+                       if (reading_.emergency_stop) return Rest::Error;
+                       const bool seen_anew = !reset || clock_.now_s() >= begun_s + kSeenAnew_s;
+                       receive_returned(seen_anew);
+                       watch_errors(begun_m);
+                       if (!seen_anew || !all_rest(halt)) return std::nullopt;
+                       track(begun_m);
+                       return Rest::Reached;
+                     }});
 }
 
 void FleetExecutive::watch_errors(const std::vector<double>& begun_m) {

@@ -47,17 +47,12 @@ bool TrainMission::begin() {
 
 // What stands on the floor stays there, and the clock goes on; the rest was of the run before.
 void TrainMission::forget_run() {
-  run::RunRecord fresh;
-  fresh.cell = std::move(record_.cell);
-  fresh.goal = {{task_.text, false}};
-  fresh.started_s = clock_.now_s();
-  fresh.finished_s = clock_.now_s();
-  record_ = std::move(fresh);
+  begin_record();
+  record_.goal = {{task_.text, false}};
   state_ = task_.begins();
   driven_.reset();
   reader_.reset();
-  held_ = false;
-  to_hold_ = false;
+  hold_.forget();
 }
 
 // After a restart of the supervisor: the runtime may drive on, or have gone to its safe state. The train is

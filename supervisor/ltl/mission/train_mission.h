@@ -25,6 +25,7 @@
 #include "supervisor/ltl/mission/train_request.h"
 #include "supervisor/run/due_requests.h"
 #include "supervisor/run/mission.h"
+#include "supervisor/run/operator_hold.h"
 
 namespace stepwright::ltl {
 
@@ -51,8 +52,6 @@ class TrainMission final : public run::Mission {
   [[nodiscard]] result::Result<void> request(const TrainChange& change);
 
  private:
-  enum class Rest : std::uint8_t { Reached, Error, Lost, Ended };
-
   // train_mission.cpp: from start to end.
   bool begin() override;
   bool drives() const override { return reader_.has_value(); }
@@ -80,7 +79,7 @@ class TrainMission final : public run::Mission {
   std::optional<run::Cause> hold(const run::Cause& cause, run::Phase phase, const std::string& message);
   void see(std::span<const std::byte> image);
   bool bring_to_rest();
-  Rest await_rest();
+  Rest await_train();
 
   // train_mission_plan.cpp: from rest to the next plan.
   bool replan(const run::Cause& cause) override;
@@ -105,20 +104,18 @@ class TrainMission final : public run::Mission {
 
   TrainPictures pictures_;
   TrainTask task_;
-  std::uint32_t state_ = 0;              // of its monitor, as last seen
-  std::vector<Area> blocked_;            // what stands on the floor besides
-  std::optional<PreparedTrain> driven_;  // the plan
-  std::vector<TrainStep> steps_;         // of the program that runs: plan, halt or look
-  std::string watched_;                  // the task of that program
-  std::optional<TrainReader> reader_;    // of it, too
-  TrainReading reading_;                 // the newest
-  bool held_ = false;                    // by an operator or an error
-  bool to_hold_ = false;                 // an operator wants it as soon as the train rests
-  std::uint64_t rested_at_ = 0;          // the event with which it rested
-  std::uint32_t resets_ = 0;             // so many programs have reset an error
-  int blocks_ = 0;                       // so many things have stood in the way
-  bool changed_ = false;                 // since the journal was written
-  bool ran_ = false;                     // this is not the first run
+  std::uint32_t state_ = 0;                 // of its monitor, as last seen
+  std::vector<Area> blocked_;               // what stands on the floor besides
+  std::optional<PreparedTrain> driven_;     // the plan
+  std::vector<TrainStep> steps_;            // of the program that runs: plan, halt or look
+  std::string watched_;                     // the task of that program
+  std::optional<TrainReader> reader_;       // of it, too
+  TrainReading reading_;                    // the newest
+  run::OperatorHold hold_{"the train is"};  // or an error holds it
+  std::uint32_t resets_ = 0;                // so many programs have reset an error
+  int blocks_ = 0;                          // so many things have stood in the way
+  bool changed_ = false;                    // since the journal was written
+  bool ran_ = false;                        // this is not the first run
 
   run::DueRequests<TimedTrainRequest> requests_;
 };

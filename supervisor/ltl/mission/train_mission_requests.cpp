@@ -109,7 +109,7 @@ std::optional<run::Cause> TrainMission::due(double time_s) {
     replans |= std::visit([&](const auto& change) { return apply(change, cause); }, each.change);
   if (cause.evidence.empty()) return std::nullopt;
   draw();
-  if (replans && !held_) return cause;
+  if (replans && !hold_.holds()) return cause;
   open_incident(cause);
   decide(run::Response::GoOn);
   return std::nullopt;
@@ -142,33 +142,11 @@ bool TrainMission::apply(const UnblockChange& unblock, run::Cause& cause) {
 }
 
 bool TrainMission::apply(const HoldChange&, run::Cause& cause) {
-  cause.kind = IncidentKind::Operator;
-  if (held_ || to_hold_) {
-    cause.evidence.emplace_back("the train is held already");
-    return false;
-  }
-  to_hold_ = true;
-  cause.evidence.emplace_back("held by the operator");
-  return true;
+  return hold_.want(cause);
 }
 
 bool TrainMission::apply(const ResumeChange&, run::Cause& cause) {
-  cause.kind = IncidentKind::Operator;
-  if (std::exchange(to_hold_, false)) {
-    cause.evidence.emplace_back("the train may go on");
-    return false;
-  }
-  if (!held_) {
-    cause.evidence.emplace_back("nothing holds the train that could be resumed");
-    return false;
-  }
-  if (!reading_.estop_ok) {
-    cause.evidence.emplace_back("the train cannot go on: the emergency stop is still pressed");
-    return false;
-  }
-  held_ = false;
-  cause.evidence.emplace_back("the train may go on");
-  return true;
+  return hold_.resume(cause, reading_.estop_ok);
 }
 
 }  // namespace stepwright::ltl

@@ -1,7 +1,6 @@
 // To rest, between two plans and while something holds the train.
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
 #include "supervisor/ltl/mission/train_mission.h"
@@ -11,7 +10,6 @@ namespace stepwright::ltl {
 using run::IncidentKind;
 using run::Phase;
 using run::Response;
-using std::chrono::milliseconds;
 
 namespace {
 
@@ -28,8 +26,7 @@ std::optional<run::Cause> TrainMission::hold_stopped() {
 // ended.
 std::optional<run::Cause> TrainMission::hold(const run::Cause& cause, Phase phase,
                                              const std::string& message) {
-  held_ = true;
-  to_hold_ = false;
+  hold_.begin();
   draw();  // how far it has come, for pages that see nothing of its way now
   const bool goes_on = hold_at_rest({.cause = cause,
                                      .phase = phase,
@@ -37,7 +34,7 @@ std::optional<run::Cause> TrainMission::hold(const run::Cause& cause, Phase phas
                                      .most = options_.hold,
                                      .stopped = "the program was stopped while the train was held",
                                      .left = cause.evidence.front() + "; nobody has let the train go on",
-                                     .holds = [this] { return held_; },
+                                     .holds = [this] { return hold_.holds(); },
                                      .see = [this](std::span<const std::byte> image) { see(image); }});
   if (!goes_on) return std::nullopt;
   return run::Cause{IncidentKind::Operator, {"the train goes on"}};
@@ -60,7 +57,7 @@ bool TrainMission::bring_to_rest() {
         drives ? planning_.halt(*driven_, reading_.state) : planning_.observe(task_, state_, reset);
     if (!prepared) return give_up("the train cannot be brought to rest", prepared.error());
     if (!bring_to_run([&] { return install(*prepared); })) return false;
-    switch (await_rest()) {
+    switch (await_train()) {
       case Rest::Reached:
         break;
       case Rest::Lost:
@@ -78,7 +75,7 @@ bool TrainMission::bring_to_rest() {
       case Rest::Ended:
         return false;
     }
-    if (!to_hold_) return true;
+    if (!hold_.wanted()) return true;
     decide(Response::Replan);
     (void)controller_.acknowledge(rested_at_);  // the clock goes on while the train is held
     const auto cause = hold({IncidentKind::Operator, {"held by the operator: the train rests"}}, Phase::Held,
@@ -89,45 +86,20 @@ bool TrainMission::bring_to_rest() {
   }
 }
 
-// The clock stands still at the event with which the train rests.
-TrainMission::Rest TrainMission::await_rest() {
-  const double until_s = clock_.now_s() + kRestWithin_s;
+TrainMission::Rest TrainMission::await_train() {
   bool reset_seen = reading_.error == 0;
-  while (true) {
-    if (abort_) {
-      give_up_aborted();
-      return Rest::Ended;
-    }
-    const auto event = controller_.wait_event(milliseconds(200));
-    if (!event) {
-      if (!runtime_lost() || has_gone_on()) continue;
-      return record_.phase == Phase::Safe ? Rest::Ended : Rest::Lost;
-    }
-    if (run::ends_program(event->kind) && event->program_digest == digest_) {
-      give_up("the program was stopped while the train was brought to rest: " + event->detail,
-              IncidentKind::ProgramFault);
-      return Rest::Ended;
-    }
-    if (event->program_digest == digest_ && event->kind == host::EventKind::StepChange) {
-      clock_.see(event->incarnation, event->time_ns);
-      see(event->image);
-      reset_seen = reset_seen || reading_.error == 0;
-      if (steps_[reading_.step].kind == TrainStepKind::Done && reading_.standing) {
-        rested_at_ = event->sequence;
-        if (reading_.error == 0 && reading_.estop_ok) return Rest::Reached;
-      }
-      const bool stopped = reading_.error != 0 || !reading_.estop_ok;
-      if (stopped && (reset_seen || steps_[reading_.step].kind == TrainStepKind::Done)) {
-        (void)controller_.acknowledge(event->sequence);  // the clock goes on while the train is held
-        return Rest::Error;
-      }
-      if (clock_.now_s() > until_s) {
-        give_up("the train does not come to rest", IncidentKind::Timeout);
-        return Rest::Ended;
-      }
-    }
-    (void)controller_.acknowledge(event->sequence);
-  }
+  return await_rest({.within_s = kRestWithin_s,
+                     .late = "the train does not come to rest",
+                     .stopped = "the program was stopped while the train was brought to rest",
+                     .see = [&](std::span<const std::byte> image) -> std::optional<Rest> {
+                       see(image);
+                       reset_seen = reset_seen || reading_.error == 0;
+                       const bool stopped = reading_.error != 0 || !reading_.estop_ok;
+                       const bool done = steps_[reading_.step].kind == TrainStepKind::Done;
+                       if (stopped && (reset_seen || done)) return Rest::Error;
+                       if (!stopped && done && reading_.standing) return Rest::Reached;
+                       return std::nullopt;
+                     }});
 }
 
 }  // namespace stepwright::ltl

@@ -47,17 +47,12 @@ bool ArmsMission::begin() {
 
 // Things stand where they were left, and the clock goes on; the rest was of the run before.
 void ArmsMission::forget_run() {
-  run::RunRecord fresh;
-  fresh.cell = std::move(record_.cell);
-  fresh.started_s = clock_.now_s();
-  fresh.finished_s = clock_.now_s();
-  record_ = std::move(fresh);
+  begin_record();
   take_order(std::move(order_));
   driven_.reset();
   reader_.reset();
   tries_.clear();
-  held_at_rest_ = false;
-  to_hold_ = false;
+  hold_.forget();
 }
 
 // After a restart of the supervisor the program of the plan goes on by itself and is followed to its end,

@@ -24,6 +24,7 @@
 
 #include "supervisor/run/due_requests.h"
 #include "supervisor/run/mission.h"
+#include "supervisor/run/operator_hold.h"
 #include "supervisor/tamp/mission/arms_planning.h"
 #include "supervisor/tamp/mission/arms_reading.h"
 #include "supervisor/tamp/mission/arms_request.h"
@@ -56,7 +57,6 @@ class ArmsMission final : public run::Mission {
 
  private:
   enum class Kind : std::uint8_t { Look, Follow, Halt };  // of the program that runs
-  enum class Rest : std::uint8_t { Reached, Lost, Ended };
   // Why the arms were stopped, and whose retries that uses up.
   struct Surprise {
     run::Cause cause;
@@ -139,11 +139,9 @@ class ArmsMission final : public run::Mission {
   ArmsReading reading_, before_;        // the newest, and the one before
   std::vector<Report> newest_;          // while arms work, the last two reports
   int seen_reports_ = 0;
-  std::uint64_t rested_at_ = 0;  // the event with which the arms rested
-  bool held_at_rest_ = false;    // by an operator or an emergency stop
-  bool to_hold_ = false;         // an operator wants it as soon as the arms rest
-  bool changed_ = false;         // since the journal was written
-  bool ran_ = false;             // this is not the first run
+  run::OperatorHold hold_{"the arms are"};  // or an emergency stop holds them
+  bool changed_ = false;                    // since the journal was written
+  bool ran_ = false;                        // this is not the first run
 
   std::mutex outlook_mutex_;
   std::optional<std::string> outlook_;  // that nobody has fetched yet; guarded by the mutex

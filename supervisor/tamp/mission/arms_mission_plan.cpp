@@ -15,13 +15,13 @@ using run::Phase;
 using run::Response;
 
 bool ArmsMission::replan(const run::Cause& cause) {
-  record_.replans.push_back({clock_.now_s(), run::sentence_of(cause.evidence), {}, to_hold_});
+  record_.replans.push_back({clock_.now_s(), run::sentence_of(cause.evidence), {}, hold_.wanted()});
   open_incident(cause);
-  if (!to_hold_ && static_cast<int>(run::counted(record_.replans)) > options_.max_replans)
+  if (!hold_.wanted() && static_cast<int>(run::counted(record_.replans)) > options_.max_replans)
     return give_up(
         fmt::format("{} plans were not enough: {}", options_.max_replans, run::sentence_of(cause.evidence)),
         cause.kind);
-  set_phase(to_hold_ ? Phase::Holding : Phase::Replanning, run::sentence_of(cause.evidence));
+  set_phase(hold_.wanted() ? Phase::Holding : Phase::Replanning, run::sentence_of(cause.evidence));
   return bring_to_rest() && look_and_plan();
 }
 

@@ -128,7 +128,7 @@ std::optional<run::Cause> ArmsMission::due(double time_s) {
   for (const TimedArmsRequest& each : requests_.take(time_s))
     replans |= std::visit([&](const auto& change) { return apply(change, cause); }, each.change);
   if (cause.evidence.empty()) return std::nullopt;
-  if (replans && !held_at_rest_) return cause;
+  if (replans && !hold_.holds()) return cause;
   open_incident(cause);
   decide(run::Response::GoOn);
   return std::nullopt;
@@ -147,33 +147,11 @@ bool ArmsMission::apply(const GoalChange& goal, run::Cause& cause) {
 }
 
 bool ArmsMission::apply(const HoldChange&, run::Cause& cause) {
-  cause.kind = IncidentKind::Operator;
-  if (held_at_rest_ || to_hold_) {
-    cause.evidence.emplace_back("the arms are held already");
-    return false;
-  }
-  to_hold_ = true;
-  cause.evidence.emplace_back("held by the operator");
-  return true;
+  return hold_.want(cause);
 }
 
 bool ArmsMission::apply(const ResumeChange&, run::Cause& cause) {
-  cause.kind = IncidentKind::Operator;
-  if (std::exchange(to_hold_, false)) {
-    cause.evidence.emplace_back("the arms may go on");
-    return false;
-  }
-  if (!held_at_rest_) {
-    cause.evidence.emplace_back("nothing holds the arms that could be resumed");
-    return false;
-  }
-  if (!reading_.estop_ok) {
-    cause.evidence.emplace_back("the arms cannot go on: the emergency stop is still pressed");
-    return false;
-  }
-  held_at_rest_ = false;
-  cause.evidence.emplace_back("the arms may go on");
-  return true;
+  return hold_.resume(cause, reading_.estop_ok);
 }
 
 }  // namespace stepwright::tamp::mission

@@ -1,7 +1,6 @@
 // To rest, between two plans and while something holds the arms; and a look from there.
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
 #include "supervisor/tamp/mission/arms_mission.h"
@@ -11,7 +10,6 @@ namespace stepwright::tamp::mission {
 using run::IncidentKind;
 using run::Phase;
 using run::Response;
-using std::chrono::milliseconds;
 
 namespace {
 
@@ -30,15 +28,14 @@ std::optional<run::Cause> ArmsMission::hold_stopped() {
 // The arms stand, and the program goes on scanning. Why the next plan is made; nothing if the run has ended.
 std::optional<run::Cause> ArmsMission::hold(const run::Cause& cause, Phase phase,
                                             const std::string& message) {
-  held_at_rest_ = true;
-  to_hold_ = false;
+  hold_.begin();
   const bool goes_on = hold_at_rest({.cause = cause,
                                      .phase = phase,
                                      .message = message,
                                      .most = options_.hold,
                                      .stopped = "the program was stopped while the arms were held",
                                      .left = cause.evidence.front() + "; nobody has let the arms go on",
-                                     .holds = [this] { return held_at_rest_; },
+                                     .holds = [this] { return hold_.holds(); },
                                      .see = [this](std::span<const std::byte> image) { see(image); }});
   if (!goes_on) return std::nullopt;
   return run::Cause{IncidentKind::Operator, {"the arms go on"}};
@@ -56,7 +53,7 @@ bool ArmsMission::bring_to_rest() {
     if (rest == Rest::Ended) return false;
     if (rest == Rest::Lost) driven_.reset();
   }
-  if (!to_hold_) return true;
+  if (!hold_.wanted()) return true;
   decide(Response::Replan);
   (void)controller_.acknowledge(rested_at_);  // the clock goes on while the arms are held
   const auto cause = hold({IncidentKind::Operator, {"held by the operator: the arms stand"}}, Phase::Held,
@@ -104,44 +101,21 @@ bool ArmsMission::picture() {
   return true;
 }
 
-// The clock stands still at the event with which it is there.
 ArmsMission::Rest ArmsMission::await(bool (*there)(const ArmsReading&), double within_s,
                                      const std::string& late, IncidentKind kind) {
-  const double until_s = clock_.now_s() + within_s;
-  while (true) {
-    if (abort_) {
-      give_up_aborted();
-      return Rest::Ended;
-    }
-    const auto event = controller_.wait_event(milliseconds(200));
-    if (!event) {
-      if (!runtime_lost() || has_gone_on()) continue;
-      return record_.phase == Phase::Safe ? Rest::Ended : Rest::Lost;
-    }
-    if (run::ends_program(event->kind) && event->program_digest == digest_) {
-      give_up("the program was stopped while the arms were brought to rest: " + event->detail,
-              IncidentKind::ProgramFault);
-      return Rest::Ended;
-    }
-    if (event->program_digest == digest_ && event->kind == host::EventKind::StepChange) {
-      clock_.see(event->incarnation, event->time_ns);
-      see(event->image);
-      if (there(reading_)) {
-        rested_at_ = event->sequence;
-        if (kind_ == Kind::Look) {
-          sight_ = agree(planning_.cell(), reader_->all(event->image), believed_);
-          observed_ = observe(planning_.cell(), reading_, sight_, held_);
-        }
-        return Rest::Reached;
-      }
-      if (clock_.now_s() > until_s) {
-        (void)controller_.acknowledge(event->sequence);
-        give_up(late, kind);
-        return Rest::Ended;
-      }
-    }
-    (void)controller_.acknowledge(event->sequence);
-  }
+  return await_rest({.within_s = within_s,
+                     .late = late,
+                     .late_kind = kind,
+                     .stopped = "the program was stopped while the arms were brought to rest",
+                     .see = [&](std::span<const std::byte> image) -> std::optional<Rest> {
+                       see(image);
+                       if (!there(reading_)) return std::nullopt;
+                       if (kind_ == Kind::Look) {
+                         sight_ = agree(planning_.cell(), reader_->all(image), believed_);
+                         observed_ = observe(planning_.cell(), reading_, sight_, held_);
+                       }
+                       return Rest::Reached;
+                     }});
 }
 
 }  // namespace stepwright::tamp::mission

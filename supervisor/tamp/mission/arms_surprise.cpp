@@ -23,8 +23,9 @@ constexpr double kFingers_m = 0.004;  // fingers that move do it by more
 }  // namespace
 
 ArmsMission::Surprise ArmsMission::surprise() const {
-  const std::size_t arm = static_cast<std::size_t>(std::max(0, reading_.cause_arm));
-  const std::string who = planning_.cell().arms[std::min(arm, planning_.cell().arms.size() - 1)].name;
+  const std::size_t last = planning_.cell().arms.size() - 1;
+  const std::size_t arm = std::min(last, static_cast<std::size_t>(std::max(0, reading_.cause_arm)));
+  const std::string who = planning_.cell().arms[arm].name;
   const schedule::ScheduledStep* step = step_of(arm);
   const std::string thing = step != nullptr && step->thing >= 0
                                 ? planning_.cell().things[static_cast<std::size_t>(step->thing)].name
