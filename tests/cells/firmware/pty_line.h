@@ -37,7 +37,7 @@ class PtyLine final : public remote::RegisterLine {
  private:
   static modbus::master::Master create(const modbus::master::SerialEndpoint& endpoint) {
     auto master = modbus::master::Master::create(
-        endpoint, {.timeout = std::chrono::milliseconds(20'000), .gap = std::chrono::microseconds(0)});
+        endpoint, {.timeout = std::chrono::milliseconds(5'000), .gap = std::chrono::microseconds(0)});
     if (!master) throw std::runtime_error(result::to_string(master.error()));
     if (!master->select_unit(1).good()) throw std::runtime_error("no unit 1");
     return std::move(*master);

@@ -15,6 +15,7 @@
 
 #include "firmware/link/qemu_board.h"
 #include "tests/cells/firmware/pty_line.h"
+#include "tests/support/patience.h"
 #include "tests/support/remote_controller/remote_controller.h"
 #include "tests/support/temporary_folder.h"
 
@@ -59,15 +60,11 @@ class Rig {
     const modbus::master::SerialEndpoint endpoint{
         .device = board_->line(), .baud = 115'200, .parity = modbus::master::Parity::None};
     line_ = std::make_unique<PtyLine>(endpoint);
-    controller_ = std::make_unique<support::RemoteController>(*line_);
+    controller_ = std::make_unique<support::RemoteController>(
+        *line_, remote::LinkOptions{.patience = support::kPatience, .command_patience = support::kPatience});
     // A board that has just been switched on says nothing for a while.
-    for (int i = 0; i < kStartAttempts; ++i) {
-      if (controller_->link().status()) return;
-    }
-    throw std::runtime_error("the board does not answer");
+    taken(controller_->link().status());
   }
-
-  static constexpr int kStartAttempts = 20;
 
   std::string firmware_;
   std::optional<int> icount_shift_;

@@ -26,7 +26,8 @@ struct TurnResult {
 
 class RemoteController {
  public:
-  explicit RemoteController(remote::RegisterLine& line) : line_(line), link_(line, {}, stop_) {}
+  explicit RemoteController(remote::RegisterLine& line, remote::LinkOptions options = {})
+      : line_(line), link_(line, options, stop_) {}
 
   remote::ControllerLink& link() { return link_; }
   remote::RegisterLine& line() { return line_; }
