@@ -25,14 +25,15 @@ function note(condition, what) {
   if (!condition) faults.push(what);
 }
 
-async function canBeRead(page, what, name) {
+// `inside`: what has opened; the page behind it was looked at before.
+async function canBeRead(page, what, name, inside) {
   await drawn(page); // what has opened is laid out
   await shot(page, name);
   const wide = await page.evaluate(() => document.documentElement.scrollWidth);
   note(wide <= WIDTH, `${what} does not make the page wider (${wide})`);
   const cut = await page.evaluate(unreadable);
   note(cut.length === 0, `${what} can be read ${cut.join('; ')}`);
-  await isAccessible(page, what).catch((error) => note(false, error.message));
+  await isAccessible(page, what, inside).catch((error) => note(false, error.message));
 }
 
 const focusIs = (page, selector) => page.evaluate((wanted) => document.activeElement?.matches(wanted) ?? false, selector);
@@ -63,7 +64,7 @@ async function visits(page, { what, name, opener, inside, act }) {
   await tabTo(page, what, opener);
   await page.keyboard.press('Enter');
   await waitFor(page, `Enter opens ${what}`, (selector) => document.querySelector(selector) !== null, inside);
-  await canBeRead(page, what, name);
+  await canBeRead(page, what, name, inside);
   if (act) await act();
   // A panel that stands beside its button is entered by Tab.
   if (!(await page.evaluate((selector) => document.querySelector(selector).contains(document.activeElement), inside))) {

@@ -25,9 +25,13 @@ export async function submits(page, action, what) {
   await dialogIsGone(page, what);
 }
 
-// No serious violation where axe-core looks. Its text goes in as a script of the test, not of the page.
-export async function isAccessible(page, what) {
-  const { violations } = await page.evaluate(async () => globalThis.axe.run(document, { resultTypes: ['violations'] }));
+// No serious violation where axe-core looks: on the whole page, or inside of what a selector names. Its text goes in as a script
+// of the test, not of the page.
+export async function isAccessible(page, what, inside = 'html') {
+  const { violations } = await page.evaluate(
+    async (selector) => globalThis.axe.run(document.querySelector(selector), { resultTypes: ['violations'] }),
+    inside,
+  );
   const serious = violations.filter(({ impact }) => impact === 'serious' || impact === 'critical');
   const told = serious.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html.slice(0, 120)).join(' | ')}`);
   check(serious.length === 0, `${what} has no serious fault of accessibility ${told.join('\n')}`);
