@@ -1,14 +1,23 @@
 """Fast DDS uses the interfaces that the configuration lists, and no others: loopback by default."""
 
 import ipaddress
+import time
 import unittest
 
 from namespaces import Network, udp_addresses
-from processes import NO_PLANT, Cell
+from processes import NO_PLANT, PATIENCE_S, Cell
 
 HOST = "10.77.1.1"
 MORE = NO_PLANT + "[hmi]\nport = 0\n"
 LOOPBACK = ipaddress.ip_address("127.0.0.1")
+
+
+def awaited_addresses(pid):
+    """Once there are any: a process may say where its page is before it has joined the others."""
+    deadline = time.monotonic() + PATIENCE_S
+    while not (found := udp_addresses(pid)) and time.monotonic() < deadline:
+        time.sleep(0.1)
+    return found
 
 
 class Interfaces(unittest.TestCase):
@@ -27,13 +36,13 @@ class Interfaces(unittest.TestCase):
 
     def test_by_default_nothing_listens_beyond_loopback(self):
         for process in self.start("")[1:]:
-            addresses = udp_addresses(process.pid)
+            addresses = awaited_addresses(process.pid)
             self.assertTrue(addresses)
             self.assertEqual({address for address, _ in addresses}, {LOOPBACK}, addresses)
 
     def test_a_listed_interface_is_used_and_no_other(self):
         for process in self.start(f'interfaces = ["{HOST}"]\n')[1:]:
-            addresses = {address for address, _ in udp_addresses(process.pid)}
+            addresses = {address for address, _ in awaited_addresses(process.pid)}
             self.assertIn(ipaddress.ip_address(HOST), addresses)
             self.assertNotIn(LOOPBACK, addresses)
             self.assertFalse({each for each in addresses if each.is_unspecified}, addresses)
