@@ -98,7 +98,8 @@ std::vector<bridge::PortWire> robot_cell_wires(const config::PlantConfig& plant)
   const config::RobotCellPlantConfig& cell = plant.robot_cell;
   std::vector<std::string> arms;
   for (const config::ArmConfig& arm : cell.arms) arms.push_back(arm.name);
-  const std::size_t slots = cell.camera.slots > 0 ? cell.camera.slots : cell.objects.size() + 2;
+  const std::size_t slots =
+      cell.camera.slots > 0 ? cell.camera.slots : cell.objects.size() + cell.blockages.size() + 2;
   return bridge::default_robot_cell_wires(arms, slots);
 }
 

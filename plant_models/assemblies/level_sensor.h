@@ -8,7 +8,7 @@
 #include <chrono>
 #include <cstdint>
 
-#include "plant_models/core/counter_random.h"
+#include "plant_models/core/sensor_error.h"
 
 namespace stepwright::assemblies {
 
@@ -46,16 +46,11 @@ class LevelSensor {
   std::int16_t counts(double percent, std::chrono::nanoseconds time, double extra_counts = 0.0) const;
 
   // The slow part of the error, in percent points: what a tare removes.
-  double offset_points(std::chrono::nanoseconds time) const;
+  double offset_points(std::chrono::nanoseconds time) const { return error_.offset(time); }
 
  private:
-  double drift_points(std::chrono::nanoseconds time) const;
-
   LevelCalibration calibration_;
-  SensorUncertainty uncertainty_;
-  core::CounterRandom drift_;
-  core::CounterRandom noise_;
-  double bias_points_;
+  core::SensorError error_;
 };
 
 }  // namespace stepwright::assemblies

@@ -66,7 +66,7 @@ void RobotCell::set_actuator(core::ActuatorId id, std::int16_t value) {
       return;
     case CellActuator::Trigger:
       if (value != 0 && !triggered_)
-        camera_.trigger(static_cast<double>(steps_) * kRobotCellStepS, objects_.all());
+        camera_.trigger(static_cast<double>(steps_) * kRobotCellStepS, objects_.all(), blocked_);
       triggered_ = value != 0;
       return;
   }

@@ -116,6 +116,7 @@ class RobotCell final : public core::Plant {
   // What is touched.
   bool has_moved() const;
   void look();
+  void put_blockages();
   void stop_where_it_was(std::size_t arm);
   void push(const Touch& touch);
 
@@ -138,6 +139,7 @@ class RobotCell final : public core::Plant {
   std::vector<double> before_;  // state of the drives when the step began
   std::vector<double> looked_;  // and at the last look of the judge
   std::array<bool, kMostCellBlockages> blocked_{};
+  std::array<bool, kMostCellBlockages> to_block_{};  // that shall stand, and something may be in their place
   bool emergency_stop_ = false;
   bool triggered_ = false;
   bool changed_ = true;  // something but the arms, since the last look

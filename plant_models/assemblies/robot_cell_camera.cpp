@@ -1,5 +1,6 @@
 #include "plant_models/assemblies/robot_cell_camera.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -9,6 +10,7 @@ namespace {
 
 // Of the numbers of one object or ghost in a picture.
 constexpr std::uint64_t kPerSighting = 8;
+constexpr std::uint64_t kBlockageStreams = 48;  // behind those of objects
 constexpr std::uint64_t kGhostStreams = 512;
 constexpr std::uint64_t kOrderStream = 900;
 
@@ -21,6 +23,12 @@ double unit(const core::CounterRandom& random, std::uint64_t counter) {
 CellCamera::CellCamera(const RobotCellParameters& parameters)
     : figures_(parameters.camera), seed_(parameters.seed) {
   for (const ObjectFigures& object : parameters.objects) kinds_.push_back(object.kind);
+  for (const FixedBody& body : parameters.blockages) {
+    Sighting there{ObjectKind::Obstacle, {}};
+    there.pose.place = body.frame.place - Vec3{0.0, 0.0, body.solid.half_m.z + body.solid.round_m};
+    there.pose.yaw_rad = std::atan2(body.frame.turn.m[3], body.frame.turn.m[0]);
+    blockages_.push_back(there);
+  }
   picture_.resize(camera_slots(parameters));
   report_.resize(picture_.size());
 }
@@ -59,7 +67,7 @@ void CellCamera::shuffle() {
   }
 }
 
-void CellCamera::trigger(double now_s, std::span<const CellObject> objects) {
+void CellCamera::trigger(double now_s, std::span<const CellObject> objects, std::span<const bool> blocked) {
   if (busy() || faults.dead) return;
   const auto counter = static_cast<std::uint64_t>(pictures_);
   taken_ = 0;
@@ -68,6 +76,11 @@ void CellCamera::trigger(double now_s, std::span<const CellObject> objects) {
     const bool lost = unit(random(kPerSighting * k), counter) < loss;
     if (lost || objects[k].state == ObjectState::Falls || taken_ == picture_.size()) continue;
     picture_[taken_++] = seen({kinds_[k], objects[k].pose}, k);
+  }
+  for (std::size_t k = 0; k < std::min(blocked.size(), blockages_.size()); ++k) {
+    const std::uint64_t stream = kBlockageStreams + k;
+    const bool lost = unit(random(kPerSighting * stream), counter) < loss;
+    if (blocked[k] && !lost && taken_ < picture_.size()) picture_[taken_++] = seen(blockages_[k], stream);
   }
   std::size_t ghosts = faults.ghosts;
   if (unit(random(kGhostStreams), counter) < figures_.ghosts) ++ghosts;

@@ -2,12 +2,12 @@
 
 // The camera of a robot cell: a picture when it is triggered, and some time later a report of what is in it,
 // with noise, with objects that it has not seen and with ones that are not there. It tells what kind an
-// object is, not which one, and in no order.
+// object is, not which one, and in no order. A blockage that stands is one of the kind Obstacle.
 //
 // Thread rule: one thread at a time; nothing is allocated after the constructor. The n-th report of a seed is
 // the same whatever was asked before it.
 //
-//   camera.trigger(now_s, objects);
+//   camera.trigger(now_s, objects, blocked);
 //   camera.step(now_s);
 //   for (const Sighting& seen : camera.report()) ...
 
@@ -41,7 +41,8 @@ class CellCamera {
   explicit CellCamera(const RobotCellParameters& parameters);
 
   // Nothing while a picture is under way. Falling objects are not in it.
-  void trigger(double now_s, std::span<const CellObject> objects);
+  // `blocked`: of each blockage whether it stands; beyond its end none does.
+  void trigger(double now_s, std::span<const CellObject> objects, std::span<const bool> blocked = {});
   void step(double now_s);
 
   std::span<const Sighting> report() const { return {report_.data(), reported_}; }
@@ -59,6 +60,7 @@ class CellCamera {
   CameraFigures figures_;
   std::uint64_t seed_;
   std::vector<ObjectKind> kinds_;
+  std::vector<Sighting> blockages_;
   std::vector<Sighting> picture_;  // under way
   std::vector<Sighting> report_;
   std::size_t taken_ = 0;

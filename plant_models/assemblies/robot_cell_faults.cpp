@@ -69,7 +69,9 @@ void RobotCell::apply_fault(CellFault kind, std::size_t index, double value, boo
       if (on && objects_[index].state == ObjectState::Stands) shift(index, {0.0, kMPerMm * value, 0.0});
       return;
     case CellFault::Block:
-      blocked_[index] = on;
+      to_block_[index] = on;
+      blocked_[index] = false;
+      put_blockages();
       changed_ = true;
       return;
     case CellFault::EmergencyStop:

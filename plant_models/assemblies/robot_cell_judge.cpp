@@ -135,6 +135,15 @@ void RobotCellJudge::judge_objects(const CellView& view) {
   }
 }
 
+bool RobotCellJudge::has_room(std::size_t blockage) const {
+  const FixedBody& body = fixed_[standing_ + blockage];
+  const PlacedSolid there{body.solid, body.frame};
+  for (const std::vector<PlacedSolid>& arm : bodies_)
+    for (const PlacedSolid& each : arm)
+      if (touch(each, there)) return false;
+  return std::ranges::none_of(parts_, [&](const PlacedParts& each) { return touch(there, each); });
+}
+
 const Look& RobotCellJudge::look(const CellView& view, double now_s) {
   now_s_ = now_s;
   look_ = {};

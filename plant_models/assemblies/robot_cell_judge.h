@@ -80,6 +80,8 @@ class RobotCellJudge {
   explicit RobotCellJudge(const RobotCellParameters& parameters);
 
   const Look& look(const CellView& view, double now_s);
+  // Whether nothing was where that blockage would stand at the last look.
+  bool has_room(std::size_t blockage) const;
   // What the plant tells it: only who has force and speed knows.
   void note_drop(std::size_t object, int support, double height_m, double now_s);
   void note_slip(std::size_t object, std::size_t arm, double now_s);

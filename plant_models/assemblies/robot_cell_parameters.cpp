@@ -91,7 +91,8 @@ void make_certain(RobotCellParameters& parameters) {
 }
 
 std::size_t camera_slots(const RobotCellParameters& parameters) {
-  return parameters.camera.slots > 0 ? parameters.camera.slots : parameters.objects.size() + 2;
+  return parameters.camera.slots > 0 ? parameters.camera.slots
+                                     : parameters.objects.size() + parameters.blockages.size() + 2;
 }
 
 result::Result<void> validate(const RobotCellParameters& p) {

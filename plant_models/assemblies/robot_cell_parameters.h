@@ -61,7 +61,8 @@ struct FixedBody {
   bool of_robot = false;  // the arms' own stand, which their first joints are near to
 };
 
-enum class ObjectKind : std::uint8_t { Cup = 1, Can = 2, Tray = 3, Box = 4 };  // as the camera tells them
+// As the camera tells them. An obstacle is a blockage, and no object.
+enum class ObjectKind : std::uint8_t { Cup = 1, Can = 2, Tray = 3, Box = 4, Obstacle = 5 };
 
 // Its solids: robot_cell_shapes.h. Upright always, so that a pose is x, y, z and yaw.
 struct ObjectFigures {
@@ -103,7 +104,7 @@ struct CameraFigures {
   double view_low_y_m = -1.0;
   double view_high_x_m = 1.5;
   double view_high_y_m = 1.0;
-  std::size_t slots = 0;  // terminals for so many reports; 0: two more than objects
+  std::size_t slots = 0;  // terminals for so many reports; 0: two more than objects and blockages
 };
 
 struct EncoderFigures {
@@ -115,7 +116,8 @@ struct RobotCellParameters {
   std::vector<ArmFigures> arms;
   std::vector<FixedBody> fixed;
   std::vector<ObjectFigures> objects;
-  std::vector<FixedBody> blockages;  // stand while the fault block_1, block_2, ... holds
+  // Stand while the fault block_1, block_2, ... holds, from when nothing is in their place.
+  std::vector<FixedBody> blockages;
   DriveFigures drive;
   HandFigures hand;
   CameraFigures camera;

@@ -22,6 +22,7 @@ KindFigures figures_of(ObjectKind kind) {
     case ObjectKind::Tray:
       return {{0.32, 0.20, 0.06}, 0.60};
     case ObjectKind::Box:
+    case ObjectKind::Obstacle:
       break;
   }
   return {{0.07, 0.12, 0.08}, 0.40};

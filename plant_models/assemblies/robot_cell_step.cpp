@@ -106,6 +106,12 @@ bool RobotCell::has_moved() const {
   return false;
 }
 
+// Nobody puts something where an arm or a thing is: it stands as soon as there is room.
+void RobotCell::put_blockages() {
+  for (std::size_t k = 0; k < parameters_.blockages.size(); ++k)
+    if (to_block_[k] && !blocked_[k] && judge_.has_room(k)) blocked_[k] = changed_ = true;
+}
+
 void RobotCell::look() {
   if (!changed_ && !has_moved()) return;
   changed_ = false;
@@ -125,6 +131,7 @@ void RobotCell::look() {
   for (std::size_t arm = 0; arm < n; ++arm)
     if (found.arm_stopped[arm]) stop_where_it_was(arm);
   for (std::size_t k = 0; k < found.touch_count; ++k) push(found.touches[k]);
+  put_blockages();
 }
 
 void RobotCell::stop_where_it_was(std::size_t arm) {

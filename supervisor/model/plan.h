@@ -43,6 +43,7 @@ struct Plan {
 struct Budget {
   std::chrono::milliseconds time{0};
   std::size_t memory_mb = 0;
+  std::uint64_t states = 0;  // that a search may expand: the same end on every machine
 };
 
 enum class OutcomeKind : std::uint8_t {

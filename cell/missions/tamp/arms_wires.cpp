@@ -54,7 +54,7 @@ result::Result<CellTerminals> terminals_of(const config::CellConfig& config,
   std::size_t slots = cell.things.size() + 2;
   if (config.plant.kind == "robot_cell") {
     const config::RobotCellPlantConfig& plant = config.plant.robot_cell;
-    slots = plant.camera.slots > 0 ? plant.camera.slots : plant.objects.size() + 2;
+    slots = plant.camera.slots > 0 ? plant.camera.slots : plant.objects.size() + plant.blockages.size() + 2;
   }
   return tamp::program::cell_terminals_in_a_row(cell.arms.size(), slots);
 }

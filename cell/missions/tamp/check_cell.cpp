@@ -38,6 +38,10 @@ class Check {
       else
         furniture(each, *same);
     }
+    for (const auto& each : plant_.blockages)
+      if (0.5 * std::hypot(each.length_m, each.width_m) > radius_around(cell_.obstacle) + kSame_m ||
+          each.height_m > cell_.obstacle.height_m + kSame_m)
+        say(each.place.where, "'" + each.name + "' is larger than the [obstacle] of the problem");
     for (const auto& each : cell_.things) {
       const auto same = std::ranges::find(plant_.objects, each.name, &config::CellObjectConfig::name);
       if (same == plant_.objects.end())

@@ -25,8 +25,8 @@ class Solver {
       : task_(task),
         options_(options),
         control_(options.budget.time,
-                 options.budget.memory_mb == 0 ? kDefaultMemoryMb : options.budget.memory_mb,
-                 options.cancel) {}
+                 options.budget.memory_mb == 0 ? kDefaultMemoryMb : options.budget.memory_mb, options.cancel,
+                 options.budget.states) {}
 
   model::Outcome run() {
     ground_ = ground_task(
@@ -148,6 +148,8 @@ class Solver {
     outcome_.kind = kind;
     if (outcome_.reason.empty() && reason_ == StopReason::Time) outcome_.reason = "the time budget ended";
     if (outcome_.reason.empty() && reason_ == StopReason::Memory) outcome_.reason = "the memory budget ended";
+    if (outcome_.reason.empty() && reason_ == StopReason::States)
+      outcome_.reason = "the budget of states ended";
     if (const Incumbent best = control_.best(); best.quality.found()) accept(plan(best));
     figures();
     return std::move(outcome_);

@@ -52,6 +52,7 @@ void ArmsMission::forget_run() {
   driven_.reset();
   reader_.reset();
   tries_.clear();
+  fault_.reset();
   hold_.forget();
 }
 

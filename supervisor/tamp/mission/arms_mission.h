@@ -4,8 +4,9 @@
 // the program that does them, looks again whether the order is done. What comes between is an incident: a
 // thing that slips or falls, one that is not where it was, arms too near to each other, another order. Then
 // the arms come to rest on their paths, the camera looks, and a new plan begins there, with what hands hold
-// put down first. A thing that fails again and again, a drive that has tripped and a joint that is stuck end
-// the run in the safe state. An emergency stop holds.
+// put down first. A drive that has tripped, or a joint that does not follow, ends the run in the safe state,
+// unless the camera shows what the arm has met: that is planned around, as what is put into the way before
+// an arm meets it. A thing that fails again and again ends the run, too. An emergency stop holds.
 //
 // Threads: `run` belongs to one; requests may come from any. In simulated time the clock stands still while a
 // plan is made. The same order, faults and requests at the same scan times give the same run.
@@ -62,6 +63,7 @@ class ArmsMission final : public run::Mission {
     run::Cause cause;
     std::string about;  // a thing, or an arm's fingers
     bool ends = false;  // nothing that a plan could mend
+    int arm = -1;       // of a drive's fault: what it may have met is looked for
   };
 
   // arms_mission.cpp: from start to end.
@@ -86,10 +88,19 @@ class ArmsMission final : public run::Mission {
   run::Decision judge_image(std::span<const std::byte> image) override;
   void see(std::span<const std::byte> image);
   void note_progress();
-  std::optional<std::string> moved_thing(std::span<const std::byte> image);
+  bool take_report(std::span<const std::byte> image);
+  std::optional<std::string> moved_thing() const;
   std::vector<std::optional<scene::Pose>> expected() const;
   const schedule::ScheduledStep* step_of(std::size_t arm) const;
   int held_by(std::size_t arm) const;
+
+  // arms_mission_blocked.cpp: what stands in the way of the arms.
+  std::optional<Seen> new_obstacle() const;
+  std::optional<Seen> met_by(std::size_t arm) const;
+  bool judge_fault();
+  std::string obstacles() const;
+  std::vector<motion::JointPath> ways_back() const;
+  motion::JointPath way_back(std::size_t arm) const;
 
   // arms_surprise.cpp: what has stopped the arms.
   Surprise surprise() const;
@@ -108,6 +119,7 @@ class ArmsMission final : public run::Mission {
   // arms_mission_plan.cpp: from rest to the next plan.
   bool replan(const run::Cause& cause) override;
   bool look_and_plan();
+  bool at_home() const;
   bool plan_rest();
   bool stay(const std::string& reason);
   bool launch(PreparedArms prepared);
@@ -138,6 +150,8 @@ class ArmsMission final : public run::Mission {
   std::optional<ArmsReader> reader_;    // of the program that runs
   ArmsReading reading_, before_;        // the newest, and the one before
   std::vector<Report> newest_;          // while arms work, the last two reports
+  std::vector<double> came_;            // progress of each arm in the plan that was driven last
+  std::optional<Surprise> fault_;       // of a drive, until the camera has looked at what is there
   int seen_reports_ = 0;
   run::OperatorHold hold_{"the arms are"};  // or an emergency stop holds them
   bool changed_ = false;                    // since the journal was written

@@ -18,9 +18,10 @@ using schedule::StepKind;
 
 namespace {
 
-constexpr double kMoved_m = 0.012;    // six deviations of a report
-constexpr double kStranger_m = 0.06;  // from all that is expected
-constexpr std::size_t kAgreeing = 2;  // reports, one after the other
+constexpr double kMoved_m = 0.012;      // six deviations of a report
+constexpr double kStranger_m = 0.06;    // from all that is expected
+constexpr double kSamePlace_m = 0.015;  // of two reports of one thing: five deviations of their difference
+constexpr std::size_t kAgreeing = 2;    // reports, one after the other
 
 double apart(const scene::Pose& a, const scene::Pose& b) {
   return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m);
@@ -32,6 +33,11 @@ void ArmsMission::see(std::span<const std::byte> image) {
   before_ = std::exchange(reading_, reader_->read(image));
   if (before_.arms.empty()) before_ = reading_;
   record_.observed.clear();
+  // A program shows what the one before has left, until it begins.
+  if (kind_ != Kind::Look && reading_.stage != CellStage::Begins) {
+    came_.clear();
+    for (const ArmReading& each : reading_.arms) came_.push_back(each.progress);
+  }
   for (std::size_t arm = 0; arm < reading_.arms.size(); ++arm)
     record_.observed["progress_" + planning_.cell().arms[arm].name] = reading_.arms[arm].progress;
 }
@@ -47,15 +53,27 @@ Decision ArmsMission::judge_image(std::span<const std::byte> image) {
     return run::give_up_because(IncidentKind::Operator, "the emergency stop is pressed");
   }
   if (reading_.stage == CellStage::Stopped) {
-    Surprise what = surprise();
+    // A drive's fault is told by how its joints were when it came.
+    if (!fault_ && reading_.cause == program::StopCause::DriveFault) fault_ = surprise();
+    Surprise what = fault_ ? *fault_ : surprise();
     // A plan begins at rest; news comes until then.
     return what.ends || reading_.rest ? answer(std::move(what)) : Decision{};
   }
   if (reading_.stage == CellStage::Done) return {run::Verdict::Finished};
   if (reading_.stage != CellStage::Works) return {};
-  if (auto moved = moved_thing(image))
+  if (!take_report(image)) return {};
+  if (auto moved = moved_thing()) {
+    newest_.clear();
     return answer(
         {{IncidentKind::Position, {*moved + " was moved: it does not stand where it stood"}}, *moved});
+  }
+  if (const auto seen = new_obstacle()) {
+    newest_.clear();
+    return answer(
+        {{IncidentKind::Position,
+          {fmt::format("an obstacle stands in the way, at {:.2f} {:.2f} m", seen->pose.x_m, seen->pose.y_m)}},
+         "what stands in the way"});
+  }
   return {};
 }
 
@@ -137,14 +155,18 @@ std::vector<std::optional<scene::Pose>> ArmsMission::expected() const {
   return poses;
 }
 
-// Its name, if two reports agree that it is elsewhere, and have something of its kind where nothing is
-// expected.
-std::optional<std::string> ArmsMission::moved_thing(std::span<const std::byte> image) {
-  if (!driven_ || reading_.reports == seen_reports_) return std::nullopt;
+// Whether there are two reports of this plan, one of them new.
+bool ArmsMission::take_report(std::span<const std::byte> image) {
+  if (!driven_ || reading_.reports == seen_reports_) return false;
   seen_reports_ = reading_.reports;
   newest_.push_back(reader_->newest(image));
   if (newest_.size() > kAgreeing) newest_.erase(newest_.begin());
-  if (newest_.size() < kAgreeing) return std::nullopt;
+  return newest_.size() == kAgreeing;
+}
+
+// Its name, if two reports agree that it is elsewhere, and both have something of its kind at the same place,
+// where nothing is expected. What is not there is seen once and not again.
+std::optional<std::string> ArmsMission::moved_thing() const {
   const scene::RobotCell& cell = planning_.cell();
   const auto poses = expected();
   std::vector<scene::Pose> known;
@@ -156,23 +178,24 @@ std::optional<std::string> ArmsMission::moved_thing(std::span<const std::byte> i
   }
   for (std::size_t k = 0; k < poses.size(); ++k) {
     if (!poses[k]) continue;
-    const bool moved = std::ranges::all_of(newest_, [&](const Report& report) {
-      const auto same = [&](const Seen& each) { return each.kind == kind_of(cell.things[k]); };
-      const bool there = std::ranges::any_of(
+    const auto same = [&](const Seen& each) { return each.kind == kind_of(cell.things[k]); };
+    const bool there = std::ranges::any_of(newest_, [&](const Report& report) {
+      return std::ranges::any_of(
           report, [&](const Seen& each) { return same(each) && apart(each.pose, *poses[k]) < kMoved_m; });
-      const bool elsewhere = std::ranges::any_of(report, [&](const Seen& each) {
-        return same(each) && std::ranges::all_of(known, [&](const scene::Pose& pose) {
-                 // A little away from where it stood is elsewhere, too.
-                 const bool own = pose.x_m == poses[k]->x_m && pose.y_m == poses[k]->y_m;
-                 return apart(each.pose, pose) > (own ? kMoved_m : kStranger_m);
-               });
-      });
-      return !there && elsewhere;
     });
-    if (moved) {
-      newest_.clear();
-      return cell.things[k].name;
-    }
+    const auto elsewhere = [&](const Seen& each) {
+      return same(each) && std::ranges::all_of(known, [&](const scene::Pose& pose) {
+               // A little away from where it stood is elsewhere, too.
+               const bool own = pose.x_m == poses[k]->x_m && pose.y_m == poses[k]->y_m;
+               return apart(each.pose, pose) > (own ? kMoved_m : kStranger_m);
+             });
+    };
+    const bool moved = !there && std::ranges::any_of(newest_.front(), [&](const Seen& first) {
+      return elsewhere(first) && std::ranges::any_of(newest_.back(), [&](const Seen& next) {
+               return elsewhere(next) && apart(first.pose, next.pose) < kSamePlace_m;
+             });
+    });
+    if (moved) return cell.things[k].name;
   }
   return std::nullopt;
 }

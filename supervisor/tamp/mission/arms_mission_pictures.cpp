@@ -16,6 +16,7 @@ run::Pictures pictures_of(const pictures::ArmsPictureInput& input) {
     const bool known = std::ranges::any_of(picture.kinds, [&](const auto& one) { return one.kind == kind; });
     if (kind > 0 && !known) picture.kinds.push_back({kind, each.kind});
   }
+  picture.kinds.push_back({kObstacle, "obstacle"});
   run::Pictures all;
   all.arms.push_back(std::move(picture));
   return all;

@@ -28,12 +28,13 @@ bool ArmsMission::replan(const run::Cause& cause) {
 // An order that is done is the end; one that is not is planned for from what is seen.
 bool ArmsMission::look_and_plan() {
   const bool after_a_plan = kind_ == Kind::Follow && reading_.stage == CellStage::Done;
-  if (!look()) return false;
+  if (!look() || !judge_fault()) return false;
   for (std::size_t k = 0; k < believed_.size(); ++k)
     if (observed_.state.things[k].holder < 0) believed_[k] = observed_.state.things[k].pose;
   for (std::size_t arm = 0; arm < held_.size(); ++arm) held_[arm] = observed_.state.arms[arm].holds;
   note_outlook();
-  const std::string missing = not_yet(planning_.cell(), observed_.state, order_);
+  std::string missing = not_yet(planning_.cell(), observed_.state, order_);
+  if (missing.empty() && !at_home()) missing = "all arms at home, with empty hands";
   if (!after_a_plan || missing.empty()) return plan_rest();
   // The plan has come to its end, and the camera does not agree.
   const std::string why = "the plan has ended, and not yet is " + missing;
@@ -44,31 +45,38 @@ bool ArmsMission::look_and_plan() {
   return plan_rest();
 }
 
+bool ArmsMission::at_home() const {
+  for (std::size_t arm = 0; arm < observed_.state.arms.size(); ++arm) {
+    const scene::ArmState& each = observed_.state.arms[arm];
+    if (each.holds >= 0 || each.at != planning_.cell().arms[arm].home) return false;
+  }
+  return true;
+}
+
 // What cannot be planned is no end while the arms stand: people can see to it, or want something else.
 bool ArmsMission::plan_rest() {
   while (true) {
     const scene::RobotCell& cell = planning_.cell();
     for (std::size_t k = 0; k < order_.wanted.size(); ++k)
       record_.goal[k].met = is_met(cell, observed_.state, order_.wanted[k]);
-    const bool home = std::ranges::all_of(observed_.state.arms, [&](const scene::ArmState& each) {
-      const auto arm = static_cast<std::size_t>(&each - observed_.state.arms.data());
-      return each.holds < 0 && each.at == cell.arms[arm].home;
-    });
-    if (home && not_yet(cell, observed_.state, order_).empty()) {
+    if (at_home() && not_yet(cell, observed_.state, order_).empty()) {
       decide(Response::GoOn);
       record_.finished_s = clock_.now_s();
       (void)controller_.stop("the order is done");
       set_phase(Phase::Done, fmt::format("the order is done: {}", order_.name));
       return false;
     }
-    auto prepared = planning_.plan(
-        {.order = &order_, .state = observed_.state, .strangers = sight_.strangers, .cancel = &abort_});
+    auto prepared = planning_.plan({.order = &order_,
+                                    .state = observed_.state,
+                                    .strangers = sight_.strangers,
+                                    .back = ways_back(),
+                                    .cancel = &abort_});
     if (abort_) return give_up_aborted();
     if (prepared) {
       if (!record_.incidents.empty()) record_.incidents.back().replan_ms = prepared->spent_ms;
       return launch(*std::move(prepared));
     }
-    if (!stay(result::to_string(prepared.error())) || !look()) return false;
+    if (!stay(result::to_string(prepared.error()) + obstacles()) || !look()) return false;
   }
 }
 
@@ -89,6 +97,7 @@ bool ArmsMission::stay(const std::string& reason) {
 bool ArmsMission::launch(PreparedArms prepared) {
   driven_ = std::move(prepared);
   newest_.clear();
+  came_.clear();
   seen_reports_ = 0;
   decide(Response::Replan);
   if (!bring_to_run([&] { return install(*driven_, Kind::Follow); })) return false;

@@ -14,13 +14,30 @@ namespace {
 
 using std::chrono::steady_clock;
 
-constexpr std::size_t kTries = 3;               // of a plan whose motions bring the arms too near
-constexpr std::uint64_t kMostFailed = 400'000;  // configurations: the same end on every machine
-// The same while only what is wanted is moved, by way of where things change hands.
-constexpr std::uint64_t kFirstFailed = 100'000;
+constexpr std::size_t kTries = 3;  // where no way home is found, or motions bring the arms too near
+
+// Counted work, so that all machines end alike: configurations that failed, motions that searches of paths
+// have checked, plans of tasks. Some seconds on one core; plans that are found take a thousandth of it.
+struct Effort {
+  std::uint64_t failed = 0, path_motions = 0, skeletons = 0;
+};
+// While only what is wanted is moved, by way of where things change hands; then with all that can be moved.
+constexpr Effort kFirst{100'000, 100'000, 60}, kAll{400'000, 300'000, 80};
+constexpr std::uint64_t kFirstPathMotions = 10'000;  // of a sequence, before others are tried
+constexpr std::uint64_t kMostStates = 1'000'000;     // of the searches for plans of tasks
+
+constexpr double kObstacleMargin_m = 0.01;  // of where the camera has it
 
 // A body of that kind, as large as those that the cell has.
 scene::Form form_of(const scene::RobotCell& cell, int kind) {
+  if (kind == kObstacle) {
+    scene::Form form = cell.obstacle;
+    form.radius_m += kObstacleMargin_m;
+    form.size_x_m += 2.0 * kObstacleMargin_m;
+    form.size_y_m += 2.0 * kObstacleMargin_m;
+    form.height_m += kObstacleMargin_m;
+    return form;
+  }
   for (const scene::Thing& each : cell.things)
     if (kind_of(each) == kind) return each.form;
   return {.round = true, .radius_m = 0.05, .height_m = 0.12};
@@ -89,7 +106,12 @@ result::Result<std::vector<scene::PlannedAction>> ArmsPlanning::actions_for(
         options_.domain,
         {"order.pddl", problem_text(cell, *request.order, state, all ? nullptr : &options_.exchange)});
     if (!task) return result::forward(task);
-    how.most_failed = all ? kMostFailed : kFirstFailed;
+    const Effort& effort = all ? kAll : kFirst;
+    how.most_failed = effort.failed;
+    how.most_path_motions = effort.path_motions;
+    how.first_path_motions = kFirstPathMotions;
+    how.most_skeletons = effort.skeletons;
+    how.most_states = kMostStates;
     outcome = planner::plan(cell, *task, model, how);
     if (outcome.plan) return std::move(outcome.plan->actions);
   }
@@ -107,14 +129,21 @@ result::Result<PreparedArms> ArmsPlanning::plan(const ArmsPlanRequest& request) 
     const std::uint64_t seed = options_.seed + tried;
     PreparedArms prepared;
     prepared.start = request.state;
+    prepared.strangers = request.strangers;
     auto first = way_home(cell_with(request, request.state), request.state, request.order->wanted,
-                          {.seed = seed, .leaves = true});
-    if (!first) return result::forward(first);
+                          {.seed = seed, .leaves = true, .back = request.back, .known = &options_.cell});
+    if (!first) {
+      why = first.error();
+      continue;
+    }
     scene::RobotCell cell = cell_with(request, first->after);
     auto actions = actions_for(request, cell, first->after, seed);
     if (!actions) return result::forward(actions);
     auto last = way_home(cell, state_after(cell, first->after, *actions), {}, {.seed = seed});
-    if (!last) return result::forward(last);
+    if (!last) {
+      why = last.error();
+      continue;
+    }
     for (auto* part : {&first->actions, &*actions, &last->actions})
       for (scene::PlannedAction& each : *part) prepared.plan.actions.push_back(std::move(each));
     auto schedule = schedule::schedule_plan(cell, request.state, prepared.plan, {.seed = seed});

@@ -43,7 +43,7 @@ struct ArmsPlanningOptions {
   program::CellTerminals terminals;
   program::ArmsProgramOptions program = program_options();
   std::uint64_t seed = 1;
-  double most_s = 10.0;                     // until there is a plan
+  double most_s = 60.0;                     // for a machine that is far too slow: what ends is counted work
   std::vector<driver::Watcher> watchers{};  // compiled with every program
 };
 
@@ -51,6 +51,8 @@ struct ArmsPlanRequest {
   const ArmsOrder* order = nullptr;
   scene::GeometricState state{};
   std::vector<Seen> strangers{};  // stand on the table as well
+  // Of each arm: from where it is along the way that it came, for one that touches something there.
+  std::vector<motion::JointPath> back{};
   const std::atomic<bool>* cancel = nullptr;
 };
 
@@ -59,6 +61,7 @@ struct PreparedArms {
   std::vector<std::byte> container;
   std::shared_ptr<const scene::RobotCell> cell;  // as it was planned in
   scene::GeometricState start;
+  std::vector<Seen> strangers{};  // that were known
   scene::TampPlan plan;
   schedule::CellSchedule schedule;
   double spent_ms = 0.0;

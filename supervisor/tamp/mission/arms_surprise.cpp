@@ -67,10 +67,12 @@ ArmsMission::Surprise ArmsMission::surprise() const {
   }
 }
 
-// A joint that stays where it is in spite of its set points is stuck: no way around it, but the end.
+// A joint that stays where it is in spite of its set points is stuck, unless something holds it.
 ArmsMission::Surprise ArmsMission::drive_fault(std::size_t arm, const std::string& who) const {
-  Surprise made{
-      {IncidentKind::FailedActuator, {fmt::format("a drive of the {} arm has tripped", who)}}, who, true};
+  Surprise made{{IncidentKind::FailedActuator, {fmt::format("a drive of the {} arm has tripped", who)}},
+                "the way of the " + who + " arm",
+                false,
+                static_cast<int>(arm)};
   const schedule::ScheduledStep* step = step_of(arm);
   if (step == nullptr || !step->motion) return made;
   const double share = reading_.arms[arm].progress - std::floor(reading_.arms[arm].progress);
@@ -94,6 +96,10 @@ ArmsMission::Surprise ArmsMission::drive_fault(std::size_t arm, const std::strin
 
 Decision ArmsMission::answer(Surprise what) {
   if (what.ends) return {run::Verdict::GiveUp, std::move(what.cause)};
+  if (what.arm >= 0) {  // judged by what is seen there (judge_fault)
+    fault_ = what;
+    return {run::Verdict::Replan, std::move(what.cause)};
+  }
   // Fingers that do not move once do not move at all.
   const int most = what.cause.kind == IncidentKind::FailedActuator ? 1 : options_.retries;
   if (++tries_[what.about] <= most) return {run::Verdict::Replan, std::move(what.cause)};

@@ -19,14 +19,15 @@ namespace stepwright::tamp::mission {
 
 // An object in a report.
 struct Seen {
-  int kind = 0;  // of the camera, from 1: cup, can, tray, box
+  int kind = 0;  // of the camera, from 1: cup, can, tray, box, obstacle
   scene::Pose pose;
 };
 using Report = std::vector<Seen>;
+inline constexpr int kObstacle = 5;  // what no order knows, and no arm may meet
 
 struct Sight {
   std::vector<std::optional<scene::Pose>> things;
-  std::vector<Seen> strangers;  // of a kind that things have, but more than there are
+  std::vector<Seen> strangers;  // obstacles, and more of a kind of things than there are
 };
 
 // The camera's number of a thing's kind; 0: none.

@@ -22,6 +22,8 @@ using scene::ActionSpec;
 constexpr std::size_t kMostPlaces = 60;  // of a region that are tried
 constexpr std::size_t kMostWays = 3;     // of the arm, of each place
 constexpr int kTurns = 8;
+constexpr std::size_t kFarther = 4;  // places of the way back
+constexpr double kBackStep_rad = 0.03;
 
 class HomeFinder {
  public:
@@ -32,8 +34,10 @@ class HomeFinder {
   bool go(const scene::GeometricState& start, const std::vector<std::size_t>& arms) {
     state_ = start;
     settled_.clear();
-    for (const std::size_t arm : arms)
+    for (const std::size_t arm : arms) {
+      draw_back(arm);
       if (!put_down(arm) || !leave(arm)) return false;
+    }
     const auto uncertain = predicates::certify(workspace_, settled_, options_.seed, start, options_.leaves);
     if (!uncertain) return true;
     why_ = text_of(cell_, settled_[uncertain->action].action.what) + ": " + uncertain->what;
@@ -69,6 +73,40 @@ class HomeFinder {
   bool refused(const ActionSpec& action, const predicates::Failure& failure) {
     why_ = text_of(cell_, action) + ": " + name_of(failure.kind);
     return false;
+  }
+
+  // To the first place of the way that it came which is free, and a little farther, if nothing but what it
+  // leaves is in the way.
+  void draw_back(std::size_t arm) {
+    if (arm >= options_.back.size() || options_.back[arm].size() < 2) return;
+    const motion::JointPath& back = options_.back[arm];
+    const motion::CollisionChecker& checker = workspace_.path_checker(state_, static_cast<int>(arm));
+    std::size_t end = 0;
+    while (end < back.size() && !checker.is_free(back[end])) ++end;
+    if (end == 0 || end == back.size()) return;
+    for (std::size_t more = 0; more < kFarther && end + 1 < back.size() && checker.is_free(back[end + 1]);
+         ++more)
+      ++end;
+    const motion::JointPath path(back.begin(), back.begin() + static_cast<std::ptrdiff_t>(end) + 1);
+    if (options_.known != nullptr && !is_free_without_strangers(arm, path)) return;
+    scene::ArmState& here = state_.arms[arm];
+    const int near = std::max(0, here.near);
+    std::copy(path.back().begin(), path.back().end(), here.at.begin());
+    here.near = -1;
+    here.line.clear();
+    scene::PlannedAction action{{ActionKind::MoveAway, static_cast<int>(arm), near}, 0.0, {}, {}};
+    action.motions.push_back({scene::Phase::Lift, here.half_open_m, path});
+    settled_.push_back({state_, std::move(action)});
+  }
+
+  bool is_free_without_strangers(std::size_t arm, const motion::JointPath& path) const {
+    scene::RobotCell cell = *options_.known;
+    for (std::size_t k = 0; k < cell.things.size(); ++k) cell.things[k].start = state_.things[k].pose;
+    predicates::Workspace known(cell, options_.seed);
+    const motion::CollisionChecker& checker = known.path_checker(state_, static_cast<int>(arm));
+    for (std::size_t k = 1; k < path.size(); ++k)
+      if (!checker.motion_is_free(path[k - 1], path[k], kBackStep_rad)) return false;
+    return true;
   }
 
   // Where it is wanted first, then near by.

@@ -1,7 +1,8 @@
 #pragma once
 
 // Brings arms home from wherever they are, as a part of a plan: what a hand holds is put down first, where it
-// is wanted if the arm reaches that, else near by. Actions and motions are those of predicates/workspace.h,
+// is wanted if the arm reaches that, else near by. An arm that has met something first goes back by the way
+// that it came. Actions and motions are those of predicates/workspace.h,
 // certified as those of other plans are.
 //
 // Functions without state; any thread. The same state gives the same actions.
@@ -26,6 +27,10 @@ struct WayHome {
 struct WayHomeOptions {
   std::uint64_t seed = 1;
   bool leaves = false;  // see certify.h
+  // Of each arm: from where it is along the way that it came. One that touches something where it is goes
+  // back there first, as far as it takes; whatever it meets that `known` has not is what it leaves.
+  std::vector<motion::JointPath> back{};
+  const scene::RobotCell* known = nullptr;
 };
 
 // G0406: none was found, with what is in the way.

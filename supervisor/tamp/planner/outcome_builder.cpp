@@ -45,6 +45,7 @@ void OutcomeBuilder::take_figures() {
   figures.failed_paths = counts.failed_paths;
   figures.straight_paths = counts.straight_paths;
   figures.tree_paths = counts.tree_paths;
+  figures.path_motions = counts.path_motions;
   figures.plan_ms = ms_between(began_, Clock::now());
   figures.plan_cpu_ms = cpu_ms() - cpu_began_;
 }
@@ -57,14 +58,18 @@ void OutcomeBuilder::begin_round(std::size_t round) {
   failed_before_ = workspace_.counts().failed;
   solver_options_.more_samples = std::size_t{1} << doublings;
   solver_options_.most_failed = options_.first_failed << (3 * std::min(round, kMostRounds));
+  solver_options_.most_path_motions = options_.first_path_motions << (3 * std::min(round, kMostRounds));
   workspace_.set_path_nodes(workspace_.cell().manner.path_nodes << (2 * std::min(round, kMostOfNodes)));
 }
 
 SolverAnswer OutcomeBuilder::attempt(const std::vector<scene::ActionSpec>& actions) {
   SolverOptions options = solver_options_;
-  const std::uint64_t failed = workspace_.counts().failed;
-  options.most_failed =
-      std::min(options.most_failed, options_.most_failed > failed ? options_.most_failed - failed : 0);
+  const predicates::Counts& counts = workspace_.counts();
+  const auto left = [](std::uint64_t most, std::uint64_t used) { return most > used ? most - used : 0; };
+  options.most_failed = std::min(options.most_failed, left(options_.most_failed, counts.failed));
+  // 0 would be any number.
+  options.most_path_motions = std::max<std::uint64_t>(
+      1, std::min(options.most_path_motions, left(options_.most_path_motions, counts.path_motions)));
   SequenceSolver solver(workspace_, actions, options);
   ++outcome_.figures.sequences;
   SolverAnswer answer = solver.solve();
@@ -76,8 +81,19 @@ SolverAnswer OutcomeBuilder::attempt(const std::vector<scene::ActionSpec>& actio
 
 bool OutcomeBuilder::used_up() const {
   return workspace_.counts().failed >= options_.most_failed ||
-         (options_.cancel != nullptr && options_.cancel->load(std::memory_order_relaxed)) ||
-         (options_.until && Clock::now() >= *options_.until);
+         workspace_.counts().path_motions >= options_.most_path_motions ||
+         (options_.cancel != nullptr && options_.cancel->load(std::memory_order_relaxed)) || late();
+}
+
+bool OutcomeBuilder::late() const {
+  return options_.until && Clock::now() >= *options_.until;
+}
+
+void OutcomeBuilder::close() {
+  if (outcome_.plan || outcome_.kind != model::OutcomeKind::Exhausted || !late()) return;
+  outcome_.by_clock = true;
+  outcome_.reason += (outcome_.reason.empty() ? "" : "; ");
+  outcome_.reason += "the time limit ended it, not its counted work";
 }
 
 bool OutcomeBuilder::worth_another(std::size_t round) const {

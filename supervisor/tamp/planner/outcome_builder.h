@@ -33,11 +33,15 @@ class OutcomeBuilder {
   // used up.
   bool worth_another(std::size_t round) const;
   bool used_up() const;
+  // Without a plan: whether it was the clock that ended it.
+  void close();
 
   // Certifies the motions; false: the outcome says what is uncertain.
   bool finish(std::vector<predicates::Settled> settled);
 
  private:
+  bool late() const;
+
   const TampOptions& options_;
   predicates::Workspace workspace_;
   std::chrono::steady_clock::time_point began_;

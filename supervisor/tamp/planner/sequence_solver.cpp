@@ -336,7 +336,10 @@ std::uint64_t SequenceSolver::blame(std::size_t level, const Failure& failure) c
 
 bool SequenceSolver::stopped() {
   constexpr std::uint64_t kBetweenLooks = 16;
-  if (workspace_->counts().failed - began_with_ >= options_.most_failed) stopped_ = true;
+  const predicates::Counts& counts = workspace_->counts();
+  if (counts.failed - began_with_ >= options_.most_failed) stopped_ = true;
+  if (options_.most_path_motions > 0 && counts.path_motions - motions_before_ >= options_.most_path_motions)
+    stopped_ = true;
   if (++looks_ % kBetweenLooks == 0) {
     if (options_.cancel != nullptr && options_.cancel->load(std::memory_order_relaxed)) stopped_ = true;
     if (options_.until && std::chrono::steady_clock::now() >= *options_.until) stopped_ = true;
@@ -402,6 +405,7 @@ SolverAnswer SequenceSolver::solve() {
   }
   if (auto full = check_room()) return *full;
   began_with_ = workspace_->counts().failed;
+  motions_before_ = workspace_->counts().path_motions;
   levels_.assign(actions_.size(), {});
   if (options_.pack)
     pack_regions();

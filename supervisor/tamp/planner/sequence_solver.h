@@ -11,7 +11,8 @@
 // geometric backtracking, so that whatever that finds is found here, too, given time. That a region takes no
 // more things is proved; that all samples failed is no proof.
 //
-// Thread rule: one owner. Deterministic: what ends it is a number of failed configurations, and the deadline.
+// Thread rule: one owner. Deterministic: what ends it are numbers of failed configurations and of motions
+// that searches of paths have checked; the deadline is for a machine that is far too slow.
 //
 //   SequenceSolver solver(workspace, actions, options);
 //   SolverAnswer answer = solver.solve();
@@ -33,6 +34,7 @@ struct SolverOptions {
   std::optional<std::chrono::steady_clock::time_point> until;
   const std::atomic<bool>* cancel = nullptr;
   std::uint64_t most_failed = 200'000;   // configurations of one sequence
+  std::uint64_t most_path_motions = 0;   // that trees check for it; 0: any number
   std::size_t more_samples = 1;          // so many times as many as the cell says
   bool pack = true;                      // false: places are samples only
   const IntervalModel* model = nullptr;  // whose bounds put first what is in reach all along
@@ -101,7 +103,7 @@ class SequenceSolver {
   std::vector<std::optional<scene::Pose>> packed_;  // of each place; on a thing: where that is to stand
   std::vector<std::vector<scene::Pose>> others_;  // of each place: packed ones of its region, to be exchanged
   std::vector<bool> alone_;  // of each place: nothing else is on its region, and the others are tried at once
-  std::uint64_t backjumps_ = 0, jumped_over_ = 0, began_with_ = 0, looks_ = 0;
+  std::uint64_t backjumps_ = 0, jumped_over_ = 0, began_with_ = 0, motions_before_ = 0, looks_ = 0;
   bool stopped_ = false;
 };
 

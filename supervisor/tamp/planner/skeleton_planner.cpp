@@ -62,9 +62,10 @@ class SkeletonPlanning {
       const bool all_proved = outcome().kind == model::OutcomeKind::Infeasible && soft_.empty();
       if (all_proved || outcome().kind == model::OutcomeKind::Cancelled) break;
       outcome().kind = model::OutcomeKind::Exhausted;
-      if (!builder_.worth_another(round)) break;
+      if (skeletons_used_up() || !builder_.worth_another(round)) break;
     }
     if (!outcome().plan) explain_why();
+    builder_.close();
     return std::move(outcome());
   }
 
@@ -107,7 +108,12 @@ class SkeletonPlanning {
     return found;
   }
 
-  model::Outcome next_skeleton() const {
+  bool skeletons_used_up() {
+    return builder_.outcome().figures.decompositions >= options_.most_skeletons ||
+           builder_.outcome().figures.states >= options_.most_states;
+  }
+
+  model::Outcome next_skeleton() {
     std::vector<pddl::Beginning> forbidden = proved_;
     forbidden.insert(forbidden.end(), soft_.begin(), soft_.end());
     pddl::Options options;
@@ -119,12 +125,19 @@ class SkeletonPlanning {
           *options_.until - std::chrono::steady_clock::now());
       options.budget.time = std::max(left, std::chrono::milliseconds(1));
     }
-    return pddl::solve(without_beginnings(task_.task, counted_, forbidden), options);
+    options.budget.states = options_.most_states - outcome().figures.states;  // more than 0
+    model::Outcome found = pddl::solve(without_beginnings(task_.task, counted_, forbidden), options);
+    outcome().figures.states += found.expanded;
+    return found;
   }
 
   // True: that is the end, with a plan or without.
   bool try_skeletons() {
     for (;;) {
+      if (skeletons_used_up()) {
+        outcome().kind = model::OutcomeKind::Exhausted;
+        return false;
+      }
       model::Outcome found = next_skeleton();
       outcome().kind = found.kind;
       outcome().reason = found.reason;

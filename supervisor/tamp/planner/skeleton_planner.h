@@ -10,8 +10,8 @@
 // were proved to be impossible stay forbidden: the others are tried again with more effort until something is
 // used up, so that "no plan exists" is a proof.
 //
-// A function without state; any thread, one thread each. The same seed gives the same plan unless a deadline
-// ends it.
+// A function without state; any thread, one thread each. The same seed gives the same plan, or none for the
+// same reason, unless the deadline ends it (TampOutcome::by_clock).
 //
 //   auto task = read_skeletons(domain, problem);
 //   const TampOutcome outcome = plan(cell, *task, model, {.seed = 1});

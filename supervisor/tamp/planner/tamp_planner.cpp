@@ -35,6 +35,7 @@ class Planning {
     outcome().figures.configurations_again = geometry.configurations_in_backtracking();
     outcome().figures.failed_again = geometry.failed_in_backtracking();
     if (found.plan && builder_.finish(geometry.settled())) outcome().tasks = std::move(found.plan);
+    builder_.close();
     return std::move(outcome());
   }
 
@@ -52,6 +53,7 @@ class Planning {
     }
     outcome().figures.refuted = guard.refuted();
     if (!outcome().plan) explain_why(guard, model);
+    builder_.close();
     return std::move(outcome());
   }
 

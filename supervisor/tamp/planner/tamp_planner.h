@@ -5,8 +5,11 @@
 // kinematics, paths and checks. A plan is handed out after every motion of it was judged by the bodies
 // themselves.
 //
-// A function without state; any thread, one thread each. The same seed gives the same plan unless a deadline
-// ends it.
+// What ends a search without a plan is counted work (configurations, motions of paths, plans of tasks,
+// states), so that the same seed gives the same plan or the same "no plan was found" on every machine. A
+// deadline is for a machine that is far too slow; where it has ended the search, the outcome says so.
+//
+// A function without state; any thread, one thread each.
 //
 //   const IntervalModel model(cell);
 //   const TampOutcome outcome = plan(cell, task, &model, {.seed = 1});
@@ -38,10 +41,14 @@ struct TampOptions {
   std::uint64_t seed = 1;
   std::optional<std::chrono::steady_clock::time_point> until;
   const std::atomic<bool>* cancel = nullptr;
-  std::uint64_t most_failed = 50'000'000;  // configurations
+  std::uint64_t most_failed = 50'000'000;         // configurations
+  std::uint64_t most_path_motions = 500'000'000;  // that searches of paths check (motion/path/plan_path.h)
+  std::uint64_t most_skeletons = 100'000;         // in PDDL: plans of actions that geometry judges
+  std::uint64_t most_states = 1'000'000'000;      // in PDDL: of all the searches for them
   // Ours: of a sequence, before it is given up for now and others are tried; then those that were given up,
   // with more each time, until something is used up.
   std::uint64_t first_failed = 5'000;
+  std::uint64_t first_path_motions = 200'000;  // likewise
 };
 
 struct TampFigures {
@@ -52,6 +59,8 @@ struct TampFigures {
   std::uint64_t configurations_again = 0, failed_again = 0;  // paper-literal: in geometric backtracking
   std::uint64_t paths = 0, failed_paths = 0;
   std::uint64_t straight_paths = 0, tree_paths = 0;  // of the paths: the simplest and the hardest
+  std::uint64_t path_motions = 0;                    // that searches of paths have checked
+  std::uint64_t states = 0;                          // of the searches for skeletons
   std::uint64_t decompositions = 0, refusals = 0;
   std::uint64_t sequences = 0;                           // ours: whole ones for which geometry was looked for
   std::uint64_t refuted = 0;                             // prefixes, by intervals
@@ -68,6 +77,7 @@ struct TampOutcome {
   std::optional<htn::Plan> tasks;
   std::optional<model::Plan> skeleton;  // of a task in PDDL (skeleton_planner.h)
   std::string reason;                   // why there is none
+  bool by_clock = false;                // the deadline ended it; on a faster machine it may end otherwise
   TampFigures figures;
 };
 

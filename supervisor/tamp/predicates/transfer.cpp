@@ -88,7 +88,8 @@ Transfer transfer(const motion::CollisionChecker& checker, const motion::JointSp
           std::vector{std::optional(home)}})
       if (auto path = by_way_of(through); !path.empty()) return {std::move(path), Means::ByWayOf};
   }
-  return {motion::plan_path(checker, space, from, {to}, options).path, Means::Trees};
+  motion::PathAnswer answer = motion::plan_path(checker, space, from, {to}, options);
+  return {std::move(answer.path), Means::Trees, answer.motions};
 }
 
 }  // namespace stepwright::tamp::predicates

@@ -21,6 +21,7 @@ enum class Means : std::uint8_t { Straight, ByWayOf, Trees };
 struct Transfer {
   motion::JointPath path;  // empty: none was found, which proves nothing
   Means means = Means::Straight;
+  std::size_t motions = 0;  // of trees: that were checked
 };
 
 Transfer transfer(const motion::CollisionChecker& checker, const motion::JointSpace& space,

@@ -301,6 +301,7 @@ tl::expected<std::vector<scene::Motion>, Failure> Workspace::connect(const Geome
                             cell_->arms[at(action.arm)], from, to, options);
   if (found.means == Means::Straight) ++counts_.straight_paths;
   if (found.means == Means::Trees) ++counts_.tree_paths;
+  counts_.path_motions += found.motions;
   if (found.path.empty()) {
     ++counts_.failed_paths;
     return fail(FailureKind::NoPath);

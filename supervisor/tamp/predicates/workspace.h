@@ -60,6 +60,7 @@ struct Counts {
   std::uint64_t failed = 0;          // attempts to make one
   std::uint64_t paths = 0, failed_paths = 0;
   std::uint64_t straight_paths = 0, tree_paths = 0;  // of the paths: how they were looked for
+  std::uint64_t path_motions = 0;                    // that trees have checked
 };
 
 class Workspace {

@@ -348,7 +348,9 @@ std::string sensing_text(const ProgramContext& context) {
     if (!context.follows()) continue;
     text += fmt::format(fmt::runtime(kWatching), name, time_literal(options.grip_within),
                         time_literal(options.lost_after), time_literal(options.fingers_within));
-    if (!context.arm(arm).steps.empty()) text += fmt::format("off_{} := {};\n", name, joined(off, "\n  OR "));
+    // An arm that has nothing to do has to be where the other one's paths count on it, too; and what an
+    // earlier program has left here says nothing of this one.
+    text += fmt::format("off_{} := {};\n", name, joined(off, "\n  OR "));
   }
   return text + cause_text(context) + "work := running AND NOT operator_hold AND (cause = 0);\n";
 }

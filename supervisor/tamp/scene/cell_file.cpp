@@ -40,6 +40,7 @@ class CellReader {
     file_.domain = folder_ / root_.required_text("domain");
     file_.problem = folder_ / root_.required_text("problem");
     read_manner();
+    if (root_.has("obstacle")) file_.cell.obstacle = read_form(root_.table("obstacle"));
     for (const TomlTable& table : kind("furniture")) read_furniture(table);
     for (const TomlTable& table : kind("region")) read_surface(table);
     for (const TomlTable& table : kind("object")) read_thing(table);

@@ -96,6 +96,8 @@ struct RobotCell {
   std::vector<Thing> things;
   std::vector<motion::LinkSpheres> thing_spheres;  // around each of them, in its own frame
   Manner manner;
+  // What is taken to stand where a camera reports an obstacle: at least as large as whatever it calls so.
+  Form obstacle{.round = true, .radius_m = 0.08, .height_m = 0.3};
 
   // Their numbers; -1: there is none of that name.
   int arm(std::string_view named) const;

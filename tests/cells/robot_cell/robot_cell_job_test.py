@@ -67,6 +67,14 @@ class RobotCellJob(unittest.TestCase):
         for can in ("can1", "can2"):
             self.check_in(report, can, 0.5, -0.27, 0.16)
 
+    def test_a_post_that_is_put_into_the_way_is_planned_around(self):
+        report, code = self.run_demo("--fault", "block_1=1@2")
+        self.assertEqual(code, 0, report["stdout"])
+        self.assertRegex(" ".join(self.evidence(report)), r"an obstacle stands in the way, at 0\.\d\d -0\.\d\d m")
+        self.assertEqual(report["plant"]["blocked_1"], 1)
+        self.check_clean(report)
+        self.check_in(report, "cup1", 0.45, 0.5, 0.2)
+
     def test_a_joint_that_is_stuck_ends_safely_with_the_cause(self):
         report, code = self.run_demo("--fault", "stuck_right_1=1@2")
         self.assertEqual(code, 5, report["stdout"])

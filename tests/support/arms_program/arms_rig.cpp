@@ -61,6 +61,7 @@ assemblies::RobotCellParameters plant_of(const scene::RobotCell& cell, const Rig
   }
   if (auto read = cell_robot::read_robot(robot, parameters); !read)
     throw std::runtime_error(result::to_string(read.error()));
+  parameters.blockages = options.blockages;
   parameters.camera.slots = options.slots;
   parameters.seed = options.seed;
   if (options.certain) assemblies::make_certain(parameters);

@@ -25,6 +25,7 @@ struct RigOptions {
   std::uint64_t seed = 1;
   std::size_t slots = 4;
   bool certain = false;  // no noise, losses and ghosts
+  std::vector<assemblies::FixedBody> blockages{};
 };
 
 // Throws std::runtime_error with the diagnostics.

@@ -7,8 +7,8 @@
 //   domain = "stacking_arms.pddl"   # of orders; default: the problem's own, where that is PDDL
 //   order = "P1"                    # the first one; default: the first of the list
 //   exchange = ["box-top"]          # regions where things change hands; default: any
-//   time_s = 10.0                   # of wall time until there is a plan
-//   seed = 1                        # the same seed has the same plan, unless the time was over
+//   time_s = 60.0                   # of wall time until there is a plan, for a machine that is far too slow
+//   seed = 1                        # the same seed has the same plan, or none, unless the time was over
 //   retries = 3                     # of one thing that slips, is missed or was moved
 //   pictures_ms = 250               # between pictures of the camera while the arms work
 //   hold_s = 3600                   # so long the arms wait for somebody
@@ -23,10 +23,12 @@
 
 #include <chrono>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "cell/missions/table/mission_table.h"
+#include "runtime/ground/settings/key_words.h"
 
 namespace stepwright::missions {
 
@@ -46,7 +48,7 @@ struct TampTable final : MissionTable {
   std::filesystem::path problem;
   std::filesystem::path domain;  // empty: the problem's
   std::string order;             // empty: the first
-  double time_s = 10.0;
+  double time_s = 60.0;
   std::uint64_t seed = 1;
   int retries = 3;
   std::chrono::milliseconds pictures{250};
@@ -62,5 +64,8 @@ struct TampTable final : MissionTable {
 
 std::shared_ptr<const MissionTable> read_tamp_table(const settings::TomlTable& table,
                                                     const TablePlace& place);
+
+// What people are told of its keys.
+std::span<const settings::KeyWords> tamp_keys();
 
 }  // namespace stepwright::missions

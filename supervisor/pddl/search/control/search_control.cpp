@@ -24,12 +24,13 @@ void raise(std::atomic<T>& target, T value) {
 }  // namespace
 
 SearchControl::SearchControl(std::chrono::milliseconds time, std::size_t memory_mb,
-                             const std::atomic<bool>* cancel)
+                             const std::atomic<bool>* cancel, std::uint64_t most_states)
     : owner_(std::this_thread::get_id()),
       start_(Clock::now()),
       next_report_(start_ + std::chrono::seconds(1)),
       time_(time),
       memory_limit_(memory_mb == 0 ? SIZE_MAX : memory_mb * kMegabyte),
+      most_states_(most_states),
       resident_before_(resident_bytes()),
       next_look_((start_ + kBetweenLooks).time_since_epoch().count()),
       cancel_(cancel) {}
@@ -53,6 +54,7 @@ bool SearchControl::used_up() {
 
 StopReason SearchControl::ended(Clock::time_point now) {
   if (cancel_ != nullptr && cancel_->load(std::memory_order_relaxed)) return StopReason::Cancelled;
+  if (most_states_ > 0 && expanded() >= most_states_) return StopReason::States;
   if (time_.count() > 0 && now - start_ >= time_) return StopReason::Time;
   return memory_used_up(now) ? StopReason::Memory : StopReason::None;
 }

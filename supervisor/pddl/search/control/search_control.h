@@ -22,7 +22,7 @@
 
 namespace stepwright::pddl {
 
-enum class StopReason : std::uint8_t { None, Time, Memory, Cancelled, Finished };
+enum class StopReason : std::uint8_t { None, Time, Memory, States, Cancelled, Finished };
 enum class SearchStatus : std::uint8_t { Running, Found, Exhausted, Stopped };
 
 // Quality of a plan: cost first, then steps. Costs that differ by rounding only count as equal.
@@ -47,7 +47,9 @@ class SearchControl {
  public:
   using Clock = std::chrono::steady_clock;
 
-  SearchControl(std::chrono::milliseconds time, std::size_t memory_mb, const std::atomic<bool>* cancel);
+  // `most_states`: that may be expanded; 0: any number.
+  SearchControl(std::chrono::milliseconds time, std::size_t memory_mb, const std::atomic<bool>* cancel,
+                std::uint64_t most_states = 0);
 
   // Asks the clock, the flags and the memory in use; cheap enough for every tenth expansion. Once there is a
   // reason to stop, it stays.
@@ -99,6 +101,7 @@ class SearchControl {
   Clock::time_point next_report_;  // the owner's
   const std::chrono::milliseconds time_;
   const std::size_t memory_limit_;
+  const std::uint64_t most_states_;
   const std::size_t resident_before_;
   std::atomic<Clock::rep> next_look_;  // at what the process holds, on the clock of Clock
   const std::atomic<bool>* cancel_;

@@ -149,6 +149,30 @@ TEST(CellCamera, WhenManyPicturesAreTaken_ThenLossesGhostsAndNoiseAreThoseOfThei
   EXPECT_NEAR(std::sqrt(yaw_squares / n), 0.02, 5.0 * 0.02 / std::sqrt(2.0 * n));
 }
 
+TEST(CellCamera, WhenABlockageStands_ThenItIsReportedAsAnObstacle) {
+  RobotCellParameters parameters = robot_rig::cell({{"cup", ObjectKind::Cup, 0.5, 0.1, 0.2, {}, 0.0}});
+  parameters.blockages = {
+      {"crate", box_solid({0.1, 0.1, 0.3}), {turn_upright(0.5), {0.62, -0.3, 0.85}}, false, false}};
+  make_certain(parameters);
+  EXPECT_EQ(camera_slots(parameters), 4u);
+  const CellObjects objects(parameters);
+  CellCamera camera(parameters);
+  const auto look = [&](double at_s, bool stands) {
+    camera.trigger(at_s, objects.all(), std::array{stands});
+    camera.step(at_s + 0.5);
+    std::vector<Sighting> obstacles(camera.report().begin(), camera.report().end());
+    std::erase_if(obstacles, [](const Sighting& each) { return each.kind != ObjectKind::Obstacle; });
+    return obstacles;
+  };
+  EXPECT_TRUE(look(0.0, false).empty());
+  const std::vector<Sighting> seen = look(1.0, true);
+  ASSERT_EQ(seen.size(), 1u);
+  EXPECT_NEAR(seen[0].pose.place.z, 0.70, 1e-9);
+  EXPECT_NEAR(seen[0].pose.place.x, 0.62, 1e-9);
+  EXPECT_NEAR(seen[0].pose.yaw_rad, 0.5, 1e-9);
+  EXPECT_EQ(camera.report().size(), 2u);
+}
+
 TEST(CellCamera, WhenItHasFaults_ThenPosesAreOffGhostsComeAndReportsEnd) {
   RobotCellParameters parameters = robot_rig::cell({{"cup", ObjectKind::Cup, 0.5, 0.1, 0.2, {}, 0.0}});
   make_certain(parameters);

@@ -237,6 +237,10 @@ TEST(RobotCell, WhenAnArmRunsIntoThings_ThenFixedOnesStopItAndFreeOnesGiveWay) {
   EXPECT_GT(rig.truth("x_cup"), 0.565);
   rig.go({0.5, 0.9}, 1.0);
   rig.fault("block_1", 1.0);
+  EXPECT_EQ(rig.truth("blocked_1"), 0.0) << "the cup is in its place";
+  rig.fault("shift_y_cup", 300.0);
+  rig.run(0.1);
+  EXPECT_EQ(rig.truth("blocked_1"), 1.0);
   rig.go({0.6, 0.9}, 1.0);
   EXPECT_EQ(rig.sensor("trip_left"), 1);
   EXPECT_NE(rig.incidents().find("left arm and crate touched"), std::string::npos) << rig.incidents();

@@ -40,6 +40,9 @@ TEST(ArmsCellCheck, WhenTheyDiffer_ThenThatIsToldAtItsPlace) {
   plant.robot_cell.objects[0].kind = "can";
   EXPECT_EQ(code(plant), "G0403");
   plant = cell().plant;
+  plant.robot_cell.blockages[0].height_m = 1.0;
+  EXPECT_EQ(code(plant), "G0403");
+  plant = cell().plant;
   std::swap(plant.robot_cell.arms[0], plant.robot_cell.arms[1]);
   const auto swapped = check_agrees(plant, scene(), {});
   ASSERT_FALSE(swapped);
@@ -49,7 +52,8 @@ TEST(ArmsCellCheck, WhenTheyDiffer_ThenThatIsToldAtItsPlace) {
 TEST(ArmsWires, WhenThereAreNoPorts_ThenTerminalsAreWhereTheSimulatedCellHasThem) {
   const auto row = terminals_of(cell(), scene());
   ASSERT_TRUE(row);
-  ASSERT_EQ(row->slots.size(), cell().plant.robot_cell.objects.size() + 2);
+  const config::RobotCellPlantConfig& plant = cell().plant.robot_cell;
+  ASSERT_EQ(row->slots.size(), plant.objects.size() + plant.blockages.size() + 2);
   EXPECT_EQ(row->arms[1].pos[0], "%IW8");
 }
 

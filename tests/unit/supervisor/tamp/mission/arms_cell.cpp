@@ -31,9 +31,9 @@ ArmsPlanning open(const std::string& goal) {
   return or_throw(ArmsPlanning::open(std::move(options)));
 }
 
-std::unique_ptr<core::Plant> plant_of(std::uint64_t seed) {
-  return or_throw(
-      assemblies::RobotCell::create(test::plant_of(paper_cell(), {.seed = seed, .slots = kSlots})));
+std::unique_ptr<core::Plant> plant_of(std::uint64_t seed, std::vector<assemblies::FixedBody> blockages) {
+  return or_throw(assemblies::RobotCell::create(
+      test::plant_of(paper_cell(), {.seed = seed, .slots = kSlots, .blockages = std::move(blockages)})));
 }
 
 std::vector<std::string> arms() {
@@ -49,9 +49,10 @@ const scene::RobotCell& paper_cell() {
   return cell;
 }
 
-ArmsCell::ArmsCell(const std::string& goal, std::vector<support::PlantFault> faults, std::uint64_t seed)
+ArmsCell::ArmsCell(const std::string& goal, std::vector<support::PlantFault> faults, std::uint64_t seed,
+                   std::vector<assemblies::FixedBody> blockages)
     : planning_(open(goal)),
-      controller_(plant_of(seed), bridge::default_robot_cell_wires(arms(), kSlots),
+      controller_(plant_of(seed, std::move(blockages)), bridge::default_robot_cell_wires(arms(), kSlots),
                   {program::input_bytes_in_a_row(2, kSlots), program::output_bytes_in_a_row(2)},
                   std::move(faults)) {}
 

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "plant_models/assemblies/robot_cell_parameters.h"
 #include "supervisor/tamp/mission/arms_mission.h"
 #include "tests/support/controller/simulated_controller.h"
 #include "tests/support/temporary_folder.h"
@@ -22,7 +23,7 @@ const scene::RobotCell& paper_cell();
 class ArmsCell {
  public:
   explicit ArmsCell(const std::string& goal, std::vector<support::PlantFault> faults = {},
-                    std::uint64_t seed = 1);
+                    std::uint64_t seed = 1, std::vector<assemblies::FixedBody> blockages = {});
 
   ArmsMissionOptions options() const { return {.cell = "arms", .attended = false}; }
   run::RunRecord run(ArmsMissionOptions options, ArmsMission::Observer observer = {});

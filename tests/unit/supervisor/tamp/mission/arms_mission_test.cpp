@@ -145,6 +145,41 @@ TEST(ArmsMission, WhenADriveTrips_ThenTheRunEndsSafeAndSaysSo) {
   EXPECT_NE(record.message.find("a drive of the right arm has tripped"), std::string::npos) << record.message;
 }
 
+assemblies::FixedBody post(double x_m, double y_m) {
+  return {"post", assemblies::box_solid({0.08, 0.08, 0.3}), {{}, {x_m, y_m, 0.85}}, false, false};
+}
+
+TEST(ArmsMission, WhenSomethingIsPutIntoTheWay_ThenItIsSeenAndPlannedAround) {
+  ArmsCell cell(kUp, {{1.0, "block_1", 1.0}}, 1, {post(0.5, -0.25)});
+  const run::RunRecord record = cell.run(cell.options());
+  expect_done(cell, record);
+  expect_on_the_box(cell);
+  EXPECT_TRUE(tells(record, "an obstacle stands in the way, at 0.")) << story(record);
+  EXPECT_EQ(cell.truth("blocked_1"), 1.0);
+  EXPECT_EQ(cell.contacts(), 0.0);
+}
+
+// Its way home is blocked as well: it stays where it has met the post.
+TEST(ArmsMission, WhenAnArmMeetsWhatNobodyHasSeen_ThenTheRunEndsSafeAndSaysWhatStandsThere) {
+  ArmsCell cell(kUp, {{1.6, "camera_dead", 1.0}, {2.0, "block_1", 1.0}, {12.0, "camera_dead", 0.0, true}}, 1,
+                {post(0.5, -0.45)});
+  const run::RunRecord record = cell.run(cell.options());
+  EXPECT_EQ(record.phase, Phase::Safe) << story(record);
+  EXPECT_TRUE(tells(record, "the way of the right arm is blocked: something stands there, at 0.50 -0.45"))
+      << story(record);
+  EXPECT_EQ(cell.truth("contacts_arm_fixed"), 1.0) << story(record);
+  EXPECT_FALSE(cell.controller().any_output());
+}
+
+TEST(ArmsMission, WhenThereIsNoWayAround_ThenTheRunEndsSafeAndSaysWhatIsInTheWay) {
+  ArmsCell cell(kUp, {{1.0, "block_1", 1.0}}, 1, {post(0.45, -0.35)});
+  const run::RunRecord record = cell.run(cell.options());
+  EXPECT_EQ(record.phase, Phase::Safe) << story(record);
+  EXPECT_NE(record.message.find("obstacles are in the way, at 0.45 -0.35 m"), std::string::npos)
+      << record.message;
+  EXPECT_FALSE(cell.controller().any_output());
+}
+
 TEST(ArmsMission, WhenTheCameraIsDead_ThenTheRunEndsSafeAndSaysSo) {
   ArmsCell cell(kUp, {{0.0, "camera_dead", 1.0}});
   const run::RunRecord record = cell.run(cell.options());

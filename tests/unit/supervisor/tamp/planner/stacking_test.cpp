@@ -145,5 +145,38 @@ TEST(Skeletons, WhenNoArmReachesARegion_ThenThatIsProved) {
   EXPECT_FALSE(outcome.reason.empty());
 }
 
+// P1 as a goal takes three skeletons.
+TEST(Skeletons, WhenCountedWorkIsUsedUp_ThenItEndsWithoutAPlanAndNotByTheClock) {
+  const auto problem = test::skeleton_problem("p1_pddl");
+  ASSERT_TRUE(problem);
+  TampOptions few = options_of(1);
+  few.most_skeletons = 1;
+  const TampOutcome one = by_skeletons(*problem, few), again = by_skeletons(*problem, few);
+  EXPECT_EQ(one.kind, model::OutcomeKind::Exhausted);
+  EXPECT_FALSE(one.plan);
+  EXPECT_FALSE(one.by_clock) << one.reason;
+  EXPECT_EQ(one.figures.decompositions, 1u);
+  EXPECT_EQ(one.figures.states, again.figures.states);
+  EXPECT_EQ(one.figures.configurations, again.figures.configurations);
+  EXPECT_EQ(one.reason, again.reason);
+  TampOptions states = options_of(1);
+  states.most_states = 1;
+  const TampOutcome narrow = by_skeletons(*problem, states);
+  EXPECT_FALSE(narrow.plan);
+  EXPECT_FALSE(narrow.by_clock) << narrow.reason;
+  EXPECT_EQ(narrow.figures.states, 1u);
+}
+
+TEST(Skeletons, WhenTheDeadlineEndsASearch_ThenTheOutcomeSaysSo) {
+  const auto problem = test::skeleton_problem("p1_pddl");
+  ASSERT_TRUE(problem);
+  TampOptions late = options_of(1);
+  late.until = std::chrono::steady_clock::now();
+  const TampOutcome outcome = by_skeletons(*problem, late);
+  EXPECT_FALSE(outcome.plan);
+  EXPECT_TRUE(outcome.by_clock);
+  EXPECT_NE(outcome.reason.find("the time limit ended it"), std::string::npos) << outcome.reason;
+}
+
 }  // namespace
 }  // namespace stepwright::tamp::planner

@@ -187,6 +187,29 @@ TEST(ArmsProgramRun, WhenPeopleHoldAndSlowDown_ThenArmsStayOnTheirPathsAndGoOn) 
   expect_done(test::planned_once("p1"), rig);
 }
 
+// At the end of P1 both arms are elsewhere than where they began, and so say what that program has left.
+TEST(ArmsProgramRun, WhenArmsHaveNothingToDo_ThenOnlyWhereTheyAreCounts) {
+  const test::PlannedArms& p1 = test::planned_once("p1");
+  test::ArmsRig rig(p1.cell, {});
+  rig.load(following("p1"));
+  EXPECT_TRUE(rig.run(100.0)) << where(rig);
+  test::PlannedArms next = p1;
+  for (std::size_t arm = 0; arm < next.schedule.arms.size(); ++arm) {
+    schedule::ArmSchedule& rests = next.schedule.arms[arm];
+    rests.steps.clear();
+    for (std::size_t j = 0; j < 7; ++j)
+      rests.start[j] = rig.truth("true_" + p1.cell.arms[arm].name + "_" + std::to_string(j + 1));
+  }
+  rig.load(test::compiled(program_of(next, ArmsProgramKind::Follow)));
+  EXPECT_TRUE(rig.run(rig.time_s() + 10.0)) << where(rig);
+  // The other arm's paths count on it being there.
+  next.schedule.arms[1].start[0] += 0.1;
+  rig.load(test::compiled(program_of(next, ArmsProgramKind::Follow)));
+  EXPECT_FALSE(rig.run(rig.time_s() + 10.0));
+  EXPECT_EQ(rig.step(kCellChart), "NOT_AT_START") << where(rig);
+  EXPECT_EQ(rig.number("cause_arm"), 2.0);
+}
+
 TEST(ArmsProgramRun, WhenOthersTakeOver_ThenArmsComeToRestOnTheirPathsAndTheCameraReports) {
   const test::PlannedArms& p1 = test::planned_once("p1");
   test::ArmsRig rig(p1.cell, {});
