@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <limits>
 #include <numbers>
 
+#include "cell/hmi/drawing_units.h"
 #include "runtime/ground/markup/xml_text.h"
 
 namespace stepwright::hmi {
@@ -19,12 +19,6 @@ constexpr double kWidth = 1000.0;  // of the drawing, in its units
 constexpr double kMargin = 10.0;
 constexpr double kHallCentimetre_m = 0.01;
 constexpr double kHallCentidegree_rad = std::numbers::pi / 18'000.0;
-
-std::string units(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.2f", value);
-  return text.data();
-}
 
 class HallDrawing {
  public:

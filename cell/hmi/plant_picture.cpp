@@ -11,12 +11,16 @@
 #include "cell/hall/hall.h"
 #include "cell/hmi/floor_picture.h"
 #include "cell/hmi/hall_drawing.h"
+#include "cell/hmi/model_drawing.h"
 #include "cell/hmi/picture_points.h"
+#include "cell/hmi/terminal_drawing.h"
 #include "plant_models/assemblies/bench_ports.h"
 #include "plant_models/assemblies/fleet_ports.h"
 #include "plant_models/assemblies/line_ports.h"
 #include "plant_models/assemblies/tugger_ports.h"
 #include "plant_models/bridge/plant_driver.h"
+#include "plant_models/components/library/catalogue.h"
+#include "plant_models/components/model.h"
 #include "plant_models/core/names.h"
 #include "supervisor/map/map_file.h"
 
@@ -198,6 +202,33 @@ result::Result<PlantPicture> tugger_picture(const config::PlantConfig& plant) {
   return picture;
 }
 
+PlantPicture stepped_picture(const config::PlantConfig& plant) {
+  PicturePoints points(plant.ports);
+  PlantPicture picture;
+  picture.drawing = terminal_drawing(plant.kind, plant.stepped, points);
+  picture.synoptic.points = std::move(points.points);
+  picture.sources = std::move(points.sources);
+  return picture;
+}
+
+result::Result<PlantPicture> model_picture(const config::PlantConfig& plant) {
+  auto text = components::read_model(plant.file, components::library::catalogue(),
+                                     {.seed = plant.seed, .uncertainty = plant.uncertainty});
+  if (!text) return result::forward(text);
+  auto model = components::assemble(std::move(*text));
+  if (!model) return result::forward(model);
+  std::vector<bridge::PortWire> wires;
+  for (const components::TerminalText& terminal : (*model)->text.terminals)
+    wires.push_back({terminal.name, terminal.address, terminal.where});
+  const std::vector<config::PortAddress> ports = ports_or(plant, std::move(wires));
+  PicturePoints points(ports);
+  PlantPicture picture;
+  picture.drawing = model_drawing(**model, points);
+  picture.synoptic.points = std::move(points.points);
+  picture.sources = std::move(points.sources);
+  return picture;
+}
+
 result::Result<PlantPicture> fleet_picture(const config::PlantConfig& plant) {
   std::optional<fleet::OccupancyGrid> map;
   if (!plant.fleet.map.empty()) {
@@ -225,6 +256,8 @@ PlantPicture picture_of(const PlantDescription& plant, const std::vector<config:
 result::Result<PlantPicture> picture_of(const config::PlantConfig& plant) {
   if (plant.kind == "fleet") return fleet_picture(plant);
   if (plant.kind == "tugger") return tugger_picture(plant);
+  if (config::is_stepped(plant.kind)) return stepped_picture(plant);
+  if (plant.kind == "model") return model_picture(plant);
   if (plant.kind == "sorting_line") {
     assemblies::LineParameters parameters;
     parameters.seed = plant.seed;

@@ -1,11 +1,10 @@
 #include "hmi_web/access/audit_log.h"
 
-#include <fmt/chrono.h>
-
 #include <utility>
 
 #include "hmi_web/access/audit_chain.h"
 #include "hmi_web/access/audit_files.h"
+#include "hmi_web/access/audit_text.h"
 #include "hmi_web/access/codes.h"
 
 namespace stepwright::access {
@@ -14,12 +13,6 @@ namespace {
 // Of a file that is larger than a segment (of an earlier version) the end is looked at.
 constexpr std::size_t kEndBytes = std::size_t{8} << 20;
 constexpr std::chrono::seconds kBetweenTries{1};
-
-std::string utc_text(std::chrono::system_clock::time_point time) {
-  const auto whole = std::chrono::floor<std::chrono::seconds>(time);
-  const auto ms = std::chrono::duration_cast<std::chrono::milliseconds>(time - whole).count();
-  return fmt::format("{:%FT%T}.{:03}Z", fmt::gmtime(std::chrono::system_clock::to_time_t(whole)), ms);
-}
 
 std::filesystem::path free_name_beside(const std::filesystem::path& file) {
   for (int i = 1;; ++i) {
@@ -100,11 +93,13 @@ result::Result<void> AuditLog::append(const AuditEntry& entry) {
 
 result::Result<void> AuditLog::append_at(const AuditEntry& entry,
                                          std::chrono::system_clock::time_point time) {
-  ChainLine line = chain_line(entry, sequence_ + 1, utc_text(time), head_);
+  const std::string at =
+      utc_text(std::chrono::duration_cast<std::chrono::milliseconds>(time.time_since_epoch()).count());
+  ChainLine line = chain_line(entry, sequence_ + 1, at, head_);
   if (bytes_ > 0 && bytes_ + line.text.size() > limits_.segment_bytes) {
     // A file that cannot be closed grows on: nothing is lost by that.
     if (close_segment()) remove_oldest(time);
-    line = chain_line(entry, sequence_ + 1, utc_text(time), head_);
+    line = chain_line(entry, sequence_ + 1, at, head_);
   }
   if (auto written = append_durably(descriptor_, file_, line.text); !written) return written;
   ++sequence_;

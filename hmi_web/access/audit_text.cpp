@@ -1,6 +1,10 @@
 #include "hmi_web/access/audit_text.h"
 
+#include <fmt/chrono.h>
+
+#include <algorithm>
 #include <array>
+#include <ctime>
 #include <nlohmann/json.hpp>
 
 namespace stepwright::access {
@@ -53,6 +57,12 @@ std::string entries_csv(std::string_view text) {
     table += "\r\n";
   }
   return table;
+}
+
+std::string utc_text(std::int64_t ms_since_1970) {
+  // Far beyond any calendar a time would not be printed.
+  const std::int64_t ms = std::clamp<std::int64_t>(ms_since_1970, 0, 253'402'300'799'999);
+  return fmt::format("{:%FT%T}.{:03}Z", fmt::gmtime(static_cast<std::time_t>(ms / 1'000)), ms % 1'000);
 }
 
 }  // namespace stepwright::access

@@ -19,4 +19,7 @@ std::string newest_entries(std::string_view text, std::size_t most, std::uint64_
 // A cell that a spreadsheet would take for a formula begins with an apostrophe.
 std::string entries_csv(std::string_view text);
 
+// As entries have their time: "2026-05-01T12:30:00.250Z".
+std::string utc_text(std::int64_t ms_since_1970);
+
 }  // namespace stepwright::access

@@ -19,7 +19,7 @@ namespace {
 auto failed(const std::filesystem::path& file, const char* what) {
   return result::fail(kFileFails, {file.string(), 0, 0}, std::string(what) + ": " + std::strerror(errno),
                       "users and the audit trail are kept in [hmi] access_dir, recipes in recipes_dir, "
-                      "programs in programs_dir");
+                      "programs in programs_dir, screens in screens_dir");
 }
 
 bool write_all(int descriptor, std::string_view bytes) {

@@ -7,6 +7,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,13 @@ struct ConditionSettings {
   std::chrono::nanoseconds off_delay{0};  // and is gone so long before it returns
 };
 
+// What people shall know of it in another language; empty: as the definition itself says it.
+struct AlarmWords {
+  std::string text = {};
+  std::string consequence = {};
+  std::string response = {};
+};
+
 struct AlarmDefinition {
   std::string name;    // unique: "a1.high"
   std::string text;    // for people: "Tank a1 is nearly full"
@@ -51,6 +59,7 @@ struct AlarmDefinition {
   std::chrono::nanoseconds longest_shelving{std::chrono::hours(8)};  // 0: must not be shelved
   std::string consequence;                                           // of doing nothing
   std::string response;                                              // what the operator should do
+  std::map<std::string, AlarmWords> words{};                         // by language: "de", "es", "fr"
   result::Location where{};                                          // of its definition
   result::Location source_where{};                                   // of the names of variables in it
   result::Location suppress_when_where{};

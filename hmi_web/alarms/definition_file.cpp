@@ -13,6 +13,8 @@ using settings::TomlTable;
 
 constexpr std::array<const char*, kPriorities> kPriorityNames = {"critical", "high", "medium", "low"};
 constexpr std::array kKindNames = {"high", "low", "on", "off", "bad"};
+// Of the page, beside that of the definitions themselves.
+constexpr std::array kLanguages = {"de", "en", "es", "fr"};
 constexpr double kLongestDelayS = 86'400.0;
 constexpr double kLongestShelvingMin = 7 * 24 * 60.0;
 
@@ -80,6 +82,12 @@ AlarmDefinition read_alarm(const TomlTable& table) {
                                         made.longest_shelving, kLongestShelvingMin);
   made.consequence = table.text("consequence", "");
   made.response = table.text("response", "");
+  for (const char* language : kLanguages) {
+    if (!table.has_table(language)) continue;
+    const TomlTable words = table.table(language);
+    made.words[language] = {words.text("text", ""), words.text("consequence", ""),
+                            words.text("response", "")};
+  }
   return made;
 }
 

@@ -51,7 +51,9 @@ struct JournalEntry {
 struct JournalQuery {
   std::optional<std::int64_t> from_ns{}, to_ns{};  // both belong to it
   std::optional<std::string> alarm{};
-  std::optional<std::string> source{};
+  std::optional<std::string> source{};  // upper and lower case alike
+  std::optional<std::string> user{};
+  std::optional<std::string> text{};  // somewhere in name, source, user or comment, in any case
   std::optional<AlarmState> state{};  // into which it went
   std::optional<AlarmEvent> event{};
   std::optional<Priority> at_least{};    // this priority or a higher one

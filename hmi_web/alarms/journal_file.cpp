@@ -238,11 +238,17 @@ result::Result<std::vector<JournalEntry>> JournalView::find(const JournalQuery& 
   if (query.from_ns) sql += " AND time_ns >= ?1";
   if (query.to_ns) sql += " AND time_ns <= ?2";
   if (query.alarm) sql += " AND e.alarm = (SELECT id FROM alarm WHERE name = ?3)";
-  if (query.source) sql += " AND e.alarm IN (SELECT id FROM alarm WHERE source = ?4)";
+  if (query.source) sql += " AND e.alarm IN (SELECT id FROM alarm WHERE source = ?4 COLLATE NOCASE)";
   if (query.state) sql += " AND to_state = ?5 AND from_state <> to_state";
   if (query.event) sql += " AND event = ?6";
   if (query.at_least) sql += " AND priority <= ?7";
   if (query.before) sql += " AND (time_ns, e.id) < ((SELECT time_ns FROM entry WHERE id = ?8), ?8)";
+  if (query.user) sql += " AND user = ?10 COLLATE NOCASE";
+  // instr, not LIKE: what somebody looks for has no wildcards.
+  if (query.text)
+    sql +=
+        " AND instr(lower(a.name || char(10) || a.source || char(10) || user || char(10) || comment), "
+        "lower(?11)) > 0";
   sql += " ORDER BY time_ns DESC, e.id DESC LIMIT ?9";
   auto statement = database_.prepare(sql);
   if (!statement) return result::forward(statement);
@@ -255,6 +261,8 @@ result::Result<std::vector<JournalEntry>> JournalView::find(const JournalQuery& 
   if (query.at_least) statement->bind(7, number(*query.at_least));
   if (query.before) statement->bind(8, *query.before);
   statement->bind(9, static_cast<std::int64_t>(most));
+  if (query.user) statement->bind(10, *query.user);
+  if (query.text) statement->bind(11, *query.text);
   std::vector<JournalEntry> entries;
   while (true) {
     auto more = statement->step();

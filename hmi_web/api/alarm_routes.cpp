@@ -116,10 +116,68 @@ Route alarm_row(CellRecords* records, const AlarmCommand& command) {
   return route;
 }
 
+constexpr double kMostAtOnce = 200;
+
+// Each is checked and audited as if it had been asked for alone.
+Answer acknowledge_all(CellRecords& records, access::AuditLog& audit, const Call& call) {
+  nlohmann::json done = nlohmann::json::array();
+  nlohmann::json refusals = nlohmann::json::array();
+  for (const std::string& name : call.body.list("names")) {
+    const auto change =
+        records.act({name, "acknowledge", call.who.user, call.body.text("reason"), std::chrono::minutes(0)});
+    access::AuditEntry entry{.user = call.who.user,
+                             .role = access::to_string(call.who.role),
+                             .address = call.who.address,
+                             .action = "alarm.acknowledge",
+                             .target = name,
+                             .reason = call.body.text("reason")};
+    if (change) {
+      entry.before = change->before;
+      entry.after = change->after;
+      entry.result = "done";
+      done.push_back({{"name", name}, {"state", change->after}});
+    } else {
+      const result::Diagnostic& why = change.error().front();
+      entry.result = "refused: " + why.code + ": " + why.message;
+      refusals.push_back({{"name", name}, {"code", why.code}, {"message", why.message}});
+    }
+    if (!audit.append(entry))
+      return refused(503, "H0046", "'" + name + "' was looked at, but the audit trail could not be written",
+                     "is the disk full? Nothing was done to the others");
+  }
+  Answer answer;
+  answer.target = std::to_string(done.size() + refusals.size()) + " alarms";
+  answer.after = std::to_string(done.size()) + " acknowledged";
+  answer.text = nlohmann::json{{"done", std::move(done)}, {"refused", std::move(refusals)}}.dump(
+      -1, ' ', false, nlohmann::json::error_handler_t::replace);
+  return answer;
+}
+
+Route acknowledge_all_row(const Services& services) {
+  Route route = acting_row("POST", "/api/alarms/acknowledge-all", "alarm.acknowledge_all",
+                           "Somebody has seen these; each is checked and audited by itself",
+                           R"({"type": "object", "required": ["done", "refused"], "properties": {
+  "done": {"type": "array", "items": {"type": "object", "required": ["name", "state"]}},
+  "refused": {"type": "array", "items": {"type": "object", "required": ["name", "code", "message"]}}}})");
+  route.least = Role::Operator;
+  route.body = {"AlarmAcknowledgeAll",
+                {{.name = "names",
+                  .kind = Kind::List,
+                  .least = 1,
+                  .most = kMostAtOnce,
+                  .longest = 256,
+                  .description = "of the alarms that were in sight"},
+                 kAlarmComment}};
+  route.handler = [records = services.records, audit = services.audit](const Call& call) {
+    return records == nullptr ? no_records() : acknowledge_all(*records, *audit, call);
+  };
+  return route;
+}
+
 }  // namespace
 
 std::vector<Route> alarm_routes(const Services& services) {
-  std::vector<Route> rows;
+  std::vector<Route> rows = {acknowledge_all_row(services)};
   for (const AlarmCommand& command : alarm_commands()) rows.push_back(alarm_row(services.records, command));
   return rows;
 }

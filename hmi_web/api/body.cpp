@@ -69,13 +69,14 @@ class Events : public nlohmann::json_sax<json> {
   bool number_unsigned(number_unsigned_t value) override { return number(static_cast<double>(value)); }
   bool number_float(number_float_t value, const string_t&) override { return number(value); }
   bool string(string_t& value) override {
+    if (in_list_) return take_item(std::move(value));
     return in_texts_ ? take_text(std::move(value)) : take(Kind::Text, std::move(value));
   }
   bool binary(binary_t&) override { return wrong_type("bytes"); }
 
   bool start_object(std::size_t) override {
     if (depth_ == 0) return ++depth_ > 0;
-    if (depth_ > 1) return too_deep();
+    if (depth_ > 1 || in_list_) return too_deep();
     if (field_ == nullptr || field_->kind != Kind::Texts) return wrong_type("an object");
     in_texts_ = true;
     texts_.clear();
@@ -88,13 +89,23 @@ class Events : public nlohmann::json_sax<json> {
   }
   bool start_array(std::size_t) override {
     if (depth_ == 0) return fault("H0030", "the body is no JSON object", "{...}");
-    if (in_texts_) return too_deep();
+    if (in_texts_ || in_list_) return too_deep();
+    if (field_ != nullptr && field_->kind == Kind::List) {
+      in_list_ = true;
+      list_.clear();
+      return ++depth_ > 0;
+    }
     if (field_ == nullptr || field_->kind != Kind::Points) return wrong_type("a list");
     if (depth_ == 3) return too_deep();
     if (++depth_ == 3) pair_.clear();
     return true;
   }
   bool end_array() override {
+    if (in_list_) {
+      in_list_ = false;
+      --depth_;
+      return take(Kind::List, std::exchange(list_, {}));
+    }
     if (--depth_ == 1) return take(Kind::Points, std::exchange(points_, {}));
     if (pair_.size() != 2) return wrong_type("something else than pairs of numbers");
     points_.push_back({pair_[0], pair_[1]});
@@ -153,6 +164,8 @@ class Events : public nlohmann::json_sax<json> {
         return "a list of pairs [x, y]: " + field_->description;
       case Kind::Texts:
         return "an object whose members are texts: " + field_->description;
+      case Kind::List:
+        return "a list of texts: " + field_->description;
     }
     return {};
   }
@@ -161,11 +174,12 @@ class Events : public nlohmann::json_sax<json> {
     const char* unit = field_->kind == Kind::Text     ? " bytes"
                        : field_->kind == Kind::Points ? " points"
                        : field_->kind == Kind::Texts  ? " members"
+                       : field_->kind == Kind::List   ? " texts"
                                                       : "";
     return fault("H0033", "'" + field_->name + "' is out of range", range + unit);
   }
   bool number(double value) {
-    if (in_texts_) return wrong_type("a number");
+    if (in_texts_ || in_list_) return wrong_type("a number");
     if (depth_ == 3) {
       pair_.push_back(value);
       return (std::isfinite(value) && pair_.size() <= 2) ||
@@ -174,7 +188,7 @@ class Events : public nlohmann::json_sax<json> {
     return take(Kind::Number, value);
   }
   bool take(Kind kind, Body::Value value) {
-    constexpr const char* kNames[] = {"a text", "a number", "a truth value", "a list", "an object"};
+    constexpr const char* kNames[] = {"a text", "a number", "a truth value", "a list", "an object", "a list"};
     if (depth_ != 1 || field_ == nullptr || field_->kind != kind)
       return wrong_type(kNames[static_cast<std::size_t>(kind)]);
     const double size = kind == Kind::Text     ? static_cast<double>(std::get<std::string>(value).size())
@@ -182,6 +196,7 @@ class Events : public nlohmann::json_sax<json> {
                         : kind == Kind::Points
                             ? static_cast<double>(std::get<std::vector<Point>>(value).size())
                         : kind == Kind::Texts ? static_cast<double>(std::get<Body::Texts>(value).size())
+                        : kind == Kind::List  ? static_cast<double>(std::get<Body::List>(value).size())
                                               : field_->least;
     if (!(size >= field_->least && size <= field_->most)) return out_of_range();
     if (kind == Kind::Text && !field_->choices.empty() && !is_choice(std::get<std::string>(value)))
@@ -206,6 +221,13 @@ class Events : public nlohmann::json_sax<json> {
     texts_.emplace(key_, std::move(value));
     return true;
   }
+  bool take_item(std::string value) {
+    if (value.size() > field_->longest)
+      return fault("H0033", "a text in '" + field_->name + "' is out of range",
+                   "0 to " + std::to_string(field_->longest) + " bytes");
+    list_.push_back(std::move(value));
+    return static_cast<double>(list_.size()) <= field_->most || out_of_range();
+  }
   bool is_choice(const std::string& text) {
     const auto& choices = field_->choices;
     if (std::find(choices.begin(), choices.end(), text) != choices.end()) return true;
@@ -223,6 +245,8 @@ class Events : public nlohmann::json_sax<json> {
   bool in_texts_ = false;
   std::string key_;  // in an object of texts
   Body::Texts texts_;
+  bool in_list_ = false;
+  Body::List list_;
 };
 
 }  // namespace
@@ -258,6 +282,12 @@ const std::vector<Point>& Body::points(std::string_view name) const {
 const Body::Texts& Body::texts(std::string_view name) const {
   static const Texts kNone;
   const auto* found = find<Texts>(name);
+  return found != nullptr ? *found : kNone;
+}
+
+const Body::List& Body::list(std::string_view name) const {
+  static const List kNone;
+  const auto* found = find<List>(name);
   return found != nullptr ? *found : kNone;
 }
 

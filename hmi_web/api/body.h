@@ -1,8 +1,8 @@
 #pragma once
 
-// The body of a request: one JSON object whose members a shape names, flat but for lists of points and for
-// objects of texts. Nothing else gets in: unknown, missing, repeated and wrongly typed members, texts that
-// are too long, numbers out of range and nesting are refused, each with line, column and key.
+// The body of a request: one JSON object whose members a shape names, flat but for lists of points or texts
+// and for objects of texts. Nothing else gets in: unknown, missing, repeated and wrongly typed members, texts
+// that are too long, numbers out of range and nesting are refused, each with line, column and key.
 //
 //   const Shape shape{"NewUser", {{.name = "name", .most = 32, .description = "of the user"}}};
 //   auto body = read_body(R"({"name": "ada"})", shape);
@@ -26,16 +26,16 @@ namespace stepwright::api {
 inline constexpr std::size_t kLongestKey = 512;
 inline constexpr std::size_t kLongestText = 64;
 
-enum class Kind { Text, Number, Boolean, Points, Texts };
+enum class Kind { Text, Number, Boolean, Points, Texts, List };
 
 struct Field {
   std::string name = {};
   Kind kind = Kind::Text;
   bool required = true;
-  double least = 0;                       // of a number; of a text: bytes; of points and texts: how many
-  double most = 256;                      // likewise
+  double least = 0;   // of a number; of a text: bytes; of points, texts and lists: how many
+  double most = 256;  // likewise
   std::vector<std::string> choices = {};  // of a text; empty: any
-  std::size_t longest = kLongestText;     // of a text in an object of texts: bytes
+  std::size_t longest = kLongestText;     // of a text in an object or a list of texts: bytes
   std::string description = {};
 };
 
@@ -52,7 +52,8 @@ struct Point {
 class Body {
  public:
   using Texts = std::map<std::string, std::string, std::less<>>;
-  using Value = std::variant<std::string, double, bool, std::vector<Point>, Texts>;
+  using List = std::vector<std::string>;
+  using Value = std::variant<std::string, double, bool, std::vector<Point>, Texts, List>;
 
   // The default where the member is missing or of another kind.
   const std::string& text(std::string_view name) const;
@@ -60,6 +61,7 @@ class Body {
   bool boolean(std::string_view name, bool otherwise = false) const;
   const std::vector<Point>& points(std::string_view name) const;
   const Texts& texts(std::string_view name) const;
+  const List& list(std::string_view name) const;
   bool has(std::string_view name) const { return values_.find(name) != values_.end(); }
 
   void set(std::string name, Value value) { values_.insert_or_assign(std::move(name), std::move(value)); }

@@ -41,6 +41,12 @@ ordered_json schema_of(const Field& field) {
                 {"maxProperties", number(field.most)},
                 {"additionalProperties", {{"type", "string"}, {"maxLength", field.longest}}}};
       break;
+    case Kind::List:
+      schema = {{"type", "array"},
+                {"minItems", number(field.least)},
+                {"maxItems", number(field.most)},
+                {"items", {{"type", "string"}, {"maxLength", field.longest}}}};
+      break;
   }
   schema["description"] = field.description;
   return schema;
@@ -98,6 +104,10 @@ ordered_json responses_of(const Route& row) {
     if (!row.body.name.empty() || row.path.find('{') != std::string::npos)
       problem("409", "the file is damaged, there are too many, or a tag is forced");
     problem("400", "the name, a value or its range is wrong, or a tag is missing");
+  }
+  if (row.name.starts_with("screen.")) {
+    problem("404", "there is no such screen or part");
+    if (row.method != "GET") problem("409", "somebody else has saved meanwhile, or there are too many");
   }
   if (row.name.starts_with("change.")) {
     problem("404", "programs cannot be changed here, or there is no such program");

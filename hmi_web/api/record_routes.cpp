@@ -17,6 +17,8 @@ const std::vector<Parameter> kEntries = {
     {"to_ms", "ms since 1970"},
     {"alarm", "the name of one alarm"},
     {"source", "the variable that it watches"},
+    {"user", "who did it"},
+    {"text", "somewhere in name, variable, person or reason"},
     {"state", "into which it went"},
     {"event", "for example raise, acknowledge"},
     {"priority", "critical, high, medium, low: this one or a higher one"},

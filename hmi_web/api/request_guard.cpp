@@ -68,7 +68,8 @@ RequestGuard::RequestGuard(const RouteTable& table, access::AccessControl& contr
     : table_(table),
       control_(control),
       audit_(audit),
-      options_({std::min(options.anonymous, Role::Viewer), options.cookie, options.refusals, options.clock}),
+      options_({std::min(options.anonymous, Role::Viewer), options.looks, options.cookie, options.refusals,
+                options.clock}),
       refusals_(options.refusals, options.clock) {}
 
 std::string cookie_at(std::uint16_t port) {
@@ -79,6 +80,7 @@ Caller RequestGuard::caller_of(const Request& request, const Route& route) const
   Caller who;
   who.address = request.peer;
   if (request.peer_is_local) who.role = options_.anonymous;
+  if (options_.looks && options_.looks(request.peer)) who.role = std::max(who.role, Role::Viewer);
   const std::string_view token = cookie_named(request.cookie, options_.cookie);
   if (token.empty()) return who;
   // Open pages ask for records by themselves every few seconds: nobody is there because of that.

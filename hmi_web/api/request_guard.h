@@ -16,6 +16,7 @@
 // H0044 the CSRF token is missing or wrong, H0045 not application/json, H0046 the audit trail cannot be
 // written: nothing was done.
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -36,6 +37,8 @@ inline constexpr std::string_view kCsrfProtocol = "csrf.";
 
 struct RequestGuardOptions {
   Role anonymous = Role::None;  // of whoever has not logged in, at this machine; never more than Viewer
+  // Whether who calls from that address looks without logging in; empty: nobody does.
+  std::function<bool(const std::string& peer)> looks = {};
   // Browsers send cookies to every port of a host: servers beside each other have names of their own.
   std::string cookie = std::string(kSessionCookie);
   access::RefusalLimits refusals = {};  // that the audit trail tells

@@ -16,12 +16,15 @@
 #include "hmi_web/api/cell_control.h"
 #include "hmi_web/api/cell_figures.h"
 #include "hmi_web/api/cell_monitor.h"
+#include "hmi_web/api/cell_notifications.h"
 #include "hmi_web/api/cell_program.h"
 #include "hmi_web/api/cell_records.h"
 #include "hmi_web/api/force_service.h"
 #include "hmi_web/api/online_change_service.h"
 #include "hmi_web/api/recipe_service.h"
 #include "hmi_web/api/route.h"
+#include "hmi_web/api/screen_service.h"
+#include "hmi_web/trends/trend_store.h"
 
 namespace stepwright::api {
 
@@ -37,6 +40,10 @@ struct Services {
   CellProgram* program = nullptr;          // null also where no sources are served: 404
   OnlineChangeService* changes = nullptr;  // null also where no program is changed: 404
   CellMonitor* monitor = nullptr;          // null also where no program is watched: 404
+  trends::TrendStore* trends = nullptr;    // null also where no history is kept: 404
+  CellNotifications* notifications = nullptr;  // null also where nobody is told of alarms
+  std::vector<std::string> wall = {};          // panels of a display on the wall
+  ScreenService* screens = nullptr;            // null also where no screens are kept: 404
 };
 
 // Routes that the server itself answers: files of the page, the WebSocket, metrics.
@@ -54,12 +61,18 @@ std::vector<Route> goal_routes(const Services& services);
 std::vector<Route> tag_routes(const Services& services);
 // History, alarms and their journal, for viewers.
 std::vector<Route> record_routes(const Services& services);
+// Groups of trends: looking for viewers, saving and removing for operators.
+std::vector<Route> trend_routes(const Services& services);
+// Who is told of alarms, and tests of that; for operators.
+std::vector<Route> notify_routes(const Services& services);
 // Actions of operators and engineers on alarms.
 std::vector<Route> alarm_routes(const Services& services);
 // Recipes: looking for viewers, loading for operators, saving and removing for engineers.
 std::vector<Route> recipe_routes(const Services& services);
 // The plant as somebody has drawn it, for viewers.
 std::vector<Route> drawing_routes(const Services& services);
+// Screens: looking for those of their role, acting with their parts for operators, drawing for engineers.
+std::vector<Route> screen_routes(const Services& services);
 // How the runtimes are, for viewers.
 std::vector<Route> figure_routes(const Services& services);
 // The sources of the running program, and what it does with them, for viewers.

@@ -16,7 +16,8 @@ constexpr const char* kSessionAnswer =
     R"({"type": "object", "required": ["user", "role", "csrf", "setup_needed"],
   "properties": {"user": {"type": "string", "description": "empty: nobody has logged in"},
                  "role": {"type": "string", "enum": ["none", "viewer", "operator", "engineer", "administrator"]},
-                 "csrf": {"type": "string"}, "setup_needed": {"type": "boolean"}}})";
+                 "csrf": {"type": "string"}, "setup_needed": {"type": "boolean"},
+                 "wall": {"type": "array", "items": {"type": "string"}, "description": "panels of /#wall"}}})";
 
 Answer session_answer(const access::AccessControl& control, const std::string& user, Role role,
                       const std::string& csrf) {
@@ -76,11 +77,15 @@ Route row(const char* method, const char* path, const char* name, Role least, co
   return route;
 }
 
-Route read_row(access::AccessControl* control) {
+Route read_row(access::AccessControl* control, const std::vector<std::string>& wall) {
   Route route = row("GET", "/api/session", "session.read", Role::None, "Who has logged in here");
   route.csrf = false;
-  route.handler = [control](const Call& call) {
-    return session_answer(*control, call.who.user, call.who.role, call.who.csrf);
+  route.handler = [control, wall](const Call& call) {
+    Answer answer = session_answer(*control, call.who.user, call.who.role, call.who.csrf);
+    json document = json::parse(answer.text);
+    document["wall"] = wall;
+    answer.text = document.dump();
+    return answer;
   };
   return route;
 }
@@ -152,8 +157,8 @@ Route password_row(access::AccessControl* control) {
 }  // namespace
 
 std::vector<Route> session_routes(const Services& services) {
-  return {read_row(services.control), log_in_row(services.control), log_out_row(services.control),
-          claim_row(services.control), password_row(services.control)};
+  return {read_row(services.control, services.wall), log_in_row(services.control),
+          log_out_row(services.control), claim_row(services.control), password_row(services.control)};
 }
 
 }  // namespace stepwright::api

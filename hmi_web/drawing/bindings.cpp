@@ -8,6 +8,8 @@
 #include <string_view>
 #include <utility>
 
+#include "hmi_web/drawing/parts.h"
+
 namespace stepwright::drawing {
 namespace {
 
@@ -70,6 +72,8 @@ class Check {
       if (!name.starts_with("data-")) continue;
       if (const Kind* kind = kind_of(name))
         take(*kind, attribute.value());
+      else if (is_part_attribute(name))
+        continue;  // read_part looks at it
       else if (std::find(kMore.begin(), kMore.end(), name) == kMore.end())
         tell("there is no binding " + std::string(name),
              "data-text, data-on, data-warn, data-alarm, data-show, data-fill, data-move, data-turn, "

@@ -1,13 +1,16 @@
 #include "hmi_web/drawing/drawing_file.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdlib>
 #include <fstream>
 #include <pugixml.hpp>
+#include <set>
 #include <sstream>
 #include <vector>
 
 #include "hmi_web/drawing/bindings.h"
+#include "hmi_web/drawing/parts.h"
 #include "hmi_web/drawing/references.h"
 #include "hmi_web/drawing/vocabulary.h"
 
@@ -18,6 +21,7 @@ constexpr unsigned kParse = pugi::parse_cdata | pugi::parse_escapes | pugi::pars
                             pugi::parse_wconv_attribute | pugi::parse_ws_pcdata;
 // Ids are the drawing's own, and none of the page.
 constexpr const char* kPrefix = "drawing-";
+constexpr std::size_t kPrefixLength = 8;
 constexpr std::size_t kMostMistakes = 50;
 
 std::string_view trimmed(std::string_view text) {
@@ -26,13 +30,33 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
+// Once: what is read again has them already.
+std::string own_id(std::string_view id) {
+  return (id.starts_with(kPrefix) ? "" : kPrefix) + std::string(id);
+}
+
 // "url(#a)" and "url('#a')" as the drawing's own.
 std::string with_own_ids(std::string value) {
   for (std::size_t at = value.find("url("); at != std::string::npos; at = value.find("url(", at + 1)) {
     const std::size_t hash = value.find('#', at);
-    if (hash != std::string::npos) value.insert(hash + 1, kPrefix);
+    if (hash != std::string::npos && value.compare(hash + 1, kPrefixLength, kPrefix) != 0)
+      value.insert(hash + 1, kPrefix);
   }
   return value;
+}
+
+// A picture that is in the file itself, of pixels: nothing is loaded, and nothing in it can run.
+bool is_embedded_picture(std::string_view value) {
+  for (const std::string_view head :
+       {"data:image/png;base64,", "data:image/jpeg;base64,", "data:image/webp;base64,"}) {
+    if (!value.starts_with(head)) continue;
+    value.remove_prefix(head.size());
+    return std::all_of(value.begin(), value.end(), [](char c) {
+      return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '+' || c == '/' || c == '=' ||
+             c == '\n' || c == ' ';
+    });
+  }
+  return false;
 }
 
 class Reader {
@@ -65,7 +89,10 @@ class Reader {
     std::ostringstream text;
     out_.print(text, "", pugi::format_raw | pugi::format_no_declaration, pugi::encoding_utf8);
     place_names();
-    return Drawing{std::move(text).str(), names_.size(), std::move(names_)};
+    const std::string_view least = root.attribute("data-least").as_string("viewer");
+    const bool is_symbol = root.attribute("data-kind").value() == std::string_view("symbol");
+    return Drawing{std::move(text).str(), names_.size(),      std::move(names_),
+                   std::move(parts_),     std::string(least), is_symbol};
   }
 
  private:
@@ -111,7 +138,9 @@ class Reader {
     if (elements_ > kMostElements || depth > kDeepest) return;
     copy_attributes(from, to);
     std::vector<BindingMistake> wrong;
-    for (std::string& name : check_bindings(from, wrong)) {
+    auto names = check_bindings(from, wrong);
+    if (auto part = read_part(from, names, wrong)) take(std::move(*part), from, wrong);
+    for (std::string& name : names) {
       names_.push_back({std::move(name), {}});
       offsets_.push_back(from.offset_debug());
     }
@@ -129,6 +158,13 @@ class Reader {
     }
   }
 
+  void take(Part part, pugi::xml_node from, std::vector<BindingMistake>& wrong) {
+    if (!part.key.empty() && !keys_.insert(part.key).second)
+      wrong.push_back({"two parts have the data-key " + part.key, "each has a name of its own"});
+    part.where = place_of(from.offset_debug());
+    parts_.push_back(std::move(part));
+  }
+
   void copy_element(pugi::xml_node child, pugi::xml_node to, int depth) {
     const std::string name(plain_name(child.name()));
     switch (standing_of_element(name)) {
@@ -144,8 +180,7 @@ class Reader {
       hint =
           "give shapes their style as attributes; drawing programs do so when they save a plain or optimized "
           "SVG";
-    if (name == "image" || name == "foreignObject")
-      hint = "pictures and HTML are not shown; draw with shapes and text";
+    if (name == "foreignObject") hint = "HTML is not shown; draw with shapes and text";
     tell("C0641", child.offset_debug(), "the element <" + name.substr(0, 40) + "> is refused", hint);
   }
 
@@ -154,14 +189,17 @@ class Reader {
       const std::string_view name = attribute.name();
       const std::string value = attribute.value();
       if (name == "id") {
-        set(to, "id", kPrefix + value);
+        set(to, "id", own_id(value));
       } else if (name == "href" || name == "xlink:href") {
+        if (plain_name(from.name()) == "image") {
+          copy_picture(from, name, value, to);
+          continue;
+        }
         if (!value.starts_with('#'))
           refuse(from, name, value, "only parts of the drawing itself can be referred to: \"#id\"");
         const std::string_view target =
             reference_of(from);  // of an element that has both: the one that counts
-        set(to, "href",
-            std::string("#") + kPrefix + std::string(target.substr(std::min<std::size_t>(1, target.size()))));
+        set(to, "href", "#" + own_id(target.substr(std::min<std::size_t>(1, target.size()))));
       } else if (name.starts_with("data-")) {
         set(to, name, value);
       } else if (standing_of_attribute(name) == Standing::Drawn) {
@@ -171,6 +209,12 @@ class Reader {
       }
     }
     copy_style(from, from.attribute("style").value(), to);
+  }
+
+  void copy_picture(pugi::xml_node from, std::string_view name, const std::string& value, pugi::xml_node to) {
+    if (is_embedded_picture(value)) return set(to, "href", value);
+    refuse(from, name, value,
+           "a picture stands in the file itself, as \"data:image/png;base64,...\" (png, jpeg or webp)");
   }
 
   // What stands in a style wins over an attribute of the same name, as everywhere.
@@ -230,6 +274,8 @@ class Reader {
   pugi::xml_document out_;
   result::Diagnostics mistakes_;
   std::size_t elements_ = 0;
+  std::vector<Part> parts_;
+  std::set<std::string> keys_;
   std::vector<BoundName> names_;
   std::vector<std::ptrdiff_t> offsets_;  // of the elements that are bound to them
 };

@@ -8,8 +8,11 @@
 //   send(drawing->svg);
 //
 // Invariant: the result holds only shapes, text, gradients and bindings from lists of known names, with ids
-// of their own: no script, no style sheet, no outside address. Data of drawing programs (other namespaces,
-// metadata, classes) are left out; an element that would be missed or could do harm is reported.
+// of their own: no script, no style sheet, no outside address. Pictures stand in the file itself. Data of
+// drawing programs (other namespaces, metadata, classes) are left out; an element that would be missed or
+// could do harm is reported.
+//
+// What is read again is the same: `read_drawing(name, drawing->svg)->svg == drawing->svg`.
 //
 // Codes: C0640 the file cannot be read as a drawing, C0641 an element that is not drawn, C0642 an attribute
 // that is refused, C0643 a binding that is wrong, C0644 too much of something.
@@ -22,6 +25,7 @@
 #include <string_view>
 #include <vector>
 
+#include "hmi_web/drawing/part.h"
 #include "runtime/ground/result/result.h"
 
 namespace stepwright::drawing {
@@ -41,6 +45,9 @@ struct Drawing {
   std::string svg;  // one element `svg` with a viewBox
   std::size_t bindings = 0;
   std::vector<BoundName> names = {};  // of the bindings
+  std::vector<Part> parts = {};       // that people act with; each that writes has a key of its own
+  std::string least = "viewer";       // the role from which it is shown: viewer, operator or engineer
+  bool is_symbol = false;             // a face for others to repeat, no screen
 };
 
 [[nodiscard]] result::Result<Drawing> load_drawing(const std::filesystem::path& file);

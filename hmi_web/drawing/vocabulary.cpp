@@ -7,11 +7,11 @@
 namespace stepwright::drawing {
 namespace {
 
-constexpr std::array<std::string_view, 22> kElements = {
-    "svg",   "g",     "defs",           "symbol",         "use",  "title",    "desc",
-    "path",  "rect",  "circle",         "ellipse",        "line", "polyline", "polygon",
-    "text",  "tspan", "linearGradient", "radialGradient", "stop", "clipPath", "pattern",
-    "marker"};
+constexpr std::array<std::string_view, 23> kElements = {
+    "svg",    "g",     "defs",           "symbol",         "use",  "title",    "desc",
+    "path",   "rect",  "circle",         "ellipse",        "line", "polyline", "polygon",
+    "text",   "tspan", "linearGradient", "radialGradient", "stop", "clipPath", "pattern",
+    "marker", "image"};
 constexpr std::array<std::string_view, 2> kSilent = {"metadata", "view"};
 
 constexpr std::array<std::string_view, 41> kGeometry = {"viewBox",

@@ -24,6 +24,8 @@ constexpr double kLevelDeadband = 1.0;  // per cent
 constexpr std::string_view kMonitor = "MON_SCAN[";
 // Of an alarm whose source says nothing: whether it holds is not known, and it is not normal for that.
 constexpr const char* kNoValue = "no value";
+// The program has no such variable (any more): it cannot come, and what stood can never return.
+constexpr const char* kNoVariable = "no variable";
 
 AlarmDefinition made(std::string name, std::string text, std::string source, ConditionKind kind,
                      Priority priority) {
@@ -70,6 +72,17 @@ void write_times(JsonWriter& out, const alarms::AlarmView& view) {
   time("shelved_until_ms", view.shelved_until_ns);
 }
 
+// In other languages, where the definition has them.
+void write_words(JsonWriter& out, const AlarmDefinition& one) {
+  if (one.words.empty()) return;
+  out.key("words").open('{');
+  for (const auto& [language, words] : one.words) {
+    out.key(language).open('{').key("text").text(words.text).key("consequence").text(words.consequence);
+    out.key("response").text(words.response).close('}');
+  }
+  out.close('}');
+}
+
 void write_names(JsonWriter& out, const char* key, const std::vector<AlarmId>& ids,
                  const std::vector<AlarmDefinition>& definitions) {
   out.key(key).open('[');
@@ -78,7 +91,8 @@ void write_names(JsonWriter& out, const char* key, const std::vector<AlarmId>& i
 }
 
 void write_figures(JsonWriter& out, const alarms::AlarmFigures& figures,
-                   const std::vector<AlarmDefinition>& definitions, std::size_t no_value) {
+                   const std::vector<AlarmDefinition>& definitions, std::size_t no_value,
+                   std::size_t no_variable) {
   out.key("figures").open('{');
   out.key("annunciated").integer(static_cast<std::int64_t>(figures.annunciated));
   out.key("in_ten_minutes").integer(figures.in_ten_minutes);
@@ -92,6 +106,7 @@ void write_figures(JsonWriter& out, const alarms::AlarmFigures& figures,
   out.key("unacknowledged").integer(figures.unacknowledged).key("shelved").integer(figures.shelved);
   out.key("suppressed").integer(figures.suppressed).key("out_of_service").integer(figures.out_of_service);
   out.key("no_value").integer(static_cast<std::int64_t>(no_value));
+  out.key("no_variable").integer(static_cast<std::int64_t>(no_variable));
   write_names(out, "stale", figures.stale, definitions);
   write_names(out, "chattering", figures.chattering, definitions);
   out.key("most_frequent").open('[');
@@ -287,7 +302,10 @@ void CellAlarms::note_missing(Source& source, Missing missing) {
 
 const char* CellAlarms::word_of(AlarmId id) const {
   const AlarmState state = engine_.view(id).status.state();
-  const bool unknown = uses_[id.value].watched->missing != Missing::Nothing;
+  const Missing missing = uses_[id.value].watched->missing;
+  const bool seen = state == AlarmState::Normal || state == AlarmState::Acknowledged;
+  if (seen && missing == Missing::Variable) return kNoVariable;
+  const bool unknown = missing != Missing::Nothing;
   return state == AlarmState::Normal && unknown ? kNoValue : to_string(state);
 }
 
@@ -337,6 +355,28 @@ result::Result<AlarmChange> CellAlarms::command(std::string_view alarm, alarms::
   return change;
 }
 
+std::vector<std::pair<AlarmDefinition, alarms::AlarmView>> CellAlarms::unacknowledged() const {
+  const std::lock_guard lock(mutex_);
+  std::vector<std::pair<AlarmDefinition, alarms::AlarmView>> all;
+  for (std::uint32_t i = 0; i < engine_.definitions().size(); ++i) {
+    const alarms::AlarmView view = engine_.view(AlarmId(i));
+    const AlarmState state = view.status.state();
+    if (state == AlarmState::Unacknowledged || state == AlarmState::LatchedUnacknowledged)
+      all.emplace_back(engine_.definitions()[i], view);
+  }
+  return all;
+}
+
+std::vector<std::pair<std::string, std::string>> CellAlarms::without_variable() const {
+  const std::lock_guard lock(mutex_);
+  std::vector<std::pair<std::string, std::string>> all;
+  for (std::uint32_t i = 0; i < uses_.size(); ++i) {
+    const Source& source = *uses_[i].watched;
+    if (source.missing == Missing::Variable) all.emplace_back(engine_.definitions()[i].name, source.name);
+  }
+  return all;
+}
+
 std::uint64_t CellAlarms::revision() const {
   const std::lock_guard lock(mutex_);
   return revision_;
@@ -345,7 +385,7 @@ std::uint64_t CellAlarms::revision() const {
 std::string no_alarms_json(const std::string& problem) {
   JsonWriter out;
   out.open('{').key("count").integer(0).key("alarms").open('[').close(']');
-  write_figures(out, {}, {}, 0);
+  write_figures(out, {}, {}, 0, 0);
   out.key("journal").open('{').key("failing").boolean(true).key("dropped").integer(0);
   return out.key("problem").text(problem).close('}').close('}').take();
 }
@@ -358,12 +398,14 @@ std::string CellAlarms::json(bool all) const {
     const auto& definitions = engine_.definitions();
     const alarms::AlarmFigures figures = statistics_.figures(now_ns_);
     std::size_t no_value = 0;
+    std::size_t no_variable = 0;
     out.key("count").integer(static_cast<std::int64_t>(definitions.size())).key("alarms").open('[');
     for (std::uint32_t i = 0; i < definitions.size(); ++i) {
       const AlarmDefinition& one = definitions[i];
       const alarms::AlarmView& view = engine_.view(AlarmId(i));
       const std::string_view state = word_of(AlarmId(i));
       if (state == kNoValue) ++no_value;
+      if (state == kNoVariable) ++no_variable;
       // While there is no image they are all without a value, and what is lost is an alarm of its own.
       const bool blind = state == kNoValue && uses_[i].watched->missing == Missing::Image;
       if (!all && (blind || state == to_string(AlarmState::Normal))) continue;
@@ -378,10 +420,12 @@ std::string CellAlarms::json(bool all) const {
       out.key("shelved").boolean(view.status.shelved).key("suppressed").boolean(view.status.suppressed);
       out.key("out_of_service").boolean(view.status.out_of_service);
       write_times(out, view);
-      out.key("consequence").text(one.consequence).key("response").text(one.response).close('}');
+      out.key("consequence").text(one.consequence).key("response").text(one.response);
+      write_words(out, one);
+      out.close('}');
     }
     out.close(']');
-    write_figures(out, figures, definitions, no_value);
+    write_figures(out, figures, definitions, no_value, no_variable);
   }
   const alarms::JournalStatus status = journal_->status();
   out.key("journal").open('{').key("failing").boolean(status.failing);

@@ -78,8 +78,13 @@ class CellAlarms {
   [[nodiscard]] result::Result<AlarmChange> command(std::string_view alarm, alarms::Command by);
 
   // {"alarms": [...], "figures": {...}, "journal": {...}}; without `all` those that are normal are left out.
-  // An alarm whose source says nothing is not normal: its state is "no value", and `problem` says why.
+  // An alarm whose source says nothing is not normal: its state is "no value", of one whose variable the
+  // program does not have, unless somebody has to acknowledge it, "no variable"; `problem` says why.
   std::string json(bool all) const;
+  // Those that stand and that nobody has acknowledged.
+  std::vector<std::pair<alarms::AlarmDefinition, alarms::AlarmView>> unacknowledged() const;
+  // Those whose variable the program does not have (any more): their names, and those of the variables.
+  std::vector<std::pair<std::string, std::string>> without_variable() const;
   // Counts up whenever an alarm has changed.
   std::uint64_t revision() const;
   [[nodiscard]] result::Result<void> flush() { return journal_->flush(); }

@@ -179,6 +179,8 @@ Asked<JournalQuery> journal_query(const Parameters& given) {
   }
   if (const std::string* alarm = find(given, "alarm")) query.alarm = *alarm;
   if (const std::string* source = find(given, "source")) query.source = *source;
+  if (const std::string* user = find(given, "user")) query.user = *user;
+  if (const std::string* text = find(given, "text")) query.text = *text;
   auto state = word_of<AlarmState>(given, "state", alarms::kAlarmStates);
   if (!state) return result::forward(state);
   auto event = word_of<AlarmEvent>(given, "event", alarms::kAlarmEvents);

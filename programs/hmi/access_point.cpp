@@ -1,5 +1,6 @@
 #include "programs/hmi/access_point.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <set>
 
@@ -23,6 +24,15 @@ void tell_setup_token(const access::AccessControl& control, log::Logger& log) {
   std::fprintf(stderr, "stepwright hmi: set-up token %s (claims the administrator on the page, once)\n",
                token->c_str());
   std::fflush(stderr);
+}
+
+std::function<bool(const std::string&)> looks_from(std::vector<modbus::server::IpRange> ranges) {
+  if (ranges.empty()) return {};
+  return [ranges = std::move(ranges)](const std::string& peer) {
+    const auto address = modbus::server::parse_ip(peer);
+    return address &&
+           std::ranges::any_of(ranges, [&](const auto& range) { return range.contains(*address); });
+  };
 }
 
 }  // namespace
@@ -49,22 +59,30 @@ result::Result<std::unique_ptr<AccessPoint>> AccessPoint::open(const config::Hmi
   if (!forces) return result::forward(forces);
   point->forces_ = std::move(*forces);
   if (auto opened = point->open_recipes(config, what.cell); !opened) return result::forward(opened);
+  if (what.records != nullptr) {
+    auto trends = trends::TrendStore::open(config.access_dir / "trends.json");
+    if (!trends) return result::forward(trends);
+    point->trends_ = std::move(*trends);
+    if (!point->trends_->found_at_start().empty()) log.error("trends", point->trends_->found_at_start());
+  }
   if (auto opened = point->open_versions(config, what.change, log); !opened) return result::forward(opened);
-  point->table_ = std::make_unique<api::RouteTable>(
-      api::all_routes({point->control_.get(), point->audit_.get(), point->forces_.get(), &what.cell,
-                       what.records, point->recipes_.get(), what.figures, what.drawing, what.program,
-                       point->changes_.get(), what.monitor}));
+  if (auto opened = point->open_screens(config, what.cell, log); !opened) return result::forward(opened);
+  point->table_ = std::make_unique<api::RouteTable>(api::all_routes(
+      {point->control_.get(), point->audit_.get(), point->forces_.get(), &what.cell, what.records,
+       point->recipes_.get(), what.figures, what.drawing, what.program, point->changes_.get(), what.monitor,
+       point->trends_.get(), what.notifications, config.wall.panels, point->screens_.get()}));
   point->guard_ = std::make_unique<api::RequestGuard>(
       *point->table_, *point->control_, *point->audit_,
       api::RequestGuardOptions{
           .anonymous = config.anonymous_viewer ? access::Role::Viewer : access::Role::None,
+          .looks = looks_from(config.wall.addresses),
           .cookie = api::cookie_at(port)});
   tell_setup_token(*point->control_, log);
   return point;
 }
 
 result::Result<void> AccessPoint::lock_folders(const config::HmiConfig& config) {
-  std::set<std::filesystem::path> folders{config.access_dir, config.programs_dir};
+  std::set<std::filesystem::path> folders{config.access_dir, config.programs_dir, config.screens_dir};
   if (!config.recipes.empty()) folders.insert(config.recipes_dir);
   for (const std::filesystem::path& folder : folders) {
     if (auto made = access::make_private_folder(folder); !made) return result::forward(made);
@@ -100,6 +118,19 @@ result::Result<void> AccessPoint::open_versions(const config::HmiConfig& config,
     log.warning("programs", each.code + ": " + each.message, {{"file", each.where.file}});
   changes_ =
       std::make_unique<api::OnlineChangeService>(*cell, *versions_, *audit_, std::chrono::system_clock::now);
+  return {};
+}
+
+result::Result<void> AccessPoint::open_screens(const config::HmiConfig& config, api::CellControl& cell,
+                                               log::Logger& log) {
+  auto store = screens::ScreenStore::open(config.screens_dir);
+  if (!store) return result::forward(store);
+  drawn_ = std::move(*store);
+  // A screen that cannot be believed is not shown; the others are.
+  for (const result::Diagnostic& each : drawn_->damaged())
+    log.warning("screens", each.code + ": " + each.message,
+                {{"file", each.where.file}, {"line", std::to_string(each.where.line)}});
+  screens_ = std::make_unique<api::ScreenService>(*drawn_, cell, std::chrono::system_clock::now);
   return {};
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// Access control between the page's server and the cell: users, audit trail, forces, recipes, route table and
-// guard, made from a cell's configuration.
+// Access control between the page's server and the cell: users, audit trail, forces, recipes, screens, route
+// table and guard, made from a cell's configuration.
 //
 //   auto access = AccessPoint::open(config, {control, &records}, log,
 //                                   [&](auto json) { feed.set_forces(json); });
@@ -20,13 +20,16 @@
 #include "hmi_web/api/cell_control.h"
 #include "hmi_web/api/cell_figures.h"
 #include "hmi_web/api/cell_monitor.h"
+#include "hmi_web/api/cell_notifications.h"
 #include "hmi_web/api/cell_program.h"
 #include "hmi_web/api/cell_records.h"
 #include "hmi_web/api/force_service.h"
 #include "hmi_web/api/online_change_service.h"
 #include "hmi_web/api/recipe_service.h"
 #include "hmi_web/api/request_guard.h"
+#include "hmi_web/api/screen_service.h"
 #include "hmi_web/storage/file_lock.h"
+#include "hmi_web/trends/trend_store.h"
 #include "runtime/ground/log/logger.h"
 #include "runtime/ground/result/result.h"
 
@@ -35,12 +38,13 @@ namespace stepwright::hmi {
 // Interfaces to the cell for the routes.
 struct ActsOn {
   api::CellControl& cell;
-  api::CellRecords* records = nullptr;   // null: the server keeps none
-  api::CellFigures* figures = nullptr;   // null: it follows no runtime
-  const std::string* drawing = nullptr;  // null: there is none
-  api::CellProgram* program = nullptr;   // null: it serves no sources
-  api::CellChange* change = nullptr;     // null: no program is changed from it
-  api::CellMonitor* monitor = nullptr;   // null: it watches none
+  api::CellRecords* records = nullptr;              // null: the server keeps none
+  api::CellFigures* figures = nullptr;              // null: it follows no runtime
+  const std::string* drawing = nullptr;             // null: there is none
+  api::CellProgram* program = nullptr;              // null: it serves no sources
+  api::CellChange* change = nullptr;                // null: no program is changed from it
+  api::CellMonitor* monitor = nullptr;              // null: it watches none
+  api::CellNotifications* notifications = nullptr;  // null: it tells nobody
 };
 
 class AccessPoint {
@@ -63,7 +67,10 @@ class AccessPoint {
   [[nodiscard]] result::Result<void> open_versions(const config::HmiConfig& config, api::CellChange* cell,
                                                    log::Logger& log);
 
-  // Users, trail, recipes and programs have one server at a time.
+  [[nodiscard]] result::Result<void> open_screens(const config::HmiConfig& config, api::CellControl& cell,
+                                                  log::Logger& log);
+
+  // Users, trail, recipes, programs and screens have one server at a time.
   [[nodiscard]] result::Result<void> lock_folders(const config::HmiConfig& config);
 
   std::vector<storage::FileLock> locks_;
@@ -72,8 +79,11 @@ class AccessPoint {
   std::unique_ptr<api::ForceService> forces_;
   std::unique_ptr<recipes::RecipeStore> store_;  // null, as what follows: the cell has no recipes
   std::unique_ptr<api::RecipeService> recipes_;
+  std::unique_ptr<trends::TrendStore> trends_;      // null: no history is kept
   std::unique_ptr<change::VersionStore> versions_;  // null, as what follows: no program is changed
   std::unique_ptr<api::OnlineChangeService> changes_;
+  std::unique_ptr<screens::ScreenStore> drawn_;
+  std::unique_ptr<api::ScreenService> screens_;
   std::unique_ptr<api::RouteTable> table_;
   std::unique_ptr<api::RequestGuard> guard_;
 };

@@ -49,7 +49,8 @@ void end(Trial& trial, Trial::State state, std::string why) {
 DdsCellChange::DdsCellChange(DdsCellSource& source, const config::CellConfig& config)
     : source_(source),
       trial_scans_(config.change.trial_scans),
-      dialect_(config.mission.table ? config.mission.table->dialect() : source::standard_dialect()),
+      dialect_(config.mission.table ? config.mission.table->dialect()
+                                    : *source::find_dialect(config.boot.dialect)),
       config_(config),
       remote_(config.controller.remote()),
       listener_([this](const std::stop_token& stop) { listen(stop); }) {}

@@ -5,17 +5,21 @@
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdio>
+#include <memory>
 #include <optional>
 #include <string>
 #include <thread>
 
 #include "cell/config/cell_options.h"
 #include "cell/config/reload_log.h"
+#include "cell/hmi/notify_channels.h"
 #include "cell/hmi/plant_picture.h"
 #include "cell/hmi/tag_notes.h"
 #include "hmi_web/client/client_assets.h"
 #include "hmi_web/drawing/drawing_file.h"
 #include "hmi_web/monitor/cell_monitor.h"
+#include "hmi_web/notify/curl_sender.h"
+#include "hmi_web/notify/notifier.h"
 #include "hmi_web/server/cell_poller.h"
 #include "hmi_web/server/http_server.h"
 #include "programs/hmi/access_point.h"
@@ -79,6 +83,23 @@ int run(const config::CellConfig& config) {
   if (!records) return fail(records.error(), ExitCode::BadInput);
   auto watch = hmi::RuntimeWatch::connect(config, (*source)->runtime(), **log);
   if (!watch) return fail(watch.error(), ExitCode::RuntimeFault);
+  notify::CurlSender sender;
+  std::unique_ptr<notify::Notifier> notifier;
+  if (!config.notify.empty()) {
+    if (!*records)
+      (*log)->warning("notify", "nobody is told of alarms: the cell keeps none",
+                      {{"hint", "[history] folder = \"history\""}});
+    else
+      notifier = std::make_unique<notify::Notifier>(
+          config.name, hmi::notify_channels(config.notify), sender,
+          [&] { return (*records)->unacknowledged(); },
+          [&](const std::string& channel, bool failing, const std::string& what) {
+            if (failing)
+              (*log)->error("notify", "'" + channel + "' cannot be told of alarms: " + what);
+            else
+              (*log)->info("notify", "'" + channel + "' is told of alarms again");
+          });
+  }
   hmi::DdsCellControl control(**source);
   hmi::SourceCache program((*source)->running());
   monitor::CellMonitor monitor;
@@ -86,7 +107,7 @@ int run(const config::CellConfig& config) {
   auto access =
       hmi::AccessPoint::open(config.hmi, (*http)->port(),
                              {control, records->get(), watch->get(), drawn.svg.empty() ? nullptr : &drawn.svg,
-                              &program, &change, &monitor},
+                              &program, &change, &monitor, notifier.get()},
                              **log, [&](const std::string& list) {
                                feed.set_forces(list);
                                (*http)->notify();

@@ -1,5 +1,6 @@
 #include "programs/hmi/recording.h"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -79,7 +80,36 @@ std::optional<std::string> Recording::take(const server::Observation& seen, cons
       return R"({"type":"alarms",)" + recorder::no_alarms_json(result::to_string(problem_)).substr(1);
   }
   note_calendar();
-  return recorder_->take(seen, view);
+  auto message = recorder_->take(seen, view);
+  note_variables();
+  return message;
+}
+
+// A program that lacks what an alarm watches is told once for each: nothing else would show it.
+void Recording::note_variables() {
+  const std::uint64_t revision = recorder_->alarms().revision();
+  if (std::exchange(alarms_revision_, revision) == revision) return;
+  auto missing = recorder_->alarms().without_variable();
+  for (const auto& each : missing) {
+    if (std::ranges::find(without_variable_, each) != without_variable_.end()) continue;
+    log_.warning("alarms", "the program has no variable '" + each.second + "': the alarm '" + each.first +
+                               "' cannot come");
+  }
+  for (const auto& each : without_variable_) {
+    if (std::ranges::find(missing, each) == missing.end())
+      log_.info("alarms", "the alarm '" + each.first + "' has its variable '" + each.second + "' again");
+  }
+  without_variable_ = std::move(missing);
+}
+
+std::vector<notify::StandingAlarm> Recording::unacknowledged() const {
+  const std::shared_lock lock(mutex_);
+  std::vector<notify::StandingAlarm> all;
+  if (!recorder_) return all;
+  for (const auto& [definition, view] : recorder_->alarms().unacknowledged())
+    all.push_back({definition.name, definition.text, definition.source, definition.response,
+                   definition.priority, view.raised_ns, view.value});
+  return all;
 }
 
 void Recording::note_calendar() {

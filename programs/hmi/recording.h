@@ -14,9 +14,12 @@
 #include <optional>
 #include <shared_mutex>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "cell/config/cell_config.h"
 #include "hmi_web/api/cell_records.h"
+#include "hmi_web/notify/channel.h"
 #include "hmi_web/protocol/synoptic.h"
 #include "hmi_web/recorder/cell_recorder.h"
 #include "hmi_web/recorder/record_queries.h"
@@ -46,6 +49,8 @@ class Recording : public api::CellRecords {
   api::Answer journal_csv(const Parameters& given) const override;
   [[nodiscard]] result::Result<api::AlarmChange> act(const api::AlarmAction& action) override;
   bool accept_calendar() override;
+  // Alarms that stand and that nobody has acknowledged; from any thread.
+  std::vector<notify::StandingAlarm> unacknowledged() const;
 
  private:
   using Ask = api::Answer (recorder::RecordQueries::*)(const Parameters&) const;
@@ -55,10 +60,13 @@ class Recording : public api::CellRecords {
   std::optional<result::Diagnostics> try_to_open();
   api::Answer answer(Ask ask, const Parameters& given) const;
   void note_calendar();
+  void note_variables();
 
   const recorder::RecorderOptions options_;
   log::Logger& log_;
   std::chrono::steady_clock::time_point next_try_{};
+  std::uint64_t alarms_revision_ = 0;                                  // that the log knows
+  std::vector<std::pair<std::string, std::string>> without_variable_;  // likewise: alarms and their variables
   bool doubted_ = false;  // the calendar, as the log was told last
   mutable std::shared_mutex mutex_;
   std::unique_ptr<recorder::CellRecorder> recorder_;  // this and below: guarded by mutex_; null: not open yet

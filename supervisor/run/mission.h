@@ -257,6 +257,7 @@ class Mission {
 };
 
 // The form of a mission whose goals no page can put together.
-std::string no_goal_form_json(const std::string& reason);
+// `locations`: between which orders go, of a mission that has orders instead of goals.
+std::string no_goal_form_json(const std::string& reason, const std::vector<std::string>& locations = {});
 
 }  // namespace stepwright::run

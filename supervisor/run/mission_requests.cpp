@@ -33,8 +33,10 @@ std::string Mission::goal_form() const {
   return no_goal_form_json("this planner has no goals that a page could put together");
 }
 
-std::string no_goal_form_json(const std::string& reason) {
-  return internal::text_of({{"available", false}, {"reason", reason}});
+std::string no_goal_form_json(const std::string& reason, const std::vector<std::string>& locations) {
+  nlohmann::json form = {{"available", false}, {"reason", reason}};
+  if (!locations.empty()) form["locations"] = locations;
+  return internal::text_of(form);
 }
 
 void Mission::enter(Stage stage) {

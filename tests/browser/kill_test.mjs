@@ -78,8 +78,8 @@ async function actsBefore(page, cell) {
   check(raised.comment === '', 'by a server that saw it happen');
   check((await asksApi(page, '/api/alarms/acknowledge', { name: 'level.high', reason: 'seen' })) === '200', 'and acknowledged');
   await page.getByRole('button', { name: 'Standing' }).click();
-  await waitFor(page, 'an alarm whose variable the program does not have is not normal', () => document.querySelector('[data-alarm="misspelt"]')?.dataset.state === 'no value');
-  check((await page.getByTestId('no-value').innerText()) === '1 alarm without a value', 'and the bar counts it');
+  await waitFor(page, 'an alarm whose variable the program does not have is not normal', () => document.querySelector('[data-alarm="misspelt"]')?.dataset.state === 'no variable');
+  check((await page.getByTestId('no-variable').innerText()) === '1 alarm without its variable', 'and the bar counts it');
   await page.locator('[data-alarm="misspelt"] button').click();
   check((await page.getByTestId('alarm-list').innerText()).includes("the program has no variable 'Main.stri'"), 'the list says why');
   await shot(page, 'no-value');
@@ -230,7 +230,7 @@ async function theRuntimeIsKilled(page, cell) {
   await waitFor(page, 'what was forced has ended with the runtime, and the banner with it', () => document.querySelector('[data-testid=forces]') === null);
 }
 
-const replans = (page) => page.locator('[data-panel=replans] li p[lang=en], [aria-label="replans"] li p[lang=en]').allInnerTexts();
+const replans = (page) => page.locator('[data-panel=replans] li p:not(.after), [aria-label="replans"] li p:not(.after)').allInnerTexts();
 const phaseIs = (page, what, ...phases) => waitFor(page, what, (words) => words.includes(document.querySelector('[data-testid=phase]')?.innerText), phases);
 
 async function theSupervisorIsKilled(page, bench) {

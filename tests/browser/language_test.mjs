@@ -73,7 +73,7 @@ async function keepsTheChoice(page) {
   await chooses(page, 'de');
   await page.reload();
   await titleIs(page, 'a page that is loaded anew is in the language that was chosen', 'synoptic', WORDS.de.plant);
-  await page.locator('[data-testid=alarm-bar] .buttons button').first().press('Enter');
+  await page.locator('[data-testid=alarm-bar] .buttons [aria-expanded]').first().press('Enter');
   await titleIs(page, 'a panel that is fetched comes in it, too', 'alarms', WORDS.de.alarms);
   await shot(page, 'de-1440');
 }
@@ -88,7 +88,7 @@ async function helps(page) {
 }
 
 async function canBeReadInEveryTheme(page) {
-  await page.locator('[data-testid=alarm-bar] .buttons button').nth(1).press('Enter');
+  await page.locator('[data-testid=alarm-bar] .buttons [aria-expanded]').nth(1).press('Enter');
   await waitFor(page, 'the history is there', () => document.querySelector('[data-panel=history]') !== null);
   await opensTheMenu(page);
   const select = (number) => page.locator('[data-testid=preferences] + .menu select').nth(number);

@@ -1,4 +1,4 @@
-// The sorting line as a person sees it: its own processes at 5 times real time, drawn from above on the same page
+// The sorting line as a person sees it: its own processes at twice real time, drawn from above on the same page
 // as the bench.
 
 import { join } from 'node:path';
@@ -8,7 +8,7 @@ import { leadOverPage } from './page_run.mjs';
 import { asks, BY_OPERATOR, isAccessible, startsTheRun } from './people.mjs';
 import { check, drawn, options, until, waitFor } from './support.mjs';
 
-const SPEED = 5;
+const SPEED = 2; // a page on a busy machine draws a few pictures a second
 
 const given = options();
 

@@ -96,12 +96,15 @@ struct OpenAccess {
   std::unique_ptr<access::AuditLog> audit = *access::AuditLog::open(folder / "access/audit.jsonl");
   std::unique_ptr<api::ForceService> forces = *api::ForceService::open(
       folder / "access/forces.json", cell, *audit, std::chrono::system_clock::now, [](const std::string&) {});
+  std::unique_ptr<trends::TrendStore> trends = *trends::TrendStore::open(folder / "access/trends.json");
   api::RouteTable table{api::all_routes({.control = control.get(),
                                          .audit = audit.get(),
                                          .forces = forces.get(),
                                          .cell = &cell,
                                          .records = records,
-                                         .monitor = &monitor})};
+                                         .monitor = &monitor,
+                                         .trends = trends.get(),
+                                         .wall = {"alarms", "synoptic", "trend"}})};
   api::RequestGuard guard{table, *control, *audit, {access::Role::Viewer}};
 };
 

@@ -7,9 +7,12 @@
 #include "hmi_web/api/force_service.h"
 #include "hmi_web/api/online_change_service.h"
 #include "hmi_web/api/recipe_service.h"
+#include "hmi_web/api/screen_service.h"
 #include "hmi_web/change/codes.h"
 #include "hmi_web/recipes/codes.h"
+#include "hmi_web/screens/codes.h"
 #include "hmi_web/storage/codes.h"
+#include "hmi_web/trends/codes.h"
 #include "runtime/host/change_codes.h"
 #include "runtime/service/answer_codes.h"
 
@@ -21,6 +24,7 @@ struct Status {
   unsigned status;
 };
 
+constexpr unsigned kForbidden = 403;
 constexpr unsigned kNotFound = 404;
 constexpr unsigned kConflict = 409;  // not in this state
 constexpr unsigned kUnavailable = 503;
@@ -31,10 +35,18 @@ constexpr Status kStatuses[] = {
     {alarms::kNoSuchAlarm, kNotFound},
     {recipes::kNoSuchRecipe, kNotFound},
     {change::kNoSuchVersion, kNotFound},
+    {trends::kNoSuchGroup, kNotFound},
+    {screens::kNoSuchScreen, kNotFound},
+    {kNoSuchPart, kNotFound},
+    {kPartOfOtherRole, kForbidden},
+    {screens::kSavedMeanwhile, kConflict},
+    {screens::kNoRoomForScreen, kConflict},
+    {screens::kScreenDamaged, kConflict},
     {access::kLastAdministrator, kConflict},
     {access::kNoRoomForUser, kConflict},
     {alarms::kNotInThisState, kConflict},
     {recipes::kNoRoomForRecipe, kConflict},
+    {trends::kNoRoomForGroup, kConflict},
     {recipes::kRecipeDamaged, kConflict},
     {kTagForced, kConflict},
     {kWriteFailed, kConflict},

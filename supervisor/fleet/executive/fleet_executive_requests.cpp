@@ -56,7 +56,9 @@ std::optional<FleetChange> change_of(const run::Request& request) {
 }  // namespace
 
 std::string FleetExecutive::goal_form() const {
-  return run::no_goal_form_json("a fleet has orders, no goals: give it a new order");
+  std::vector<std::string> locations;
+  for (const auto& each : planning_.problem().locations) locations.push_back(each.name);
+  return run::no_goal_form_json("a fleet has orders, no goals: give it a new order", locations);
 }
 
 result::Result<void> FleetExecutive::take(const run::Request& request) {

@@ -8,9 +8,9 @@
 #include <sstream>
 #include <utility>
 
+#include "runtime/ground/csv/csv_rows.h"
 #include "runtime/ground/naming/ascii_names.h"
 #include "runtime/ground/result/closest.h"
-#include "supervisor/ltl/trace/csv_rows.h"
 #include "supervisor/ltl/trace/timed_letters.h"
 
 namespace stepwright::ltl {
@@ -97,7 +97,7 @@ std::string without_unit(const std::string& column) {
 
 class Reader {
  public:
-  Reader(std::istream& in, const std::string& file) : rows_(in, file), file_(file) {}
+  Reader(std::istream& in, const std::string& file) : rows_(in, file, "L0041"), file_(file) {}
 
   result::Result<Trace> run(const SyntaxTree& formula, const std::vector<Binding>& bindings) {
     if (!rows_.next())
@@ -230,7 +230,7 @@ class Reader {
     return letter;
   }
 
-  CsvRows rows_;
+  csv::CsvRows rows_;
   std::string file_;
   std::vector<std::string> names_;
   std::vector<Binding> bindings_;     // of each proposition with a column

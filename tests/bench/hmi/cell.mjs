@@ -63,15 +63,16 @@ period_ms = 10
 tags = [{ name = "change", address = "%IW1", input = 0 }]
 `;
 
-// `many`: how many tags change ten times a second.
-export async function startCell(program, many) {
+// `many`: how many tags change ten times a second; `screen`: an SVG that the page opens with.
+export async function startCell(program, many, screen = '') {
   const folder = mkdtempSync(join(tmpdir(), 'stepwright-bench-hmi-'));
   const name = `bench-hmi-${process.pid}-${many}`;
   const port = await freePort();
   let register = 0;
   const device = await startDevice(() => register);
   const config = join(folder, 'cell.toml');
-  mkdirSync(join(folder, 'state'));
+  mkdirSync(join(folder, 'state', 'screens'), { recursive: true });
+  if (screen !== '') writeFileSync(join(folder, 'state', 'screens', 'Bench.svg'), screen);
   writeFileSync(config, configuration(name, join(folder, 'state'), port, device.port));
   writeFileSync(join(folder, 'program.st'), programText(many));
   const processes = keepProcesses(program, folder);

@@ -11,6 +11,7 @@ import { servePage } from './baseline_page.mjs';
 import { startCell } from './cell.mjs';
 import { percentile, pixelTimes } from './pixels.mjs';
 import { coreShare } from './process_time.mjs';
+import { screenFrames, screenText, SYMBOLS } from './screen.mjs';
 import { soak } from './soak.mjs';
 import { openViewers } from './viewers.mjs';
 
@@ -132,6 +133,18 @@ async function takeShare(clients, tags) {
   }
 }
 
+async function drawScreen() {
+  progress(`a screen of ${SYMBOLS} symbols: ${given.seconds} s`);
+  const cell = await startCell(given.program, SYMBOLS, screenText());
+  try {
+    const { fps, p99_ms } = await screenFrames(browser.context, cell.url, given.seconds);
+    report.screen_500_symbols_fps = fps;
+    report.screen_500_symbols_p99_frame_ms = p99_ms;
+  } finally {
+    await cell.end();
+  }
+}
+
 async function leaveOpen(minutes) {
   const cell = await startCell(given.program, given.tags);
   try {
@@ -163,6 +176,7 @@ function tell() {
     ...rows,
     `  ${given.tags} tags at 10 Hz: ${report.core_share_5000_tags.toFixed(2)} of a core for one client, ${report.core_share_all_clients.toFixed(2)} for ${given.clients}`,
     `  ${given.clients} that show none of them: ${report.core_share_without_tags.toFixed(2)} of a core, ${(report.viewer_bytes_without_tags_per_s / 1_000).toFixed(1)} kB a second each instead of ${(report.viewer_bytes_per_s / 1_000).toFixed(0)}`,
+    `  a screen of ${SYMBOLS} symbols at 10 Hz: ${report.screen_500_symbols_fps.toFixed(1)} frames a second, one of a hundred after ${report.screen_500_symbols_p99_frame_ms.toFixed(0)} ms`,
     `  first load: ${report.first_load_kb.toFixed(1)} kB`,
   ];
   if ('historian_samples_per_s' in report) {
@@ -187,6 +201,7 @@ try {
   report.viewer_bytes_per_s = all.perViewer;
   report.core_share_without_tags = none.share;
   report.viewer_bytes_without_tags_per_s = none.perViewer;
+  await drawScreen();
   if (given['soak-minutes'] > 0) await leaveOpen(given['soak-minutes']);
   if (!given['no-historian']) Object.assign(report, historian());
   tell();

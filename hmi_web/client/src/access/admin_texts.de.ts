@@ -39,4 +39,8 @@ export default {
   add: 'Anlegen',
   firstPassword: 'Erstes Passwort',
   atLeast10: 'mindestens 10 Zeichen',
+  textInIt: 'Text',
+  fromTime: 'Von',
+  toTime: 'Bis',
+  found: { one: '{count} Eintrag gefunden', other: '{count} Einträge gefunden' },
 } satisfies Translation<typeof english>;

@@ -36,4 +36,8 @@ export default {
   add: 'Add',
   firstPassword: 'First password',
   atLeast10: 'at least 10 characters',
+  textInIt: 'Text',
+  fromTime: 'From',
+  toTime: 'To',
+  found: { one: '{count} entry found', other: '{count} entries found' },
 } as const;

@@ -39,4 +39,8 @@ export default {
   add: 'Añadir',
   firstPassword: 'Primera contraseña',
   atLeast10: '10 caracteres como mínimo',
+  textInIt: 'Texto',
+  fromTime: 'Desde',
+  toTime: 'Hasta',
+  found: { one: '{count} entrada encontrada', many: '{count} entradas encontradas', other: '{count} entradas encontradas' },
 } satisfies Translation<typeof english>;

@@ -39,4 +39,8 @@ export default {
   add: 'Ajouter',
   firstPassword: 'Premier mot de passe',
   atLeast10: '10 caractères au moins',
+  textInIt: 'Texte',
+  fromTime: 'De',
+  toTime: 'À',
+  found: { one: '{count} entrée trouvée', many: '{count} entrées trouvées', other: '{count} entrées trouvées' },
 } satisfies Translation<typeof english>;

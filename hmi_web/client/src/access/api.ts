@@ -10,7 +10,8 @@ export interface Problem {
   column?: number;
 }
 
-export type Reply<T> = { ok: true; data: T } | { ok: false; status: number; problems: Problem[] };
+// `body`: all that a refusal says.
+export type Reply<T> = { ok: true; data: T } | { ok: false; status: number; problems: Problem[]; body?: unknown };
 
 export type Method = 'GET' | 'POST' | 'PUT' | 'DELETE';
 
@@ -33,7 +34,7 @@ export async function ask<T>(method: Method, path: string, csrf: string, body?: 
       ...(signal ? { signal } : {}),
     });
     const value: unknown = await response.json().catch(() => null);
-    if (!response.ok) return { ok: false, status: response.status, problems: problemsOf(value, response.status) };
+    if (!response.ok) return { ok: false, status: response.status, problems: problemsOf(value, response.status), body: value };
     return { ok: true, data: value as T };
   } catch {
     return { ok: false, status: 0, problems: [{ code: '', message: own(t('noServer')) }] };

@@ -28,6 +28,7 @@ interface SessionAnswer {
   role: Role;
   csrf: string;
   setup_needed: boolean;
+  wall?: string[];
 }
 
 export class Session {
@@ -36,6 +37,9 @@ export class Session {
   user = $state('');
   role = $state<Role>('none');
   setupNeeded = $state(false);
+  // Panels of a display on the wall, as the server says; of a page that is one: it never acts, whoever has logged in here.
+  wall = $state.raw<string[]>([]);
+  readonly isWall: boolean;
   dialog = $state<Dialog | null>(null);
   // Somebody was logged in here and is not any more, without having logged out.
   ended = $state(false);
@@ -44,12 +48,13 @@ export class Session {
   private onChange: () => void = () => {};
 
   // `onChange` is called whenever somebody else looks than before.
-  constructor(onChange?: () => void) {
+  constructor(onChange?: () => void, isWall = false) {
+    this.isWall = isWall;
     if (onChange) this.onChange = onChange;
   }
 
   may(role: Role): boolean {
-    return RANK[this.role] >= RANK[role];
+    return RANK[this.role] >= RANK[role] && !(this.isWall && RANK[role] > RANK.viewer);
   }
 
   // Subprotocols for the WebSocket: a header of its own it cannot send.
@@ -115,6 +120,7 @@ export class Session {
     this.role = answer.role;
     this.csrf = answer.csrf;
     this.setupNeeded = answer.setup_needed;
+    this.wall = answer.wall ?? [];
     if (!other) return;
     if (answer.role === 'none' || answer.user === '') this.dialog = null;
     this.onChange();

@@ -92,4 +92,5 @@ export default {
   returnTitle: 'Fahrzeug zurücknehmen',
   returnLead: 'Das Fahrzeug nimmt wieder teil, sein Fehler wird quittiert. Tun Sie das erst, wenn die Ursache seines Halts behoben ist.',
   returnAction: 'Zurücknehmen',
+  choosePlace: 'Ort wählen',
 } satisfies Translation<typeof english>;

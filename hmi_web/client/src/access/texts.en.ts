@@ -89,4 +89,5 @@ export default {
   returnTitle: 'Take a vehicle back',
   returnLead: 'The vehicle takes part again, and its error is reset. Do this only once you have seen to what stopped it.',
   returnAction: 'Take it back',
+  choosePlace: 'choose a place',
 } as const;

@@ -92,4 +92,5 @@ export default {
   returnTitle: 'Reincorporar un vehículo',
   returnLead: 'El vehículo vuelve a participar y su fallo se restablece. Hágalo solo después de resolver lo que lo detuvo.',
   returnAction: 'Reincorporar',
+  choosePlace: 'elegir un lugar',
 } satisfies Translation<typeof english>;

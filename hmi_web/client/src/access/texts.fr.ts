@@ -92,4 +92,5 @@ export default {
   returnTitle: 'Réintégrer un véhicule',
   returnLead: 'Le véhicule participe de nouveau et son défaut est acquitté. Ne le faites qu’après avoir traité la cause de son arrêt.',
   returnAction: 'Réintégrer',
+  choosePlace: 'choisir un lieu',
 } satisfies Translation<typeof english>;

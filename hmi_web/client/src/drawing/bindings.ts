@@ -1,6 +1,9 @@
 // The attributes by which an element of a drawing lives (hmi_web/doc/drawings.md), and what values make of it. Pure.
 
-import type { Value } from '../lib/protocol';
+import { fixed, UNKNOWN } from '../lib/format';
+import type { TagNote, Value } from '../lib/protocol';
+import { hasDecimals, nameOr, told, toldNumber } from '../lib/tag_notes';
+import { numberOr, type TagValue } from '../lib/value';
 
 export type Switch = 'on' | 'warn' | 'alarm' | 'show';
 export type Range = 'fill' | 'move' | 'turn';
@@ -11,7 +14,7 @@ interface Named {
 export interface TextBinding extends Named {
   kind: 'text';
   digits: number | null; // null: as many as carry meaning
-  unit: string;
+  unit: string; // empty: that of the tag
 }
 export interface SwitchBinding extends Named {
   kind: Switch;
@@ -90,6 +93,33 @@ export function poseTransform({ floor, heading }: PoseBinding, values: readonly 
   const digits = (value: number) => Number(value.toFixed(3));
   const turned = heading === '' ? '' : ` rotate(${digits((-(angle ?? 0) * 180) / Math.PI)})`;
   return `translate(${digits(floor.x + x * floor.scale)} ${digits(floor.y - y * floor.scale)})${turned}`;
+}
+
+// A value of the cell, with what is said of it.
+export interface Found {
+  value: TagValue;
+  type: string;
+  note?: TagNote | undefined;
+  names?: Record<string, string> | undefined; // of the values of an enumeration
+}
+
+// As people read it. Decimals and unit of the drawing come before those of the cell; a text has no quotes.
+export function textOf(found: Found | null, digits: number | null = null, unit = ''): string {
+  if (found === null || found.value === null) return UNKNOWN;
+  const { value, type, note, names } = found;
+  if (typeof value === 'string') return value;
+  const named = nameOr(value, names, note);
+  if (typeof named === 'string') return named;
+  const said = unit || note?.unit || '';
+  const decimals = digits ?? note?.decimals;
+  if (decimals === undefined || !hasDecimals(type)) return told(value, type, { name: '', unit: said });
+  return said === '' ? fixed(value, decimals) : `${fixed(value, decimals)} ${said}`;
+}
+
+// The same for who does not see how far it is filled or turned: as many digits as carry meaning.
+export function spokenOf(found: Found | null): string {
+  const isCounted = typeof found?.value === 'number' && found.type !== 'BOOL';
+  return isCounted ? toldNumber(numberOr(found.value), found.note, found.names, found.type) : textOf(found);
 }
 
 // What is not known is neither true nor false.

@@ -1,12 +1,12 @@
 // The elements of a drawing in the page, and what is written into them. Touches only what has changed.
 
-import { fixed, tagValue, UNKNOWN } from '../lib/format';
+import { fixed } from '../lib/format';
 import type { Value } from '../lib/protocol';
-import { numberOr, type TagValue } from '../lib/value';
-import { bindingsOf, isTrue, namesOf, poseTransform, transformOf, type Binding, type Box, type PoseBinding, type RangeBinding } from './bindings';
+import { numberOr } from '../lib/value';
+import { bindingsOf, isTrue, namesOf, poseTransform, spokenOf, textOf, transformOf, type Binding, type Box, type Found, type PoseBinding, type RangeBinding } from './bindings';
 
 // A value of the cell by its name; null if there is no such thing.
-export type Look = (name: string) => { value: TagValue; type: string; unit: string } | null;
+export type Look = (name: string) => Found | null;
 
 interface Bound {
   element: SVGGraphicsElement;
@@ -55,11 +55,6 @@ export class DrawnPicture {
     return [...new Set(this.bound.flatMap(({ binding }) => namesOf(binding)))];
   }
 
-  // Names that nothing in the cell has.
-  unknown(look: Look): string[] {
-    return this.names().filter((name) => look(name) === null);
-  }
-
   show(look: Look): void {
     for (const one of this.bound) {
       if (one.binding.kind === 'pose') {
@@ -68,9 +63,12 @@ export class DrawnPicture {
       }
       const found = look(one.binding.name);
       const value = found?.value ?? null;
-      const words = this.words(one.binding, value, found?.type ?? '', found?.unit ?? '');
-      if (words === one.shown) continue;
-      one.shown = words;
+      const { binding } = one;
+      const words = binding.kind === 'text' ? textOf(found, binding.digits, binding.unit) : one.title === '' ? '' : spokenOf(found);
+      // More digits move an element than stand in its words.
+      const shown = binding.kind === 'text' ? words : `${String(value)} ${words}`;
+      if (shown === one.shown) continue;
+      one.shown = shown;
       this.write(one, one.binding.kind === 'text' && typeof value === 'string', numberOr(value), words);
     }
   }
@@ -87,17 +85,9 @@ export class DrawnPicture {
     if (transform !== null) element.setAttribute('transform', `${transform} ${ownTransform}`.trim());
   }
 
-  private words(binding: Binding, value: TagValue, type: string, unit: string): string {
-    if (binding.kind !== 'text') return String(numberOr(value));
-    if (typeof value === 'string') return value;
-    if (value === null) return UNKNOWN;
-    const number = binding.digits === null ? tagValue(value, type) : fixed(value, binding.digits);
-    return [number, binding.unit || unit].filter((part) => part !== '').join(' ');
-  }
-
   private write({ element, binding, ownTransform, box, title }: Bound, isText: boolean, value: Value, words: string): void {
     element.classList.toggle('unknown', value === null && !isText);
-    if (title !== '') element.setAttribute('aria-label', `${title}: ${binding.kind === 'text' ? words : value === null ? UNKNOWN : value}`);
+    if (title !== '') element.setAttribute('aria-label', `${title}: ${words}`);
     if (binding.kind === 'text') element.textContent = words;
     else if (binding.kind === 'show') element.classList.toggle('hidden', !isTrue(binding, value));
     else if (binding.kind === 'on' || binding.kind === 'warn' || binding.kind === 'alarm') element.classList.toggle(binding.kind, isTrue(binding, value));

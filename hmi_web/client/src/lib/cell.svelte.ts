@@ -14,9 +14,10 @@ import {
   type ServerMessage,
   type StandingForce,
   type StateMessage,
+  type TagNote,
 } from './protocol';
 import { ForcedNames } from './forces';
-import { enumerationOf, told, toldNumber, TagNotes } from './tag_notes';
+import { enumerationOf, pointNote, told, toldNumber, TagNotes } from './tag_notes';
 import { TrendData } from './trend_data';
 import { numberOr, type TagValue, type Value } from './value';
 import { Wanted } from './wanted';
@@ -50,6 +51,8 @@ const NOTHING: LiveFields = {
 
 // Of the newest message of each kind, as the server numbers them.
 const NO_REVISIONS = { seq: 0, program: 0, plan: 0, routes: 0, pictures: 0, alarms: 0, forces: 0 };
+// Of the names in the history.
+const POINT_PREFIX = 'points/';
 // While somebody scrolls, no more is said than this.
 const SHOW_EVERY_MS = 100;
 
@@ -179,8 +182,22 @@ export class Cell {
     return tag ? told(value, tag.type, this.notes.of(tag.name), enumerationOf(this.program, index)) : told(value, '');
   }
 
-  // The same of a number that was kept of the tag of that name, in whatever program.
+  // What is said of a point of the plant: its unit, its name for people. `decimals`: where the cell says none.
+  pointNote(id: string, decimals?: number): TagNote {
+    const index = this.pointIndex.get(id);
+    const point = index === undefined ? undefined : this.hello?.synoptic.points[index];
+    return pointNote(point ?? { id, label: id, unit: '' }, this.notes, decimals);
+  }
+
+  // The value of a point as people read it, with its unit.
+  toldPoint(id: string, decimals?: number): string {
+    return toldNumber(this.point(id), this.pointNote(id, decimals));
+  }
+
+  // A number that was kept of a tag in whatever program, or of a point ("a1.level", "points/a1.level").
   toldNumber(name: string, value: Value | undefined): string {
+    const id = name.startsWith(POINT_PREFIX) ? name.slice(POINT_PREFIX.length) : name;
+    if (this.pointIndex.has(id)) return toldNumber(value, this.pointNote(id));
     const index = this.tagNumber(name.toLowerCase());
     return toldNumber(value, this.notes.of(name), enumerationOf(this.program, index), this.program?.tags[index]?.type);
   }

@@ -9,6 +9,7 @@ const fold = (name: string) => name.toLowerCase();
 const withoutIndices = (name: string) => name.replace(/\[[^\]]*\]/g, '');
 const TIMES = ['TIME', 'LTIME'];
 const COUNTED = ['BOOL', ...TIMES]; // whose decimals nobody chooses
+export const hasDecimals = (type: string) => !COUNTED.includes(type);
 const MOST = 1e9; // beyond it the power of ten says more than digits
 
 export class TagNotes {
@@ -42,7 +43,7 @@ export function told(value: TagValue | undefined, type: string, note?: TagNote, 
   const named = nameOr(value ?? null, names, note);
   if (typeof named === 'string' && typeof value === 'number') return named;
   if (typeof named !== 'number') return tagValue(named, type);
-  const chosen = note?.decimals !== undefined && !COUNTED.includes(type) && Math.abs(named) < MOST;
+  const chosen = note?.decimals !== undefined && hasDecimals(type) && Math.abs(named) < MOST;
   return withUnit(chosen ? named.toFixed(note.decimals) : tagValue(named, type), note);
 }
 
@@ -52,11 +53,18 @@ export function toldNumber(value: Value | undefined, note?: TagNote, names?: Rec
   const named = nameOr(value ?? null, names, note);
   if (typeof named === 'string') return named;
   if (named === null) return short(named);
-  if (TIMES.includes(type)) return tagValue(named, type);
+  if (COUNTED.includes(type)) return tagValue(named, type);
   return withUnit(note?.decimals === undefined ? short(named) : fixed(named, note.decimals), note);
 }
 
 const withUnit = (text: string, note?: TagNote) => (note?.unit ? `${text} ${note.unit}` : text);
+
+// Of a point of the picture: what the cell says of its id, and else what the picture knows. `decimals`: where the cell says none.
+export function pointNote(point: { id: string; label: string; unit: string }, notes: TagNotes, decimals?: number): TagNote {
+  const note = notes.of(point.id);
+  const kept = note?.decimals ?? decimals;
+  return { ...note, name: point.id, unit: note?.unit ?? point.unit, description: note?.description ?? point.label, ...(kept === undefined ? {} : { decimals: kept }) };
+}
 
 // Beyond what the cell calls normal.
 export function isAbnormal(value: TagValue | undefined, note?: TagNote): boolean {

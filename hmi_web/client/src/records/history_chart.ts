@@ -1,15 +1,20 @@
 // The chart of the history: of every tag a band between the least and the greatest value of each column, and
-// the last one as a line that holds its value to the next column.
+// the last one as a line that holds its value to the next column; a truth value as a step between two levels of its own. Beside it,
+// dashed, the same a day before.
 
 import uPlot from 'uplot';
 
 import { inUnits, marks, roomFor, unitOf } from '../lib/axis';
-import { TagNotes } from '../lib/tag_notes';
+import { pointNote, TagNotes } from '../lib/tag_notes';
+import type { Value } from '../lib/value';
 import type { History } from './records';
+import { axisOf } from './trend_view';
 
 const HEIGHT = 300;
 const COLOURS = 6;
-const PER_TAG = 3; // series of uPlot: greatest, least, last
+const PER_TAG = 4; // series of uPlot: greatest, least, last, a day before
+const MOST_AXES = 4; // that are drawn; others have their scales all the same
+const BOOL_RANGE: [number, number] = [-0.1, 1.1];
 
 export interface Range {
   from: number; // ms since 1970
@@ -21,6 +26,9 @@ export interface Trace {
   label: string;
   unit: string;
   colour: string; // name of the custom property
+  scale: string; // tags of one scale share it
+  range?: [least: number, greatest: number]; // its ends; without: those of the values
+  isBool: boolean;
 }
 
 export interface ChartEvents {
@@ -30,12 +38,24 @@ export interface ChartEvents {
   onPin(index: number): void;
 }
 
-export function tracesOf(tags: string[], points: { id: string; label: string; unit: string }[], notes = new TagNotes()): Trace[] {
+// `axes` as the server has them; `typeOf`: of a tag of the program, empty if it has none.
+export function tracesOf(
+  tags: string[],
+  points: { id: string; label: string; unit: string }[],
+  notes = new TagNotes(),
+  axes: Record<string, string> = {},
+  typeOf: (tag: string) => string = () => '',
+): Trace[] {
   return tags.map((tag, index) => {
     const point = points.find((one) => `points/${one.id}` === tag);
-    const note = notes.of(tag);
-    const label = point ? `${point.label} (${point.id})` : note?.description ? `${note.description} (${tag})` : tag;
-    return { tag, label, unit: point?.unit ?? note?.unit ?? '', colour: `--series-${(index % COLOURS) + 1}` };
+    const note = point ? pointNote(point, notes) : notes.of(tag);
+    const label = note?.description ? `${note.description} (${point?.id ?? tag})` : tag;
+    const unit = note?.unit ?? '';
+    const axis = axisOf(axes[tag]);
+    const isBool = typeOf(tag) === 'BOOL';
+    const scale = axis.kind === 'unit' ? (isBool ? '@bool' : unit) : `@${tag}`;
+    const range: [number, number] | null = axis.kind === 'range' ? [axis.least, axis.greatest] : isBool ? BOOL_RANGE : null;
+    return { tag, label, unit, colour: `--series-${(index % COLOURS) + 1}`, scale, isBool, ...(range ? { range } : {}) };
   });
 }
 
@@ -44,15 +64,15 @@ function style(name: string): string {
 }
 
 function seriesOf(trace: Trace): uPlot.Series[] {
-  const edge: uPlot.Series = { scale: trace.unit, width: 0, points: { show: false } };
+  const edge: uPlot.Series = { scale: trace.scale, width: 0, points: { show: false } };
   const line: uPlot.Series = {
-    scale: trace.unit,
+    scale: trace.scale,
     stroke: () => style(trace.colour),
     width: 1.5,
     points: { show: false },
     paths: uPlot.paths.stepped?.({ align: 1 }) ?? null,
   } as uPlot.Series;
-  return [edge, { ...edge }, line];
+  return [edge, { ...edge }, line, { ...line, width: 1, dash: [4, 4] }];
 }
 
 // The powers of ten in whose units the scales of a chart are drawn at present, in the order of its traces.
@@ -65,7 +85,14 @@ export function makeChart(host: HTMLElement, traces: Trace[], events: ChartEvent
     ticks: { stroke: () => style('--panel-edge'), width: 1, size: 4 },
     font: '11px system-ui, sans-serif',
   };
-  const units = [...new Set(traces.map((trace) => trace.unit))];
+  const scales = [...new Map(traces.map((trace) => [trace.scale, trace])).values()];
+  // An axis of one's own has the colour of its line.
+  const isOwn = ({ scale }: Trace) => scale.startsWith('@') && scale !== '@bool';
+  const rangeOf = (trace: Trace): uPlot.Scale => {
+    const range = trace.range;
+    if (!range) return { auto: true };
+    return { auto: false, range: (chart) => range.map((end) => end / (powers.get(chart)?.get(trace.scale) ?? 1)) as [number, number] };
+  };
   const chart = new uPlot(
     {
       width: Math.max(host.clientWidth, 200),
@@ -82,9 +109,19 @@ export function makeChart(host: HTMLElement, traces: Trace[], events: ChartEvent
             [0.001, ':{ss}.{fff}', '\n{YYYY}-{MM}-{DD} {HH}:{mm}', null, '\n{HH}:{mm}', null, null, null, 1],
           ] as uPlot.Axis.Values,
         },
-        ...units.map((unit, index): uPlot.Axis => ({ ...axis, values: (chart, ticks) => marks(ticks, powers.get(chart)?.get(unit) ?? 1), scale: unit, size: roomFor(48), side: index === 0 ? 3 : 1, show: index < 2, grid: { ...axis.grid, show: index === 0 }, ...(unit ? { label: unit, labelSize: 14, labelFont: '11px system-ui, sans-serif' } : {}) })),
+        ...scales.map((trace, index): uPlot.Axis => ({
+          ...axis,
+          ...(isOwn(trace) ? { stroke: () => style(trace.colour) } : {}),
+          values: (chart, ticks) => (trace.scale === '@bool' ? ticks.map((tick) => (tick === 0 || tick === 1 ? String(tick) : '')) : marks(ticks, powers.get(chart)?.get(trace.scale) ?? 1)),
+          scale: trace.scale,
+          size: roomFor(48),
+          side: index % 2 === 0 ? 3 : 1,
+          show: index < MOST_AXES,
+          grid: { ...axis.grid, show: index === 0 },
+          ...(trace.unit ? { label: trace.unit, labelSize: 14, labelFont: '11px system-ui, sans-serif' } : {}),
+        })),
       ],
-      scales: Object.fromEntries([['x', { time: true, auto: false }], ...units.map((unit) => [unit, { auto: true }])]) as uPlot.Scales,
+      scales: Object.fromEntries([['x', { time: true, auto: false }], ...scales.map((trace) => [trace.scale, rangeOf(trace)])]) as uPlot.Scales,
       cursor: { points: { show: false }, drag: { x: true, y: false, setScale: false } },
       legend: { show: false },
       series: [{}, ...traces.flatMap(seriesOf)],
@@ -105,7 +142,7 @@ export function makeChart(host: HTMLElement, traces: Trace[], events: ChartEvent
         ],
       },
     },
-    [[], ...traces.flatMap(() => [[], [], []])],
+    [[], ...traces.flatMap(() => [[], [], [], []])],
     host,
   );
   chart.over.addEventListener('click', () => {
@@ -126,18 +163,20 @@ export function makeChart(host: HTMLElement, traces: Trace[], events: ChartEvent
   return chart;
 }
 
-export function draw(chart: uPlot, traces: readonly Trace[], history: History): void {
+// `before`: of each trace the values a day before, column by column; empty: they are not compared.
+export function draw(chart: uPlot, traces: readonly Trace[], history: History, before: readonly Value[][] = []): void {
   const count = history.series[0]?.last.length ?? 0;
   const times = Array.from({ length: count }, (_, index) => (history.from_ms + index * history.column_ms) / 1e3);
+  const nothing = Array<Value>(count).fill(null);
   const columnsOf = (index: number) => {
     const one = history.series[index];
-    return one ? [one.greatest, one.least, one.last] : [];
+    return one ? [one.greatest, one.least, one.last, before[index] ?? nothing] : [];
   };
-  const byUnit = new Map<string, number>();
-  for (const { unit } of traces)
-    if (!byUnit.has(unit)) byUnit.set(unit, unitOf(traces.flatMap((trace, index) => (trace.unit === unit ? columnsOf(index) : []))));
-  powers.set(chart, byUnit);
-  const columns = traces.flatMap((trace, index) => columnsOf(index).map((column) => inUnits(column, byUnit.get(trace.unit) ?? 1)));
+  const byScale = new Map<string, number>();
+  for (const { scale } of traces)
+    if (!byScale.has(scale)) byScale.set(scale, unitOf(traces.flatMap((trace, index) => (trace.scale === scale ? columnsOf(index) : []))));
+  powers.set(chart, byScale);
+  const columns = traces.flatMap((trace, index) => columnsOf(index).map((column) => inUnits(column, byScale.get(trace.scale) ?? 1)));
   chart.batch(() => {
     chart.setData([times, ...columns] as uPlot.AlignedData, false);
     chart.setScale('x', { min: history.from_ms / 1e3, max: history.to_ms / 1e3 });

@@ -28,6 +28,7 @@ export interface Alarm {
   out_of_service: boolean;
   consequence: string;
   response: string;
+  words?: Record<string, { text: string; consequence: string; response: string }>; // by language
 }
 
 export interface AlarmFigures {
@@ -43,6 +44,7 @@ export interface AlarmFigures {
   suppressed: number;
   out_of_service: number;
   no_value: number; // of all alarms, also of those that are not listed
+  no_variable: number; // likewise: their variable is not in the program (any more)
   stale: string[];
   chattering: string[];
   most_frequent: { name: string; count: number }[];
@@ -68,6 +70,20 @@ export interface JournalEntry {
   first_out: boolean;
   user: string;
   comment: string;
+}
+
+export interface Notification {
+  name: string;
+  kind: string;
+  to: string;
+  priority: Priority;
+  delay_s: number;
+  repeat_s: number;
+  sent: number;
+  tests_done: number;
+  sent_ms: Value;
+  failed_ms: Value;
+  problem: string; // of the newest try; empty: it has arrived
 }
 
 export interface Series {
@@ -102,7 +118,7 @@ export function isUnacknowledged(alarm: Alarm): boolean {
 
 // Whether its condition holds is not known: it is neither normal nor does it stand.
 export function isUnknown(alarm: Alarm): boolean {
-  return alarm.state === 'no value';
+  return alarm.state === 'no value' || alarm.state === 'no variable';
 }
 
 // It has gone, and waits for somebody to see that or to reset it.
@@ -116,13 +132,22 @@ export function isHidden(alarm: Alarm): boolean {
 }
 
 // What the bar tells of: how many stand, are to be acknowledged, and say nothing; first the one to look at.
-export function summaryOf(list: AlarmList | null): { first: Alarm | undefined; active: number; waiting: number; unknown: number } {
+export interface AlarmSummary {
+  first: Alarm | undefined;
+  active: number;
+  waiting: number;
+  unknown: number;
+  gone: number; // their variable is not in the program
+}
+
+export function summaryOf(list: AlarmList | null): AlarmSummary {
   const told = (list?.alarms ?? []).filter((alarm) => !isHidden(alarm) && !isUnknown(alarm)).sort(byUrgency);
   return {
     first: told[0],
     active: told.filter(({ active }) => active).length,
     waiting: told.filter(isUnacknowledged).length,
     unknown: list?.figures.no_value ?? 0,
+    gone: list?.figures.no_variable ?? 0,
   };
 }
 
@@ -147,6 +172,12 @@ export function query(parameters: Record<string, string | number>): string {
     .filter(([, value]) => value !== '')
     .map(([name, value]) => `${name}=${encodeURIComponent(value)}`)
     .join('&');
+}
+
+// Of a field of date and time, which is of this place; '' where there is none.
+export function msOf(field: string): number | '' {
+  const time = field === '' ? NaN : new Date(field).getTime();
+  return Number.isFinite(time) ? time : '';
 }
 
 // The answer, or an Error with the sentences that the server gives.

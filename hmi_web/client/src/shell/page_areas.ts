@@ -7,6 +7,7 @@ export interface Presence {
   plan: boolean; // a supervisor plans for the cell
   levels: boolean; // values drawn over time
   monitors: boolean; // formulas that the scan watches
+  sequence: boolean; // the program has charts; one that is planned always has
 }
 
 export interface PageAreas {
@@ -17,7 +18,7 @@ export interface PageAreas {
 
 const quoted = (rows: string[][]): string => rows.map((row) => `'${row.join(' ')}'`).join(' ');
 
-export function pageAreas({ plant, pictures, plan, levels, monitors }: Presence): PageAreas {
+export function pageAreas({ plant, pictures, plan, levels, monitors, sequence }: Presence): PageAreas {
   // What a mission shows of its plan has the plan and its buttons at its side, not below the plant.
   const [first, second] = pictures ? ['plan', 'synoptic'] : ['synoptic', 'plan'];
   const single = ['pictures', first, second, 'incidents', 'sfc', 'trend', 'state', 'replans', 'monitors', 'scan', 'tags'].filter(
@@ -45,6 +46,17 @@ export function pageAreas({ plant, pictures, plan, levels, monitors }: Presence)
       wide: quoted([
         ...top(3), ...both(beside, ['plan', 'plan', 'sfc']), ['incidents', 'incidents', 'sfc'],
         levels ? ['trend', 'state', 'tags'] : ['state', 'state', 'tags'], ['replans', 'scan', 'tags'], ...below(3),
+      ]),
+    };
+  }
+  // Without a chart the program needs no more room than its buttons.
+  if (!sequence) {
+    return {
+      single: quoted(single.map((area) => [area])),
+      narrow: quoted([...top(2), ...above, ['sfc', 'tags'], ['scan', 'tags'], ...across('trend', 2, levels), ...below(2)]),
+      wide: quoted([
+        ...top(3), ...(plant ? [['synoptic', 'synoptic', 'sfc'], ['synoptic', 'synoptic', 'scan'], ['tags', 'tags', 'tags']] : [['sfc', 'tags', 'tags'], ['scan', 'tags', 'tags']]),
+        ...across('trend', 3, levels), ...below(3),
       ]),
     };
   }

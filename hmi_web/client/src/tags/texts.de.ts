@@ -4,6 +4,7 @@ import type english from './texts.en';
 export default {
   tags: 'Variablen',
   count: '{shown} von {total}',
+  csv: 'CSV',
   all: 'Alle',
   search: 'Variablen nach Name oder Adresse suchen',
   searchHint: 'Name, Adresse oder Beschreibung',

@@ -1,6 +1,7 @@
 export default {
   tags: 'Tags',
   count: '{shown} of {total}',
+  csv: 'CSV',
   all: 'All',
   search: 'Search tags by name or address',
   searchHint: 'name, address or description',

@@ -4,6 +4,7 @@ import type english from './texts.en';
 export default {
   tags: 'Variables',
   count: '{shown} de {total}',
+  csv: 'CSV',
   all: 'Todas',
   search: 'Buscar variables por nombre o dirección',
   searchHint: 'nombre, dirección o descripción',

@@ -4,6 +4,7 @@ import type english from './texts.en';
 export default {
   tags: 'Variables',
   count: '{shown} sur {total}',
+  csv: 'CSV',
   all: 'Toutes',
   search: 'Chercher des variables par nom ou adresse',
   searchHint: 'nom, adresse ou description',

@@ -3,8 +3,9 @@
 import uPlot from 'uplot';
 
 import { inUnits, marks, roomFor, unitOf } from '../lib/axis';
-import { fixed, tickText } from '../lib/format';
-import type { Point } from '../lib/protocol';
+import { tickText } from '../lib/format';
+import type { Point, TagNote } from '../lib/protocol';
+import { pointNote, TagNotes, toldNumber } from '../lib/tag_notes';
 import type { TrendData } from '../lib/trend_data';
 
 const SERIES_COLOURS = 6;
@@ -16,15 +17,18 @@ export interface Line {
   unit: string;
   colour: string; // name of the custom property
   dashed: boolean;
+  note: TagNote; // what is said of it
 }
 
-export function linesOf(points: Point[]): Line[] {
+export function linesOf(points: Point[], notes = new TagNotes()): Line[] {
+  const decimals = points.every((point) => (notes.of(point.id)?.unit ?? point.unit) === '%') ? 1 : 2;
   const owners: string[] = [];
   return points.map((point) => {
     const owner = point.id.split('.')[0] ?? point.id;
     if (!owners.includes(owner)) owners.push(owner);
     const colour = `--series-${(owners.indexOf(owner) % SERIES_COLOURS) + 1}`;
-    return { label: point.label, unit: point.unit, colour, dashed: point.id.endsWith('.truth') };
+    const note = pointNote(point, notes, decimals);
+    return { label: note.description ?? point.label, unit: note.unit ?? '', colour, dashed: point.id.endsWith('.truth'), note };
   });
 }
 
@@ -66,7 +70,7 @@ export function makeChart(host: HTMLElement, lines: Line[], height: number): uPl
             width: line.dashed ? 1 : 2,
             ...(line.dashed ? { dash: [5, 4] } : {}),
             points: { show: false },
-            value: (chart, value) => `${fixed(value * unitFor(chart), 1)} ${line.unit}`,
+            value: (chart, value) => toldNumber(value * unitFor(chart), line.note),
           }),
         ),
       ],

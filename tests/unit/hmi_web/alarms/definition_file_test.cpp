@@ -48,6 +48,10 @@ shelve_at_most_min = 30
 consequence = "it runs over"
 response = "stop p1"
 
+[alarm.de]
+text = "Tank a1 ist fast voll"
+response = "p1 anhalten"
+
 [[alarm]]
 name = "door"
 source = "main.door"
@@ -56,6 +60,9 @@ source = "main.door"
   ASSERT_EQ(definitions->size(), 2u);
   const AlarmDefinition& one = definitions->front();
   EXPECT_EQ(one.text, "Tank a1 is nearly full");
+  ASSERT_EQ(one.words.size(), 1u);
+  EXPECT_EQ(one.words.at("de").text, "Tank a1 ist fast voll");
+  EXPECT_EQ(one.words.at("de").consequence, "") << "in the definition's own words";
   EXPECT_EQ(one.condition.kind, ConditionKind::High);
   EXPECT_EQ(one.condition.limit, 9.5);
   EXPECT_EQ(one.condition.deadband, 0.2);

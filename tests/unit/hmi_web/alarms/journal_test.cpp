@@ -68,6 +68,12 @@ TEST_F(AlarmJournalTest, WhenTransitionsAreAppended_ThenTheyAreFoundByWhatTheyAr
   EXPECT_EQ(times({.from_ns = 20, .to_ns = 30}), (Times{30, 20}));
   EXPECT_EQ(times({.alarm = "a"}), (Times{30, 10}));
   EXPECT_EQ(times({.source = "main.b"}), (Times{40, 20}));
+  EXPECT_EQ(times({.source = "MAIN.B"}), (Times{40, 20})) << "as the program has it";
+  EXPECT_EQ(times({.user = "Anna"}), (Times{40}));
+  EXPECT_EQ(times({.text = "SEEN"}), (Times{40}));
+  EXPECT_EQ(times({.text = "main.a"}), (Times{30, 10}));
+  EXPECT_EQ(times({.text = "%"}), (Times{})) << "what is looked for has no wildcards";
+  EXPECT_EQ(times({.to_ns = 30, .text = "main."}), (Times{30, 20, 10}));
   EXPECT_EQ(times({.state = AlarmState::Unacknowledged}), (Times{20, 10}));
   EXPECT_EQ(times({.event = AlarmEvent::Acknowledge}), (Times{40}));
   EXPECT_EQ(times({.at_least = Priority::High}), (Times{30, 10}));

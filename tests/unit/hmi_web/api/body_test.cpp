@@ -42,6 +42,21 @@ TEST(Body, WhenItHasAnObjectOfTexts_ThenItsMembersAreThere) {
   EXPECT_TRUE(body->texts("name").empty());
 }
 
+TEST(Body, WhenItHasAListOfTexts_ThenTheyAreThereInTheirOrder) {
+  const Shape shape{"List", {{.name = "names", .kind = Kind::List, .least = 1, .most = 3, .longest = 4}}};
+  const auto body = read_body(R"({"names": ["b", "a", ""]})", shape);
+  ASSERT_TRUE(body);
+  EXPECT_EQ(body->list("names"), (Body::List{"b", "a", ""}));
+  EXPECT_TRUE(body->list("other").empty());
+  for (const char* wrong : {R"({"names": []})", R"({"names": ["a","b","c","d"]})", R"({"names": ["abcde"]})",
+                            R"({"names": [1]})", R"({"names": [["a"]]})", R"({"names": [{"a": "b"}]})",
+                            R"({"names": "a"})", R"({"names": [null]})", R"({"names": [true]})"}) {
+    const auto refused = read_body(wrong, shape);
+    ASSERT_FALSE(refused) << wrong;
+    EXPECT_EQ(refused.error().front().code, "H0033") << wrong;
+  }
+}
+
 TEST(Body, WhenAnObjectOfTextsHoldsAnythingElse_ThenItIsRefused) {
   const auto code = [](const std::string& values) {
     return fault(R"({"name": "a", "values": )" + values + "}").substr(0, 5);

@@ -21,6 +21,7 @@ class FakeRecords : public CellRecords {
   Answer journal(const Parameters& given) const override { return note("journal", given); }
   Answer journal_csv(const Parameters& given) const override { return note("table", given); }
   result::Result<AlarmChange> act(const AlarmAction& action) override {
+    if (action.alarm == refused_alarm) return result::fail("C0606", {}, "as the test wants it");
     if (!failure.empty()) return result::fail(failure, {}, "as the test wants it");
     actions.push_back(action);
     return AlarmChange{"unacknowledged", "acknowledged"};
@@ -31,6 +32,7 @@ class FakeRecords : public CellRecords {
   std::vector<AlarmAction> actions;
   bool doubted = true;                     // the calendar
   std::string failure;                     // the code with which every action fails; empty: none does
+  std::string refused_alarm;               // the one that does not allow anything
   mutable std::vector<std::string> asked;  // "trend columns=5 tags=a"
 
  private:

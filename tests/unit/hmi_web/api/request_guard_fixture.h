@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "hmi_web/access/audit_log.h"
@@ -14,6 +16,7 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/hmi_web/api/fake_cell.h"
 #include "tests/unit/hmi_web/api/fake_change.h"
+#include "tests/unit/hmi_web/api/fake_notifications.h"
 #include "tests/unit/hmi_web/api/fake_records.h"
 
 namespace stepwright::api {
@@ -28,7 +31,8 @@ inline std::vector<recipes::RecipeTag> recipe_tags() {
 
 class RequestGuardFixture {
  public:
-  explicit RequestGuardFixture(Role anonymous = Role::None) {
+  explicit RequestGuardFixture(Role anonymous = Role::None,
+                               std::function<bool(const std::string&)> looks = {}) {
     access::AccessOptions options;
     options.cost = {1, 8'192};
     control = *access::AccessControl::open(folder / "access", options, [this] { return now; });
@@ -38,13 +42,29 @@ class RequestGuardFixture {
     store = *recipes::RecipeStore::open(folder / "recipes");
     service =
         std::make_unique<RecipeService>(recipe_tags(), *store, cell, *forces, std::chrono::system_clock::now);
+    trends = *trends::TrendStore::open(folder / "access/trends.json");
     versions = *change::VersionStore::open(folder / "programs");
     changes =
         std::make_unique<OnlineChangeService>(programs, *versions, *audit, std::chrono::system_clock::now);
-    table =
-        std::make_unique<RouteTable>(all_routes({control.get(), audit.get(), forces.get(), &cell, &records,
-                                                 service.get(), nullptr, nullptr, nullptr, changes.get()}));
-    guard = std::make_unique<RequestGuard>(*table, *control, *audit, RequestGuardOptions{anonymous});
+    drawn = *screens::ScreenStore::open(folder / "screens");
+    screen_service = std::make_unique<ScreenService>(*drawn, cell, std::chrono::system_clock::now);
+    table = std::make_unique<RouteTable>(all_routes({control.get(),
+                                                     audit.get(),
+                                                     forces.get(),
+                                                     &cell,
+                                                     &records,
+                                                     service.get(),
+                                                     nullptr,
+                                                     nullptr,
+                                                     nullptr,
+                                                     changes.get(),
+                                                     nullptr,
+                                                     trends.get(),
+                                                     &notifications,
+                                                     {},
+                                                     screen_service.get()}));
+    guard = std::make_unique<RequestGuard>(*table, *control, *audit,
+                                           RequestGuardOptions{anonymous, std::move(looks)});
   }
 
   // A session of a user of that role, who is made the first time.
@@ -88,8 +108,12 @@ class RequestGuardFixture {
   std::unique_ptr<recipes::RecipeStore> store;
   std::unique_ptr<RecipeService> service;
   FakeChange programs;
+  std::unique_ptr<trends::TrendStore> trends;
+  FakeNotifications notifications;
   std::unique_ptr<change::VersionStore> versions;
   std::unique_ptr<OnlineChangeService> changes;
+  std::unique_ptr<screens::ScreenStore> drawn;
+  std::unique_ptr<ScreenService> screen_service;
   std::unique_ptr<RouteTable> table;
   std::unique_ptr<RequestGuard> guard;
 };

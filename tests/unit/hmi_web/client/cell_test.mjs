@@ -159,3 +159,15 @@ test('Cell_WhenAnotherRunOfTheServerAnswers_ThenItAsksWhoLooks', () => {
   assert.equal(asked, 1);
   connection.restart(false);
 });
+
+test('Cell_WhenItDescribesAPoint_ThenPictureHistoryAndAlarmsSayItsUnit', () => {
+  const described = { ...hello('e1'), tags: [{ name: 'A', unit: 'l', decimals: 0 }, { name: 'main.level', unit: 'm' }] };
+  const cell = cellAt(described, program(), state({ points: [12.4] }));
+  assert.equal(cell.toldPoint('a', 1), '12 l');
+  assert.equal(cell.toldNumber('points/a', 3.2), '3 l', 'in the history');
+  assert.equal(cell.toldNumber('a', 3.2), '3 l', 'as the source of an alarm');
+  assert.equal(cell.toldNumber('Main.Level', 3), '3 m');
+  assert.equal(cell.toldPoint('nothing'), '–');
+  const plain = cellAt(hello('e1'), program(), state({ points: [12.46] }));
+  assert.equal(plain.toldPoint('a', 1), '12.5', 'where nothing is said the picture decides');
+});

@@ -11,7 +11,7 @@ const page = await load(process.env.CLIENT, ['shell/page_areas']);
 
 const COLUMNS = { single: 1, narrow: 2, wide: 3 };
 
-const PARTS = ['plant', 'pictures', 'plan', 'levels', 'monitors'];
+const PARTS = ['plant', 'pictures', 'plan', 'levels', 'monitors', 'sequence'];
 const cells = Array.from({ length: 2 ** PARTS.length }, (_, bits) => Object.fromEntries(PARTS.map((part, k) => [part, (bits >> k) % 2 === 1])));
 
 const panelsOf = ({ plant, pictures, plan, levels, monitors }) =>

@@ -7,8 +7,8 @@ import { test } from 'node:test';
 
 import { load } from './load_modules.mjs';
 
-const { TagNotes, enumerationOf, isAbnormal, language, nameOr, told, toldNumber, tracesOf } = await load(process.env.CLIENT, [
-  'lib/language.svelte', 'lib/tag_notes', 'records/history_chart',
+const { TagNotes, enumerationOf, isAbnormal, language, nameOr, told, toldNumber, tracesOf, linesOf, pointNote, tagTable } = await load(process.env.CLIENT, [
+  'lib/language.svelte', 'lib/tag_notes', 'records/history_chart', 'trend/chart', 'tags/tag_table',
 ]);
 
 const level = { name: 'Main.level', unit: 'l', description: 'level of the buffer', decimals: 1, normal: [0, 200] };
@@ -57,6 +57,7 @@ test('Number_WhenItIsOfTheHistory_ThenItIsWrittenInTheLanguageOfThePage', () => 
   assert.equal(toldNumber(0.42), '0.42');
   assert.equal(toldNumber(undefined, level), '–');
   assert.equal(toldNumber(30e9, undefined, undefined, 'TIME'), '30 s', 'nobody counts nanoseconds');
+  assert.equal(toldNumber(1, undefined, undefined, 'BOOL'), 'TRUE');
 });
 
 test('Value_WhenItIsBeyondWhatIsNormal_ThenItIsMarked', () => {
@@ -70,4 +71,35 @@ test('Trend_WhenATagIsDescribed_ThenItsLineIsCalledSoAndHasItsUnit', () => {
   assert.deepEqual([point.label, point.unit], ['a1 (a1.level)', '%']);
   assert.deepEqual([tag.label, tag.unit], ['level of the buffer (Main.level)', 'l']);
   assert.deepEqual([plain.label, plain.unit], ['x', '']);
+});
+
+test('Point_WhenTheCellDescribesIt_ThenTrendsCallItSoAndElseAsThePictureDoes', () => {
+  const points = [{ id: 'a1.level', label: 'tank a1', unit: '%', trend: true }, { id: 'in.speed', label: 'belt in', unit: 'm/s', trend: true }];
+  const notes = new TagNotes([{ name: 'A1.LEVEL', unit: 'l', description: 'buffer', decimals: 0, normal: [0, 90] }]);
+  const [level, speed] = linesOf(points, notes);
+  assert.deepEqual([level.label, level.unit, toldNumber(12.46, level.note)], ['buffer', 'l', '12 l']);
+  assert.deepEqual([speed.label, speed.unit, toldNumber(0.456, speed.note)], ['belt in', 'm/s', '0.46 m/s']);
+  assert.equal(isAbnormal(91, level.note), true);
+  assert.deepEqual(pointNote(points[0], new TagNotes(), 1), { name: 'a1.level', unit: '%', description: 'tank a1', decimals: 1 });
+  const [line] = tracesOf(['points/a1.level'], points, notes);
+  assert.deepEqual([line.label, line.unit], ['buffer (a1.level)', 'l']);
+});
+
+test('Table_WhenTagsAndPointsAreDescribed_ThenEachHasARowAndAnArrayOne', () => {
+  const tags = [
+    { name: 'Main.level', type: 'REAL', address: '', comment: 'how full' },
+    { name: 'Main.levels[1]', type: 'INT', address: '%IW1' },
+    { name: 'Main.levels[2]', type: 'INT', address: '%IW2' },
+    { name: 'Main.mode', type: 'INT', address: '' },
+  ];
+  const said = [level, { name: 'Main.levels', unit: 'mm, "deep"' }, mode, { name: 'a1.level', decimals: 0 }];
+  assert.equal(tagTable(tags, said), [
+    'name,type,address,unit,description,group,decimals,least,greatest,values',
+    'Main.level,REAL,,l,level of the buffer,,1,0,200,',
+    'Main.levels,INT,%IW1,"mm, ""deep""",,,,,,',
+    'Main.mode,INT,,,,,,,,off|by hand',
+    'a1.level,,,,,,0,,,',
+    '',
+  ].join('\r\n'));
+  assert.match(tagTable(tags, []), /Main\.level,REAL,,,how full/);
 });

@@ -113,17 +113,21 @@ const NOT_SHOWN = new Map([
   ['out of service', 'a state, as the server says it'],
   ['latched, acknowledged', 'a state, as the server says it'],
   ['released from the banner', 'for the audit trail, which is in English'],
+  ['(pointer: coarse)', 'a media query'],
   ['(prefers-color-scheme: dark)', 'a media query'],
   ['(prefers-reduced-motion: reduce)', 'a media query'],
   ['input, textarea, select, dialog', 'a selector of elements'],
   ['all charts', 'a mark; the panel has a text for it'],
 ]);
 
+// Elements and attributes of SVG, or pieces of them.
+const MARKUP = /^[^\p{L}]*<\w+[ >]|="[^"]*$/u;
+
 test('Scripts_WhenTheyHaveSentences_ThenTheseComeFromTheTexts', () => {
   const scripts = files('.ts', '.svelte').filter((name) => !/texts\.\w+\.ts$/.test(name));
   const raw = scripts.flatMap((file) =>
     strings(file)
-      .filter((words) => /\p{L}\p{Ll}{2,}[,;:]? \p{L}{2,}/u.test(words) && !NOT_SHOWN.has(words))
+      .filter((words) => /\p{L}\p{Ll}{2,}[,;:]? \p{L}{2,}/u.test(words) && !NOT_SHOWN.has(words) && !MARKUP.test(words))
       .map((words) => `${file}: ${words}`),
   );
   assert.deepEqual(raw, [], 'sentences in scripts that are in no table of texts');

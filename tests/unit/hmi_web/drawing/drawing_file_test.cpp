@@ -85,7 +85,9 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Hostile{"<script>alert(1)</script>", "C0641 2 the element <script>"},
         Hostile{"\n<foreignObject><body/></foreignObject>", "C0641 3 the element <foreignObject>"},
-        Hostile{"<image href='data:image/png;base64,AA'/>", "C0641 2 the element <image>"},
+        Hostile{"<image href='http://elsewhere/a.png'/>", "C0642 2 the attribute href"},
+        Hostile{"<image href='data:image/svg+xml;base64,AA'/>", "C0642 2 the attribute href"},
+        Hostile{"<image xlink:href='data:image/png,&lt;script>'/>", "C0642 2 the attribute xlink:href"},
         Hostile{"<style>rect{fill:red}</style>", "C0641 2 the element <style>"},
         Hostile{"<a href='#x'/>", "C0641 2 the element <a>"},
         Hostile{"<rect><animate attributeName='x'/></rect>", "C0641 2 the element <animate>"},
@@ -179,7 +181,7 @@ TEST(Drawing, WhenReferencesAreOrdinary_ThenTheyAreDrawn) {
 }
 
 TEST(Drawing, WhenSeveralMistakesAreInIt_ThenAllAreTold) {
-  const auto drawing = of("<script/>\n<rect data-on=''/>\n<image/>");
+  const auto drawing = of("<script/>\n<rect data-on=''/>\n<foreignObject/>");
   ASSERT_FALSE(drawing);
   EXPECT_EQ(drawing.error().size(), 3U);
 }

@@ -60,7 +60,9 @@ class MissingSourceTest : public testing::Test {
     for (const json& one : told["alarms"]) by_name[one["name"].get<std::string>()] = one;
     return by_name;
   }
-  json figure() const { return json::parse(alarms_->json(false))["figures"]["no_value"]; }
+  json figure(const char* name = "no_value") const {
+    return json::parse(alarms_->json(false))["figures"][name];
+  }
 
   support::TemporaryFolder folder_;
   std::unique_ptr<CellAlarms> alarms_;
@@ -73,9 +75,10 @@ TEST_F(MissingSourceTest, WhenTheProgramHasNoSuchVariable_ThenItsAlarmIsNotNorma
   EXPECT_EQ(listed(true)["good"]["state"], "normal");
   EXPECT_EQ(listed(true)["good"]["problem"], "");
   ASSERT_TRUE(listed().contains("misspelt")) << "it stands among those that are not normal";
-  EXPECT_EQ(listed()["misspelt"]["state"], "no value");
+  EXPECT_EQ(listed()["misspelt"]["state"], "no variable");
   EXPECT_EQ(listed()["misspelt"]["problem"], "the program has no variable 'main.levle'");
-  EXPECT_EQ(figure(), 1);
+  EXPECT_EQ(figure("no_variable"), 1);
+  EXPECT_EQ(figure(), 0);
 }
 
 TEST_F(MissingSourceTest,
@@ -86,13 +89,16 @@ TEST_F(MissingSourceTest,
   const std::uint64_t before = alarms_->revision();
   look(program({"main.low"}));
   EXPECT_GT(alarms_->revision(), before);
-  EXPECT_EQ(listed()["high"]["state"], "no value");
+  EXPECT_EQ(listed()["high"]["state"], "no variable");
+  EXPECT_EQ(alarms_->without_variable(),
+            (std::vector{std::pair<std::string, std::string>("high", "main.high")}));
   EXPECT_FALSE(listed().contains("low"));
   const std::uint64_t after = alarms_->revision();
   look(program({"main.low"}));
   EXPECT_EQ(alarms_->revision(), after) << "once";
   look(program({"main.high", "main.low"}));
   EXPECT_EQ(listed(true)["high"]["state"], "normal") << "it is back";
+  EXPECT_TRUE(alarms_->without_variable().empty());
 }
 
 TEST_F(MissingSourceTest, WhenAnAlarmWasRaisedBefore_ThenItStaysSoAndTheReasonIsTold) {
@@ -103,7 +109,26 @@ TEST_F(MissingSourceTest, WhenAnAlarmWasRaisedBefore_ThenItStaysSoAndTheReasonIs
   EXPECT_EQ(listed()["high"]["problem"], "the program has no variable 'main.high'");
   const auto done = alarms_->command("high", {.event = alarms::AlarmEvent::Acknowledge, .user = "anna"});
   ASSERT_TRUE(done.has_value());
-  EXPECT_EQ(done->after, "acknowledged");
+  EXPECT_EQ(done->after, "no variable") << "what can never return does not stand acknowledged for ever";
+  EXPECT_EQ(listed()["high"]["state"], "no variable");
+  look(program({"main.high"}));
+  EXPECT_EQ(listed(true)["high"]["state"], "normal") << "it is back, and not high";
+}
+
+TEST_F(MissingSourceTest, WhenAlarmsStandUnacknowledged_ThenThoseAndNoOthersAreHandedOut) {
+  alarms::AlarmDefinition told = alarm("high", "main.high");
+  told.words["de"] = {"voll", "", "leeren"};
+  open({told, alarm("low", "main.low")});
+  look(program({"main.high", "main.low"}));
+  EXPECT_TRUE(alarms_->unacknowledged().empty());
+  look(program({"main.high", "main.other"}), 1);
+  ASSERT_EQ(alarms_->unacknowledged().size(), 1u);
+  EXPECT_EQ(alarms_->unacknowledged()[0].first.name, "high");
+  EXPECT_EQ(alarms_->unacknowledged()[0].second.raised_ns, time_ns_);
+  EXPECT_EQ(listed()["high"]["words"]["de"]["response"], "leeren");
+  EXPECT_FALSE(listed()["low"].contains("words"));
+  ASSERT_TRUE(alarms_->command("high", {.event = alarms::AlarmEvent::Acknowledge, .user = "anna"}));
+  EXPECT_TRUE(alarms_->unacknowledged().empty());
 }
 
 TEST_F(MissingSourceTest, WhenNoImageIsThere_ThenNoAlarmCountsAsNormalAndTheListStaysShort) {

@@ -1,0 +1,39 @@
+// What somebody does with a part: one request, whatever is pressed meanwhile, with a name of its own, so that the server does it
+// once even where it is asked again.
+
+import { sentences } from '../access/api';
+import type { Session } from '../access/session.svelte';
+import { pathOf } from './screens';
+
+const TOLD_MS = 2_500; // how long "written" stands
+
+export class Deed {
+  state = $state<'idle' | 'pending' | 'done' | 'refused'>('idle');
+  problem = $state('');
+  private timer = 0;
+
+  constructor(
+    private readonly session: Session,
+    private readonly screen: string,
+    private readonly part: string,
+  ) {}
+
+  // '' = done, else why not.
+  async write(value: string, confirmed = false): Promise<string> {
+    if (this.state === 'pending') return '';
+    window.clearTimeout(this.timer);
+    this.state = 'pending';
+    this.problem = '';
+    const once = [...crypto.getRandomValues(new Uint8Array(16))].map((byte) => byte.toString(16).padStart(2, '0')).join('');
+    const reply = await this.session.ask<unknown>('POST', `${pathOf(this.screen)}/write`, { part: this.part, value, once, confirmed });
+    this.problem = reply.ok ? '' : sentences(reply.problems);
+    this.state = reply.ok ? 'done' : 'refused';
+    if (reply.ok) this.timer = window.setTimeout(() => (this.state = this.state === 'done' ? 'idle' : this.state), TOLD_MS);
+    return this.problem;
+  }
+
+  forget(): void {
+    if (this.state === 'refused') this.state = 'idle';
+    this.problem = '';
+  }
+}

@@ -1,0 +1,97 @@
+// Arranging symbols: moving, aligning, grouping, copying, front and back. Pure.
+
+import { nextKey, type Item } from './model';
+
+export interface Box {
+  x: number;
+  y: number;
+  width: number;
+  height: number;
+}
+// The box that an item fills; what other programs have drawn is measured.
+export type Measure = (item: Item) => Box;
+export type Keys = ReadonlySet<string>;
+type Items = readonly Item[];
+
+export const ownBox: Measure = ({ x, y, w, h }) => ({ x, y, width: w, height: h });
+
+// With everything that is grouped with what is chosen.
+export function withGroups(items: Items, keys: Keys): Set<string> {
+  const groups = new Set(items.filter(({ key, group }) => group !== '' && keys.has(key)).map(({ group }) => group));
+  return new Set(items.filter(({ key, group }) => keys.has(key) || groups.has(group)).map(({ key }) => key));
+}
+
+export const moved = (items: Items, keys: Keys, dx: number, dy: number): Item[] =>
+  items.map((item) => (keys.has(item.key) ? { ...item, x: item.x + dx, y: item.y + dy } : item));
+
+export const snapped = (value: number, grid: number): number => (grid > 0 ? Math.round(value / grid) * grid : Number(value.toFixed(1)));
+
+export function boundsOf(items: Items, measure: Measure): Box | null {
+  if (items.length === 0) return null;
+  const boxes = items.map(measure);
+  const x = Math.min(...boxes.map((box) => box.x));
+  const y = Math.min(...boxes.map((box) => box.y));
+  return { x, y, width: Math.max(...boxes.map((box) => box.x + box.width)) - x, height: Math.max(...boxes.map((box) => box.y + box.height)) - y };
+}
+
+export type Edge = 'left' | 'middle' | 'right' | 'top' | 'centre' | 'bottom';
+
+export function aligned(items: Items, keys: Keys, edge: Edge, measure: Measure): Item[] {
+  const bounds = boundsOf(items.filter(({ key }) => keys.has(key)), measure);
+  if (!bounds) return [...items];
+  return items.map((item) => {
+    if (!keys.has(item.key)) return item;
+    const box = measure(item);
+    const dx = { left: bounds.x - box.x, middle: bounds.x + bounds.width / 2 - box.x - box.width / 2, right: bounds.x + bounds.width - box.x - box.width }[edge as 'left'] ?? 0;
+    const dy = { top: bounds.y - box.y, centre: bounds.y + bounds.height / 2 - box.y - box.height / 2, bottom: bounds.y + bounds.height - box.y - box.height }[edge as 'top'] ?? 0;
+    return { ...item, x: item.x + dx, y: item.y + dy };
+  });
+}
+
+// The same distance between the middles, the outer ones where they are.
+export function spread(items: Items, keys: Keys, axis: 'x' | 'y', measure: Measure): Item[] {
+  const size = axis === 'x' ? 'width' : 'height';
+  const middle = (item: Item) => measure(item)[axis] + measure(item)[size] / 2;
+  const chosen = items.filter(({ key }) => keys.has(key)).sort((a, b) => middle(a) - middle(b));
+  const [first, last] = [chosen[0], chosen.at(-1)];
+  if (!first || !last || chosen.length < 3) return [...items];
+  const step = (middle(last) - middle(first)) / (chosen.length - 1);
+  const shift = new Map(chosen.map((item, at) => [item.key, middle(first) + at * step - middle(item)]));
+  return items.map((item) => (shift.has(item.key) ? { ...item, [axis]: item[axis] + (shift.get(item.key) ?? 0) } : item));
+}
+
+export function grouped(items: Items, keys: Keys): Item[] {
+  const taken = new Set(items.map(({ group }) => group));
+  let number = 1;
+  while (taken.has(`g${number}`)) number += 1;
+  return items.map((item) => (keys.has(item.key) ? { ...item, group: `g${number}` } : item));
+}
+
+export const ungrouped = (items: Items, keys: Keys): Item[] => items.map((item) => (keys.has(item.key) ? { ...item, group: '' } : item));
+
+export const ordered = (items: Items, keys: Keys, to: 'front' | 'back'): Item[] => {
+  const [chosen, rest] = [items.filter(({ key }) => keys.has(key)), items.filter(({ key }) => !keys.has(key))];
+  return to === 'front' ? [...rest, ...chosen] : [...chosen, ...rest];
+};
+
+// Copies with names and groups of their own, a little beside.
+export function pasted(items: Items, copies: Items, offset: number): { items: Item[]; keys: Set<string> } {
+  const result = [...items];
+  const keys = new Set<string>();
+  const groups = new Map<string, string>();
+  const taken = new Set(items.map(({ group }) => group));
+  for (const copy of copies) {
+    const key = nextKey(result);
+    if (copy.group !== '' && !groups.has(copy.group)) {
+      let number = 1;
+      while (taken.has(`g${number}`)) number += 1;
+      taken.add(`g${number}`);
+      groups.set(copy.group, `g${number}`);
+    }
+    keys.add(key);
+    result.push({ ...copy, key, group: groups.get(copy.group) ?? '', x: copy.x + offset, y: copy.y + offset });
+  }
+  return { items: result, keys };
+}
+
+export const touches = (a: Box, b: Box): boolean => a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;

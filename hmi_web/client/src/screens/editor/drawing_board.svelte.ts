@@ -1,0 +1,144 @@
+// What is being drawn: its content, what is chosen of it, and the way back.
+
+import { recall, remember } from '../../lib/remembered';
+import { ownBox, pasted, withGroups, type Box, type Measure } from './arrange';
+import { EMPTY, nextKey, type Content, type Faces, type Item, type Settings } from './model';
+import { templateOf, usualOf } from './symbols';
+import type { Params } from './template';
+
+const CLIPBOARD = 'stepwright.screen-clipboard';
+const MOST_STEPS = 200;
+const BESIDE = 20; // where a copy lies
+
+export class DrawingBoard {
+  content = $state.raw<Content>(EMPTY);
+  chosen = $state.raw<ReadonlySet<string>>(new Set());
+  grid = $state(10);
+  faces = $state.raw<Faces>(new Map());
+  private past = $state.raw<readonly Content[]>([]);
+  private future = $state.raw<readonly Content[]>([]);
+  private saved = $state.raw<Content>(EMPTY);
+  private lastDeed = ''; // what is typed letter by letter is one step
+  private boxes = new Map<string, Box>(); // of what other programs have drawn, as measured
+
+  readonly selection: readonly Item[] = $derived.by(() => this.content.items.filter(({ key }) => this.chosen.has(key)));
+
+  get canUndo(): boolean {
+    return this.past.length > 0;
+  }
+  get canRedo(): boolean {
+    return this.future.length > 0;
+  }
+  get isChanged(): boolean {
+    return this.content !== this.saved;
+  }
+
+  // Of a file: there is no way back behind it, but what was there.
+  open(content: Content, isSaved = true): void {
+    if (isSaved) {
+      this.past = [];
+      this.saved = content;
+    } else {
+      this.past = [...this.past, this.content];
+    }
+    this.future = [];
+    this.content = content;
+    this.chosen = new Set();
+    this.lastDeed = '';
+  }
+  markSaved(content: Content): void {
+    this.saved = content;
+  }
+
+  // `deed`: the same one again is the same step.
+  change(content: Content, deed = ''): void {
+    if (deed === '' || deed !== this.lastDeed) this.past = [...this.past.slice(-MOST_STEPS), this.content];
+    this.lastDeed = deed;
+    this.future = [];
+    this.content = content;
+  }
+  setItems(items: readonly Item[], deed = ''): void {
+    this.change({ ...this.content, items }, deed);
+  }
+  setSettings(settings: Partial<Settings>, deed = ''): void {
+    this.change({ ...this.content, settings: { ...this.content.settings, ...settings } }, deed);
+  }
+  setItem(key: string, changed: Partial<Item>, deed = ''): void {
+    this.setItems(this.content.items.map((item) => (item.key === key ? { ...item, ...changed } : item)), deed);
+  }
+  setParam(keys: ReadonlySet<string>, name: string, value: string): void {
+    const items = this.content.items.map((item) => (keys.has(item.key) ? { ...item, params: { ...item.params, [name]: value } } : item));
+    this.setItems(items, `${[...keys].join()} ${name}`);
+  }
+
+  undo(): void {
+    const before = this.past.at(-1);
+    if (!before) return;
+    this.future = [this.content, ...this.future];
+    this.past = this.past.slice(0, -1);
+    this.back(before);
+  }
+  redo(): void {
+    const [after, ...rest] = this.future;
+    if (!after) return;
+    this.past = [...this.past, this.content];
+    this.future = rest;
+    this.back(after);
+  }
+  private back(content: Content): void {
+    this.content = content;
+    this.lastDeed = '';
+    this.chosen = new Set([...this.chosen].filter((key) => content.items.some((item) => item.key === key)));
+  }
+
+  choose(keys: Iterable<string>): void {
+    this.chosen = withGroups(this.content.items, new Set(keys));
+    this.lastDeed = '';
+  }
+
+  // A new symbol around a place, chosen.
+  add(symbol: string, x: number, y: number, params: Params = {}): void {
+    const face = symbol === 'face' ? this.faces.get(params.face ?? '') : undefined;
+    const size = face ?? templateOf(symbol);
+    if (!size) return;
+    const key = nextKey(this.content.items);
+    const place = (value: number, length: number) => Math.max(0, Math.round((value - length / 2) / 10) * 10);
+    const said = { ...usualOf(symbol), ...params };
+    const item: Item = { key, symbol, x: place(x, size.width), y: place(y, size.height), w: size.width, h: size.height, turn: 0, group: '', params: said, markup: '' };
+    this.setItems([...this.content.items, item]);
+    this.choose([key]);
+  }
+  remove(): void {
+    this.setItems(this.content.items.filter(({ key }) => !this.chosen.has(key)));
+    this.chosen = new Set();
+  }
+
+  // From one screen into another, too: this browser keeps it.
+  copy(): void {
+    remember(CLIPBOARD, JSON.stringify(this.selection));
+  }
+  paste(): void {
+    try {
+      this.put(JSON.parse(recall(CLIPBOARD) ?? '[]') as Item[]);
+    } catch {
+      // What is kept there is none of ours.
+    }
+  }
+  double(): void {
+    this.put(this.selection);
+  }
+  private put(copies: readonly Item[]): void {
+    if (copies.length === 0) return;
+    const { items, keys } = pasted(this.content.items, copies, BESIDE);
+    this.setItems(items);
+    this.choose(keys);
+  }
+
+  measured(key: string, box: Box): void {
+    this.boxes.set(key, box);
+  }
+  readonly measure: Measure = (item) => {
+    const box = item.symbol === 'drawn' ? this.boxes.get(item.key) : undefined;
+    return box ? { ...box, x: item.x + box.x, y: item.y + box.y } : ownBox(item);
+  };
+}

@@ -1,0 +1,104 @@
+// A screen as it is drawn: its settings, and its symbols from back to front. Plain values that never change.
+
+import { attribute, escaped, type Params } from './template';
+import { templateOf } from './symbols';
+
+export type Least = 'viewer' | 'operator' | 'engineer';
+
+export interface Settings {
+  width: number;
+  height: number;
+  title: string;
+  least: Least;
+  symbol: boolean; // a face for others to repeat
+  more: Record<string, string>; // attributes that a drawing of another program has
+  defs: string; // and its definitions
+}
+
+export interface Item {
+  key: string; // its name in the screen
+  symbol: string; // kind of its template; "face": of a symbol of one's own; "drawn": of another program
+  x: number;
+  y: number;
+  w: number;
+  h: number;
+  turn: number; // degrees
+  group: string; // empty: none
+  params: Params;
+  markup: string; // of what is drawn
+}
+
+export interface Content {
+  settings: Settings;
+  items: readonly Item[];
+}
+
+// A symbol of one's own: what it is drawn from, and the parameters that stand in it as {name}.
+export interface Face {
+  name: string;
+  width: number;
+  height: number;
+  inner: string;
+  params: string[];
+}
+export type Faces = ReadonlyMap<string, Face>;
+
+export const EMPTY: Content = {
+  settings: { width: 800, height: 450, title: '', least: 'viewer', symbol: false, more: {}, defs: '' },
+  items: [],
+};
+
+const PLACEHOLDER = /\{(\w+)\}/g;
+export const placeholdersIn = (text: string): string[] => [...new Set([...text.matchAll(PLACEHOLDER)].map(([, name = '']) => name))];
+
+// The face with its parameters put in. Parts in it have keys of their own wherever it stands.
+export function filledFace(face: Face, params: Params, key: string): string {
+  return face.inner
+    .replace(/data-key="([^"]*)"/g, (_, own: string) => `data-key="${key}-${own}"`)
+    .replace(PLACEHOLDER, (whole, name: string) => (params[name] ? escaped(params[name]) : whole));
+}
+
+// What stands inside of the element of an item.
+export function innerOf(item: Item, faces: Faces): string {
+  if (item.symbol === 'drawn') return item.markup;
+  if (item.symbol === 'face') {
+    const face = faces.get(item.params.face ?? '');
+    return face ? `<g transform="scale(${round(item.w / face.width)} ${round(item.h / face.height)})">${filledFace(face, item.params, item.key)}</g>` : item.markup;
+  }
+  const template = templateOf(item.symbol);
+  if (!template) return item.markup;
+  const drawn = template.draw(item.params, item.w, item.h);
+  const turned = item.turn === 0 ? drawn : `<g transform="rotate(${item.turn} ${item.w / 2} ${item.h / 2})">${drawn}</g>`;
+  return turned + (template.beside?.(item.params, item.w, item.h) ?? '');
+}
+
+const round = (value: number) => Number(value.toFixed(3));
+
+export const transformOf = (item: Pick<Item, 'x' | 'y'>): string => `translate(${round(item.x)} ${round(item.y)})`;
+
+// What is kept of an item beside its picture; a picture of pixels stands in the image itself.
+function kept({ key, w, h, turn, group, params }: Item): string {
+  const { picture: _picture, ...rest } = params;
+  const said = Object.fromEntries(Object.entries(rest).filter(([, value]) => value));
+  return JSON.stringify({ ...said, key, w: round(w), h: round(h), ...(turn ? { turn } : {}), ...(group ? { group } : {}) });
+}
+
+function written(item: Item, faces: Faces): string {
+  const part = templateOf(item.symbol)?.attributes?.(item.params, item.key) ?? '';
+  return `<g data-symbol="${escaped(item.symbol)}"${attribute('data-params', kept(item))} transform="${transformOf(item)}"${part}>${innerOf(item, faces)}</g>`;
+}
+
+// The screen as a file.
+export function svgOf({ settings, items }: Content, faces: Faces): string {
+  const { width, height, least, symbol, title, more, defs } = settings;
+  const own = attribute('data-least', least === 'viewer' ? '' : least) + attribute('data-kind', symbol ? 'symbol' : '');
+  const others = Object.entries(more).map(([name, value]) => attribute(name, value)).join('');
+  const parts = items.map((item) => written(item, faces)).join('\n');
+  return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${width} ${height}"${own}${others}>\n${title ? `<title>${escaped(title)}</title>\n` : ''}${defs}${parts}\n</svg>`;
+}
+
+// A name that nothing in the screen has yet.
+export function nextKey(items: readonly Item[], taken: readonly string[] = []): string {
+  const keys = new Set([...items.map(({ key }) => key), ...taken]);
+  for (let number = items.length + 1; ; number++) if (!keys.has(`p${number}`)) return `p${number}`;
+}

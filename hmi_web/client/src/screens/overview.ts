@@ -1,0 +1,39 @@
+// What a cell without any picture opens on: its tags by group. Pure.
+
+import type { Tag } from '../lib/protocol';
+import type { TagNotes } from '../lib/tag_notes';
+
+export interface Row {
+  index: number; // in the program
+  name: string;
+  words: string; // what people call it
+  isNumber: boolean; // it can be drawn over time
+}
+export interface Group {
+  name: string;
+  rows: Row[];
+}
+
+const NUMBER = /^(L?REAL|U?[SDL]?INT|BOOL)$/;
+const instanceOf = (name: string): string => name.slice(0, Math.max(0, name.lastIndexOf('.')));
+
+// By the groups that the cell says, then by the instance that they belong to; elements of arrays are left to the table of tags.
+export function groupsOf(tags: readonly Tag[], notes: TagNotes): Group[] {
+  const said = new Map<string, Row[]>();
+  const others = new Map<string, Row[]>();
+  tags.forEach((tag, index) => {
+    if (tag.name.includes('[')) return;
+    const note = notes.of(tag.name);
+    const [groups, name] = note?.group ? [said, note.group] : [others, instanceOf(tag.name)];
+    const row = { index, name: tag.name, words: note?.description ?? (tag.comment || tag.name), isNumber: NUMBER.test(tag.type) };
+    groups.set(name, [...(groups.get(name) ?? []), row]);
+  });
+  return [...said, ...others].map(([name, rows]) => ({ name, rows }));
+}
+
+// The first to be drawn: those of which the cell says something, then any numbers.
+export function firstDrawn(groups: readonly Group[], notes: TagNotes, most: number): string[] {
+  const rows = groups.flatMap((group) => group.rows).filter(({ isNumber }) => isNumber);
+  const known = rows.filter(({ name }) => notes.of(name));
+  return [...known, ...rows.filter((row) => !known.includes(row))].slice(0, most).map(({ name }) => name);
+}

@@ -1,0 +1,110 @@
+// The parts of a screen that the page draws itself, over the drawing: what people act with, trends and lists. The server has
+// checked their attributes, and decides what is written.
+
+export type WritingKind = 'button' | 'switch' | 'setpoint' | 'slider' | 'choice' | 'startstop';
+export type PartKind = WritingKind | 'navigate' | 'trend' | 'alarms' | 'tags';
+
+export interface Part {
+  kind: PartKind;
+  key: string;
+  label: string;
+  write: string;
+  stop: string;
+  value: string;
+  from: number;
+  to: number;
+  step: number;
+  unit: string;
+  values: { literal: string; name: string }[];
+  confirm: string; // the question before it writes; empty: none
+  engineer: boolean;
+  feedback: string; // the value that says that it runs
+  go: string;
+  tags: string[];
+  minutes: number;
+}
+
+// Of the whole drawing, in per cent.
+export interface PartBox {
+  left: number;
+  top: number;
+  width: number;
+  height: number;
+}
+
+export interface PlacedPart extends Part {
+  box: PartBox;
+}
+
+const KINDS: readonly string[] = ['button', 'switch', 'setpoint', 'slider', 'choice', 'startstop', 'navigate', 'trend', 'alarms', 'tags'];
+const WRITING: readonly string[] = KINDS.slice(0, 6);
+export const isWriting = (kind: string): kind is WritingKind => WRITING.includes(kind);
+
+const list = (text: string): string[] => text.split(';').map((each) => each.trim()).filter((each) => each !== '');
+
+// `read`: an attribute by its name without `data-`; null for what is no part.
+export function partOf(read: (attribute: string) => string | null): Part | null {
+  const kind = read('part') ?? '';
+  if (!KINDS.includes(kind)) return null;
+  const text = (attribute: string) => read(attribute) ?? '';
+  const number = (attribute: string, usual: number) => {
+    const value = Number(read(attribute) ?? usual);
+    return Number.isFinite(value) ? value : usual;
+  };
+  return {
+    kind: kind as PartKind,
+    key: text('key'),
+    label: text('label'),
+    write: text('write'),
+    stop: text('stop'),
+    value: text('value'),
+    from: number('from', 0),
+    to: number('to', 100),
+    step: number('step', 0),
+    unit: text('unit'),
+    values: list(text('values')).map((each) => {
+      const [literal = '', ...name] = each.split('=');
+      return { literal: literal.trim(), name: name.join('=').trim() || literal.trim() };
+    }),
+    confirm: text('confirm'),
+    engineer: text('least') === 'engineer',
+    feedback: text('on').replace(/^!/, ''),
+    go: text('go'),
+    tags: list(text('tags')),
+    minutes: number('minutes', 5),
+  };
+}
+
+// The names of all values that a part reads.
+export const namesOf = (part: Part): string[] => [part.write, part.feedback, ...part.tags].filter((name) => name !== '');
+
+// The parts of a drawing that is in the page; their own pictures in it are for programs that know no parts, and are hidden.
+export function placeParts(root: SVGSVGElement): PlacedPart[] {
+  const whole = root.getBoundingClientRect();
+  const placed: PlacedPart[] = [];
+  for (const element of root.querySelectorAll<SVGGraphicsElement>('[data-part]')) {
+    const part = partOf((attribute) => element.getAttribute(`data-${attribute}`));
+    if (!part || whole.width === 0) continue;
+    // The letters of its picture may stick out of it.
+    const box = (element.querySelector(':scope > rect') ?? element).getBoundingClientRect();
+    element.classList.add('placed');
+    element.setAttribute('aria-hidden', 'true');
+    placed.push({
+      ...part,
+      box: {
+        left: (100 * (box.left - whole.left)) / whole.width,
+        top: (100 * (box.top - whole.top)) / whole.height,
+        width: (100 * box.width) / whole.width,
+        height: (100 * box.height) / whole.height,
+      },
+    });
+  }
+  return placed;
+}
+
+// The literal of IEC 61131-3 of a number for a variable of that type.
+export function literalOf(value: number, type: string): string {
+  const text = String(value);
+  if (type === 'TIME' || type === 'LTIME') return `T#${text}s`;
+  return /^L?REAL$/.test(type) && !/[.e]/i.test(text) ? `${text}.0` : text;
+}

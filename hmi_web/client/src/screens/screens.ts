@@ -1,0 +1,47 @@
+// Screens as the server's API tells of them (hmi_web/doc/screens.md).
+
+import type { Role } from '../access/session.svelte';
+
+export interface ScreenVersion {
+  version: number;
+  based_on: number;
+  saved_by: string;
+  saved_ms: number; // 0: it was not saved on a page
+  comment: string;
+  least: Role;
+  symbol: boolean;
+  aside: boolean; // somebody else had saved before
+  removed: boolean;
+}
+
+export interface ScreenEntry extends ScreenVersion {
+  name: string;
+}
+
+export interface ScreenList {
+  screens: ScreenEntry[];
+  start: string;
+}
+
+export interface Screen {
+  name: string;
+  version: number;
+  svg: string;
+}
+
+export const LIST = '/api/screens';
+export const pathOf = (name: string) => `${LIST}/${encodeURIComponent(name)}`;
+
+// Those that are looked at: faces are repeated in others, and removed ones are kept for engineers.
+export const shownOf = (list: ScreenList | null): ScreenEntry[] => (list?.screens ?? []).filter(({ symbol, removed }) => !symbol && !removed);
+
+// The screen to show: the one that is asked for, else the start, else the first.
+export function chosenOf(list: ScreenList | null, asked: string): string {
+  const names = shownOf(list).map(({ name }) => name);
+  return [asked, list?.start ?? ''].find((name) => names.includes(name)) ?? names[0] ?? '';
+}
+
+// The part of the address that says which screen is looked at: "#screen=Mixer".
+const KEY = 'screen';
+export const askedIn = (hash: string): string => new URLSearchParams(hash.replace(/^#/, '')).get(KEY) ?? '';
+export const hashOf = (name: string): string => `#${new URLSearchParams({ [KEY]: name }).toString()}`;

@@ -1,0 +1,25 @@
+#pragma once
+
+// Reads the operator parts of a drawing. Pure. Internal to this folder.
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <pugixml.hpp>
+
+#include "hmi_web/drawing/bindings.h"
+#include "hmi_web/drawing/part.h"
+
+namespace stepwright::drawing {
+
+// One of the attributes that parts, symbols and screens have beside the bindings of drawings.
+bool is_part_attribute(std::string_view name);
+
+// The part that the element is; says what is wrong with its attributes. Names of variables that it shows are
+// appended to `names`.
+std::optional<Part> read_part(pugi::xml_node element, std::vector<std::string>& names,
+                              std::vector<BindingMistake>& mistakes);
+
+}  // namespace stepwright::drawing

@@ -1,0 +1,50 @@
+#pragma once
+
+// When a channel tells of which alarms: each that is unacknowledged for the channel's delay, again after
+// every repetition, all that are due together in one message. An alarm that was acknowledged, or went for
+// good, and comes again begins anew. What could not be sent is tried again: after a minute, then twice as
+// long each time, up to a quarter of an hour.
+//
+//   Schedule schedule(channel);
+//   const auto due = schedule.due(standing, now);     // now and then
+//   if (!due.empty()) schedule.sent(send(message(due)), now);
+//
+// Pure; one thread at a time. Times are of a steady clock.
+
+#include <chrono>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "hmi_web/notify/channel.h"
+
+namespace stepwright::notify {
+
+class Schedule {
+ public:
+  using Time = std::chrono::steady_clock::time_point;
+  static constexpr std::chrono::seconds kFirstRetry{60};
+  static constexpr std::chrono::seconds kLongestRetry{900};
+
+  explicit Schedule(const Channel& channel);
+
+  // Of all that are unacknowledged, those to tell of now.
+  std::vector<StandingAlarm> due(const std::vector<StandingAlarm>& unacknowledged, Time now);
+  // What became of those that were due last.
+  void sent(bool arrived, Time now);
+
+ private:
+  struct Watched {
+    std::int64_t raised_ns = 0;  // another one: it has come again
+    Time next{};
+    bool told = false;  // in the message that is under way
+  };
+
+  const alarms::Priority at_least_;
+  const std::chrono::seconds delay_, repeat_;
+  std::map<std::string, Watched, std::less<>> watched_;
+  std::chrono::seconds retry_{0};  // 0: the last message has arrived
+  Time not_before_{};
+};
+
+}  // namespace stepwright::notify

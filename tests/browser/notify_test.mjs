@@ -1,0 +1,97 @@
+// People are told of an alarm that nobody acknowledges, by mail and by a web hook; a server that never answers holds up nothing; a
+// button sends a test. An online change that takes away what an alarm watches is told on the page and in the log.
+
+import { join } from 'node:path';
+
+import { leadOverPage } from './page_run.mjs';
+import { asksApi, claims, isAccessible } from './people.mjs';
+import { startMailServer, startSilentServer, startWebHook } from './receivers.mjs';
+import { KEEPS_RECORDS, LEVEL_ALARM, PROGRAM, startMixer } from './recipe_cell.mjs';
+import { check, options, until, waitFor } from './support.mjs';
+
+const given = options();
+const shot = (page, name) => page.screenshot({ path: join(given.out, `notify-${name}.png`), fullPage: true, animations: 'disabled' });
+const mail = await startMailServer();
+const hook = await startWebHook();
+const silent = await startSilentServer();
+
+const NOTIFIES = `
+[[notify]]
+name = "dead"
+mail = ["nobody@plant.example"]
+server = "smtp://127.0.0.1:${silent.port}"
+from = "line@plant.example"
+tls = false
+delay_s = 0
+
+[[notify]]
+name = "shift"
+mail = ["shift@plant.example", "chief@plant.example"]
+server = "smtp://127.0.0.1:${mail.port}"
+from = "line@plant.example"
+tls = false
+delay_s = 1
+
+[[notify]]
+name = "chat"
+web_hook = "http://127.0.0.1:${hook.port}/hooks/line"
+password_file = "hook.secret"
+delay_s = 0
+`;
+
+// Without what the alarm watches.
+const LACKING = PROGRAM.replaceAll('level', 'filled');
+
+async function tellsOfAnAlarm(page, cell) {
+  check((await asksApi(page, '/api/tags/write', { name: 'Main.level', value: '60', reason: 'test of notifications' })) === '200', 'the level is raised');
+  await until('the shift gets a mail', () => mail.mails.some(({ text }) => text.includes('The mixer is too full')));
+  const [told] = mail.mails;
+  check(told.from === 'line@plant.example' && told.to.join() === 'shift@plant.example,chief@plant.example', 'from the line to everybody');
+  check(/^Subject: recipes-\d+: The mixer is too full \(high\)$/m.test(told.text), `its subject says what stands (${told.text.split('\n').slice(0, 8).join(' | ')})`);
+  await until('the chat is told, too', () => hook.posts.length > 0);
+  const [post] = hook.posts;
+  check(post.method === 'POST' && post.type === 'application/json' && post.secret === 'Bearer s3cret', 'with its secret');
+  check(post.body.kind === 'alarms' && post.body.alarms[0].name === 'level.high' && post.body.alarms[0].value === 60, 'and the alarm');
+  check((await asksApi(page, '/api/alarms/acknowledge-all', { names: ['level.high'] })) === '200', 'somebody acknowledges it');
+}
+
+async function sendsATest(page) {
+  await page.getByRole('button', { name: 'Alarms' }).click();
+  await page.getByRole('button', { name: 'Notifications' }).click();
+  await waitFor(page, 'all notifications are listed', () => document.querySelectorAll('[data-testid=notifications] tbody tr').length === 3);
+  await page.locator('[data-channel=shift]').getByRole('button', { name: 'Test' }).click();
+  await until('a test arrives', () => mail.mails.some(({ text }) => /^Subject: recipes-\d+: test of 'shift'$/m.test(text)));
+  await waitFor(page, 'and the list says so', () => document.querySelector('[data-channel=shift]').dataset.tests === '1' && document.querySelector('[data-channel=shift]').dataset.failing === 'false');
+  await waitFor(page, 'that a server does not answer is told beside it, in words', () => {
+    const row = document.querySelector('[data-channel=dead]');
+    return row.dataset.failing === 'true' && row.innerText.includes('127.0.0.1');
+  });
+  await isAccessible(page, 'the list of notifications');
+  await shot(page, 'list');
+}
+
+async function losesItsVariable(page, cell) {
+  await page.getByRole('button', { name: 'Standing' }).click();
+  cell.run('compile', cell.file('lacking.st'), '-o', cell.file('lacking.swb'));
+  cell.run('download', '--config', cell.config, cell.file('lacking.swb'), '--change');
+  await waitFor(page, 'an alarm whose variable has gone is in a state of its own', () => document.querySelector('[data-alarm="level.high"]')?.dataset.state === 'no variable');
+  check((await page.getByTestId('no-variable').innerText()) === '1 alarm without its variable', 'and the bar counts it');
+  await until('the log says which', () => /the program has no variable 'Main\.level': the alarm 'level\.high' cannot come/.test(cell.logs()));
+  check(/'dead' cannot be told of alarms/.test(cell.logs()), 'and which server does not answer');
+  await shot(page, 'no-variable');
+}
+
+try {
+  await leadOverPage(given, {
+    name: 'notify',
+    start: () => startMixer(given.server, { 'alarms.toml': LEVEL_ALARM, 'hook.secret': 's3cret\n', 'lacking.st': LACKING }, KEEPS_RECORDS + NOTIFIES),
+    steps: async (page, cell) => {
+      await claims(page, await cell.setupToken());
+      await tellsOfAnAlarm(page, cell);
+      await sendsATest(page);
+      await losesItsVariable(page, cell);
+    },
+  });
+} finally {
+  for (const each of [mail, hook, silent]) each.end();
+}

@@ -1,0 +1,282 @@
+// Screens that people draw in the browser, against a real runtime, link and server: drawn, saved, alive, acted with, refused,
+// changed by two people at once, and brought in from a file that could do harm.
+
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+
+import { leadOverPage } from './page_run.mjs';
+import { addsUsers, asks, claims, codeOf, dialog, dialogIsGone, isAccessible, logsIn, PASSWORD } from './people.mjs';
+import { KEEPS_RECORDS, LEVEL_ALARM, startMixer } from './recipe_cell.mjs';
+import { check, drawn, fitsEachLook, options, until, waitFor } from './support.mjs';
+
+const TAGS = '[tags."Main.level"]\nunit = "%"\ndescription = "level of the mixer"\ndecimals = 1\n[tags."Main.batches"]\ndescription = "batches in a row"\n';
+const HARMFUL = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9">\n  <script>alert(1)</script>\n  <rect onclick="x()" width="9" height="9"/>\n</svg>';
+const FOREIGN =
+  '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 100 50">\n<rect id="a" width="40" height="40" fill="url(#g)"/><defs><linearGradient id="g"><stop offset="0" stop-color="#888"/></linearGradient></defs>\n<text x="50" y="25" data-text="Main.batches">-</text></svg>';
+
+const given = options();
+const shot = (page, name) => page.screenshot({ path: join(given.out, `screens-${name}.png`), animations: 'disabled' });
+const editor = (page) => page.getByTestId('screen-editor');
+const field = (page, label) => page.getByTestId('properties').getByLabel(label, { exact: true });
+const adds = (page, kind) => page.locator(`[data-symbol-kind=${kind}]`).click();
+const item = (page, key) => page.locator(`[data-testid=canvas] [data-item=${key}]`);
+const part = (page, key) => page.locator(`[data-testid=screen] [data-part-key=${key}]`);
+const says = (page, words) =>
+  waitFor(page, `the editor says: ${words}`, (wanted) => document.querySelector('[data-testid=editor-told]')?.innerText.includes(wanted), words);
+const has = (page, what, key, words) =>
+  waitFor(page, what, ([name, wanted]) => document.querySelector(`[data-testid=screen] [data-part-key=${name}]`)?.innerText.includes(wanted), [key, words]);
+
+async function finds(page, label, search, name) {
+  await field(page, label).fill(search);
+  await until(`${name} is found by “${search}”`, () => page.getByRole('option').first().innerText().then((text) => text.startsWith(name), () => false));
+  await field(page, label).press('Enter');
+}
+async function binds(page, label, search, name) {
+  await finds(page, label, search, name);
+  check((await field(page, label).inputValue()) === name, 'and bound');
+}
+async function places(page, values) {
+  for (const [label, value] of Object.entries(values)) {
+    await field(page, label).fill(String(value));
+    await field(page, label).press('Tab');
+  }
+}
+
+async function draws(page) {
+  await page.getByRole('button', { name: 'Draw a screen' }).click();
+  await editor(page).getByLabel('Name', { exact: true }).fill('Mixer');
+  await adds(page, 'tank');
+  await field(page, 'Label').fill('Buffer');
+  await binds(page, 'Value', 'level of', 'Main.level');
+  await places(page, { x: 60, y: 60 });
+  await adds(page, 'setpoint');
+  await field(page, 'Label').fill('Level');
+  await binds(page, 'Writes', 'main.lev', 'Main.level');
+  await field(page, 'Unit').fill('%');
+  await places(page, { x: 240, y: 60 });
+  await adds(page, 'switch');
+  await field(page, 'Label').fill('Stirrer');
+  await binds(page, 'Writes', 'stir', 'Main.stir');
+  await field(page, 'Question before it writes').fill('Is everybody clear?');
+  await places(page, { x: 240, y: 120 });
+  await adds(page, 'pump');
+  await field(page, 'Label').fill('Pump');
+  await binds(page, 'Active while', 'stir', 'Main.stir');
+  await places(page, { x: 240, y: 200 });
+  await adds(page, 'trend');
+  await finds(page, 'Add a tag', 'level of', 'Main.level');
+  check((await field(page, 'Tags').inputValue()) === 'Main.level', 'a trend has a list of tags');
+  await places(page, { x: 420, y: 60 });
+  await adds(page, 'alarms');
+  await places(page, { x: 440, y: 260 });
+}
+
+// With the keys: what has the focus is chosen, arrows move it, and there is a way back.
+async function movesWithKeys(page) {
+  await item(page, 'p4').focus();
+  await waitFor(page, 'what has the focus is chosen', () => document.querySelector('[data-item=p4]').dataset.chosen === 'true');
+  const place = () => item(page, 'p4').getAttribute('transform');
+  check((await place()) === 'translate(240 200)', 'it is where its place was typed');
+  for (let k = 0; k < 3; k++) await page.keyboard.press('ArrowRight');
+  await page.keyboard.press('Shift+ArrowUp');
+  await until('arrows move it by the grid, with Shift by one', async () => (await place()) === 'translate(270 199)');
+  await page.keyboard.press('Control+z');
+  await until('which is one step back', async () => (await place()) === 'translate(240 200)');
+  await page.keyboard.press('Control+y');
+  await until('and forth', async () => (await place()) === 'translate(270 199)');
+  const count = () => page.locator('[data-item]').count();
+  await page.keyboard.press('Control+d');
+  await until('Ctrl+D doubles it', async () => (await count()) === 7);
+  await page.keyboard.press('Delete');
+  await until('Delete removes the copy', async () => (await count()) === 6);
+  await item(page, 'p4').focus();
+  await page.keyboard.press('Control+a');
+  await page.keyboard.press('Control+g');
+  await page.keyboard.press('Control+g');
+  check((await page.locator('[data-item][data-chosen=true]').count()) === 6, 'all are chosen, grouped and set apart again');
+}
+
+// By the pointer: dragged onto the grid, several in a frame, aligned.
+async function movesWithPointer(page) {
+  await page.keyboard.press('Escape');
+  const box = await item(page, 'p4').boundingBox();
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  await page.mouse.down();
+  await page.mouse.move(box.x + box.width / 2 + 60, box.y + box.height / 2 + 40, { steps: 4 });
+  await page.mouse.up();
+  const [x, y] = (await item(page, 'p4').getAttribute('transform')).match(/[\d.]+/g).map(Number);
+  check(x > 270 && x % 10 === 0 && y % 10 === 0, `dragged, it lies on the grid (${x}, ${y})`);
+  await item(page, 'p2').click();
+  await item(page, 'p3').click({ modifiers: ['Shift'] });
+  await page.getByRole('button', { name: 'Right', exact: true }).click();
+  await page.getByRole('button', { name: 'Undo' }).click();
+}
+
+async function saves(page) {
+  await isAccessible(page, 'the editor');
+  await shot(page, 'editor');
+  await page.getByRole('button', { name: 'Preview' }).click();
+  await waitFor(page, 'the preview has live values', () => document.querySelector('[data-testid=screen-drawing][data-bound=true]')?.innerHTML.includes('12.5'));
+  check(await part(page, 'p2').locator('button').first().isDisabled(), 'and writes nothing');
+  await page.getByRole('button', { name: 'Preview' }).click();
+  await page.getByRole('button', { name: 'Save', exact: true }).click();
+  await says(page, 'Saved as version 1.');
+  await page.getByRole('button', { name: 'Open the page with it' }).click();
+  await says(page, 'Pages open with Mixer.');
+  await editor(page).getByRole('button', { name: 'Close' }).click();
+}
+
+async function lives(page, mixer) {
+  await waitFor(page, 'the screen is there', () => document.querySelector('[data-testid=screen][data-screen=Mixer] [data-bound=true] svg') !== null);
+  await waitFor(page, 'the tank is full by an eighth', () => document.querySelector('[data-testid=screen] [data-fill]').getAttribute('transform')?.includes('scale(1 0.125)'));
+  await has(page, 'the set point has its value and unit', 'p2', '12.5 %');
+  mixer.force('Main.stir', 'TRUE');
+  await waitFor(page, 'the pump runs', () => document.querySelector('[data-testid=screen] [data-on]').classList.contains('on'));
+  mixer.run('unforce', '--config', mixer.config, 'Main.stir');
+}
+
+async function operates(page, mixer) {
+  await logsIn(page, 'olga');
+  check((await page.getByRole('button', { name: 'Edit', exact: true }).count()) === 0, 'an operator draws nothing');
+  check((await asks(page, 'PUT', '/api/screens/Mixer', { svg: '<svg/>', version: 1 })).status === 403, 'and would be refused');
+  await part(page, 'p2').locator('button').first().click();
+  await dialog(page).getByLabel('New value').fill('120');
+  await page.keyboard.press('Enter');
+  await waitFor(page, 'what is out of range is told at once', () => document.querySelector('[data-testid=problem]').innerText.includes('0 to 100 %'));
+  await isAccessible(page, 'the dialog of a set point');
+  await shot(page, 'set-point');
+  for (const key of ['Clear', '4', '0', '.', '5']) await dialog(page).getByRole('button', { name: key, exact: true }).click();
+  await dialog(page).getByRole('button', { name: 'Write' }).click();
+  await dialogIsGone(page, 'the pad has the value, and it is written');
+  await has(page, 'the program has it', 'p2', '40.5 %');
+  await waitFor(page, 'and the tank shows it', () => document.querySelector('[data-testid=screen] [data-fill]').getAttribute('transform')?.includes('scale(1 0.405)'));
+  await part(page, 'p3').getByRole('switch').click();
+  check((await dialog(page).innerText()).includes('Is everybody clear?'), 'a part that asks, asks');
+  await dialog(page).getByRole('button', { name: 'Stirrer' }).dblclick();
+  await dialogIsGone(page, 'and is answered with yes');
+  await waitFor(page, 'the stirrer stands', () => document.querySelector('[data-part-key=p3] [role=switch]').getAttribute('aria-checked') === 'false');
+  const entries = () => readFileSync(mixer.trail, 'utf8').trim().split('\n').map((line) => JSON.parse(line)).filter(({ action, result }) => action === 'screen.write' && result === 'done');
+  check(entries().length === 2, `each deed is done once, whatever is clicked twice (${entries().length})`);
+  check(entries()[0].user === 'olga' && entries()[0].target === 'Main.level (Mixer: p2)' && entries()[0].after === '40.5', 'the audit trail says who, where and what');
+  const direct = await asks(page, 'POST', '/api/screens/Mixer/write', { part: 'p2', value: '100.1', once: 'by-the-api' });
+  check(codeOf(direct) === '400 H0126', `the server looks at the range itself: ${codeOf(direct)}`);
+  await fitsEachLook(page, [['light', 1440], ['dark', 1440], ['light', 360]], (look) => shot(page, look));
+  const small = await page.evaluate(() => [...document.querySelectorAll('[data-testid=screen] [data-part-key] button:not(.told)')].map((one) => one.getBoundingClientRect()).filter(({ width, height }) => width < 40 || height < 40).length);
+  check(small === 0, 'on a phone every button has 40 px');
+  await page.setViewportSize({ width: 1440, height: 900 });
+  await isAccessible(page, 'the page with a screen');
+}
+
+async function onlyLooks(page) {
+  await logsIn(page, 'vera');
+  await waitFor(page, 'who may only look sees buttons that cannot be pressed', () => {
+    const buttons = [...document.querySelectorAll('[data-testid=screen] [data-part-key] button')];
+    return buttons.length > 1 && buttons.every((one) => one.disabled);
+  });
+  const write = await asks(page, 'POST', '/api/screens/Mixer/write', { part: 'p2', value: '1', once: 'of-a-viewer' });
+  check(codeOf(write) === '403 H0042', `and would be refused: ${codeOf(write)}`);
+}
+
+async function twoPeopleSave(page) {
+  await logsIn(page, 'emil');
+  await page.getByRole('button', { name: 'Edit', exact: true }).click();
+  await adds(page, 'lamp');
+  const { json } = await asks(page, 'GET', '/api/screens/Mixer');
+  const theirs = json.svg.replace('Buffer', 'Buffer of theirs');
+  check((await asks(page, 'PUT', '/api/screens/Mixer', { svg: theirs, version: 1, comment: 'meanwhile' })).status === 200, 'somebody else saves meanwhile');
+  await page.getByRole('button', { name: 'Save', exact: true }).click();
+  await waitFor(page, 'who comes second is told of both versions', () => {
+    const words = document.querySelector('[data-testid=conflict]')?.innerText ?? '';
+    return words.includes('version 2') && words.includes('version 3');
+  });
+  await waitFor(page, 'and sees both', () => document.querySelectorAll('dialog svg').length === 2);
+  await isAccessible(page, 'the choice');
+  await shot(page, 'conflict');
+  await dialog(page).getByRole('button', { name: 'Go on with theirs' }).click();
+  await dialogIsGone(page, 'goes on with theirs');
+  check((await item(page, 'p1').innerHTML()).includes('Buffer of theirs'), 'which is drawn now');
+  await page.getByRole('button', { name: 'Versions' }).click();
+  await waitFor(page, 'mine lies aside', () => document.querySelector('[data-version="3"]')?.innerText.includes('aside'));
+  await shot(page, 'versions');
+  await page.locator('[data-version="3"]').getByRole('button', { name: 'Look at it' }).click();
+  await dialog(page).getByRole('button', { name: 'Go on with it' }).click();
+  await dialogIsGone(page, 'and is brought back');
+  await page.getByRole('button', { name: 'Save', exact: true }).click();
+  await says(page, 'Saved as version 4.');
+}
+
+async function bringsFiles(page) {
+  const brings = (name, text) => editor(page).locator('input[type=file]').setInputFiles({ name, mimeType: 'image/svg+xml', buffer: Buffer.from(text) });
+  await brings('Harm.svg', HARMFUL);
+  await waitFor(page, 'a script and what runs are refused with their lines', () => {
+    const words = document.querySelector('[data-testid=editor-problem]').innerText;
+    return words.includes('Line 2') && words.includes('<script>') && words.includes('Line 3') && words.includes('onclick');
+  });
+  await shot(page, 'refused');
+  await brings('Foreign.svg', FOREIGN);
+  await says(page, 'Foreign was imported.');
+  check((await page.locator('[data-item]').count()) === 2, 'what another program has drawn can be moved');
+  await item(page, 'p1').focus();
+  await page.keyboard.press('ArrowRight');
+  await page.getByRole('button', { name: 'Save', exact: true }).click();
+  await says(page, 'Saved as version 2.');
+  await editor(page).getByRole('button', { name: 'Close' }).click();
+  await waitFor(page, 'it lives by its own bindings', () => document.querySelector('[data-screen=Foreign] text')?.textContent === '3');
+  await page.getByRole('button', { name: 'Mixer', exact: true }).click();
+  await waitFor(page, 'one goes from screen to screen', () => document.querySelector('[data-testid=screen]')?.dataset.screen === 'Mixer');
+  check(new URL(page.url()).hash === '#screen=Mixer', 'and the address says which');
+}
+
+// One face for many: its copies name what each of them shows.
+async function repeatsAFace(page) {
+  await page.getByRole('button', { name: 'New screen' }).click();
+  await editor(page).getByRole('button', { name: 'New symbol' }).click();
+  await editor(page).getByLabel('Name', { exact: true }).fill('Face');
+  await adds(page, 'number');
+  await field(page, 'Value').fill('Main.{what}');
+  await page.getByRole('button', { name: 'Save', exact: true }).click();
+  await says(page, 'Saved as version 1.');
+  await editor(page).getByRole('button', { name: 'Close' }).click();
+  await page.getByRole('button', { name: 'New screen' }).click();
+  await editor(page).getByLabel('Name', { exact: true }).fill('Many');
+  for (const [at, name] of ['batches', 'torn'].entries()) {
+    await page.locator('[data-face=Face]').click();
+    await field(page, 'what').fill(name);
+    await places(page, { x: 20, y: 20 + 180 * at });
+  }
+  await page.getByRole('button', { name: 'Save', exact: true }).click();
+  await says(page, 'Saved as version 1.');
+  const { json } = await asks(page, 'GET', '/api/screens/Many');
+  check(json.svg.includes('data-text="Main.batches"') && json.svg.includes('data-text="Main.torn"'), 'each copy has its own name');
+  await editor(page).getByRole('button', { name: 'Symbol Face', exact: true }).click();
+  await item(page, 'p1').focus();
+  await field(page, 'Label').fill('So many');
+  await page.getByRole('button', { name: 'Save', exact: true }).click();
+  await says(page, '1 screen was redrawn');
+  const again = (await asks(page, 'GET', '/api/screens/Many')).json;
+  check(again.version === 2 && again.svg.split('So many').length === 3, 'and both are drawn anew with the face');
+  await editor(page).getByRole('button', { name: 'Close' }).click();
+}
+
+await leadOverPage(given, {
+  name: 'screens',
+  start: () => startMixer(given.server, { 'alarms.toml': LEVEL_ALARM }, `${KEEPS_RECORDS}${TAGS}`),
+  expected: [400, 403, 409],
+  steps: async (page, mixer) => {
+    await claims(page, await mixer.setupToken());
+    await addsUsers(page);
+    check((await asks(page, 'POST', '/api/users', { name: 'vera', role: 'viewer', password: PASSWORD })).status === 200, 'vera is a user');
+    await logsIn(page, 'emil');
+    await drawn(page);
+    await draws(page);
+    await movesWithKeys(page);
+    await movesWithPointer(page);
+    await saves(page);
+    await lives(page, mixer);
+    await operates(page, mixer);
+    await onlyLooks(page);
+    await twoPeopleSave(page);
+    await bringsFiles(page);
+    await repeatsAFace(page);
+  },
+});

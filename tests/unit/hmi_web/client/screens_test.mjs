@@ -1,0 +1,104 @@
+// Screens as they are put together: symbols, arranging, what is written of them, and what a page shows.
+//
+//   node --test screens_test.mjs, with CLIENT: the folder in which the client is built
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+
+import { load } from './load_modules.mjs';
+
+const arrange = await load(process.env.CLIENT, ['screens/editor/arrange']);
+const model = await load(process.env.CLIENT, ['screens/editor/model', 'screens/editor/symbols', 'screens/editor/part_symbols']);
+const view = await load(process.env.CLIENT, ['screens/parts', 'screens/screens', 'screens/trend_lines', 'screens/editor/tag_search']);
+
+const item = (key, more = {}) => ({ key, symbol: 'pump', x: 0, y: 0, w: 60, h: 60, turn: 0, group: '', params: {}, markup: '', ...more });
+const svgOf = (...items) => model.svgOf({ ...model.EMPTY, items }, new Map());
+
+test('Symbols_WhenTheyAreDrawn_ThenEachIsWellFormedAndBoundAsItSays', () => {
+  for (const { kind, width, height, fields } of model.SYMBOLS) {
+    const params = Object.fromEntries(fields.map((field) => [field, ['from'].includes(field) ? '0' : ['to', 'digits', 'size', 'minutes', 'step'].includes(field) ? '3' : `<"a&'`]));
+    const svg = svgOf(item('p1', { symbol: kind, w: width, h: height, params }));
+    assert.ok(!svg.includes(`<"a`) && !svg.includes(`a&'`), `${kind} escapes what people type: ${svg}`);
+    assert.equal((svg.match(/<g\b/g) ?? []).length, (svg.match(/<\/g>/g) ?? []).length, kind);
+    assert.ok(!svg.includes('undefined') && !svg.includes('NaN'), `${kind}: ${svg}`);
+  }
+});
+
+test('Parts_WhenTheyAreNotComplete_ThenTheyAreSavedWithoutWriting', () => {
+  assert.ok(!svgOf(item('p1', { symbol: 'setpoint', params: { write: 'Main.a', from: '5', to: '5' } })).includes('data-part'));
+  assert.ok(!svgOf(item('p1', { symbol: 'choice', params: { write: 'Main.a', values: '0=off' } })).includes('data-part'));
+  const whole = svgOf(item('p7', { symbol: 'setpoint', params: { write: 'Main.a', from: '0', to: '5', confirm: 'Sure?' } }));
+  assert.match(whole, /data-part="setpoint" data-key="p7" data-write="Main.a" data-confirm="Sure\?" data-from="0" data-to="5"/);
+});
+
+test('Face_WhenItIsRepeated_ThenEachCopyHasItsOwnNamesAndKeys', () => {
+  const face = { name: 'Pump', width: 100, height: 50, inner: '<g data-on="{pump}.on" data-key="go"><text>{pump}</text></g>', params: ['pump'] };
+  assert.equal(model.filledFace(face, { pump: 'Main.P1' }, 'p3'), '<g data-on="Main.P1.on" data-key="p3-go"><text>Main.P1</text></g>');
+  assert.equal(model.filledFace(face, {}, 'p3').includes('{pump}'), true, 'what nobody has named stays to be seen');
+  assert.equal(model.filledFace(face, { pump: '"><script>' }, 'p3').includes('<script>'), false);
+  const drawn = model.innerOf(item('p3', { symbol: 'face', w: 200, h: 50, params: { face: 'Pump', pump: 'a' } }), new Map([['Pump', face]]));
+  assert.ok(drawn.startsWith('<g transform="scale(2 1)">'));
+});
+
+test('Items_WhenTheyAreAlignedSpreadAndGrouped_ThenOnlyTheChosenOnesMove', () => {
+  const items = [item('a', { x: 10, w: 20 }), item('b', { x: 100, w: 40 }), item('c', { x: 37 }), item('d', { x: 200, w: 20 })];
+  const keys = new Set(['a', 'b', 'd']);
+  const xs = (list) => list.map(({ x }) => x);
+  assert.deepEqual(xs(arrange.aligned(items, keys, 'left', arrange.ownBox)), [10, 10, 37, 10]);
+  assert.deepEqual(xs(arrange.aligned(items, keys, 'right', arrange.ownBox)), [200, 180, 37, 200]);
+  assert.deepEqual(xs(arrange.spread(items, keys, 'x', arrange.ownBox)), [10, 95, 37, 200]);
+  const grouped = arrange.grouped(items, keys);
+  assert.deepEqual([...arrange.withGroups(grouped, new Set(['a']))].sort(), ['a', 'b', 'd']);
+  assert.deepEqual([...arrange.withGroups(arrange.ungrouped(grouped, keys), new Set(['a']))], ['a']);
+  assert.deepEqual(arrange.ordered(items, new Set(['b']), 'front').map(({ key }) => key), ['a', 'c', 'd', 'b']);
+});
+
+test('Copies_WhenTheyArePasted_ThenTheyHaveNamesAndGroupsOfTheirOwn', () => {
+  const items = [item('p1', { group: 'g1' }), item('p2', { group: 'g1' })];
+  const { items: all, keys } = arrange.pasted(items, items, 20);
+  assert.equal(new Set(all.map(({ key }) => key)).size, 4);
+  assert.equal(keys.size, 2);
+  assert.deepEqual(all.map(({ group }) => group), ['g1', 'g1', 'g2', 'g2']);
+  assert.equal(all[2].x, 20);
+});
+
+test('Tags_WhenPartsOfTheirWordsAreTyped_ThenTheyAreFound', () => {
+  const names = [
+    { name: 'Main.total', type: 'REAL', words: 'level times batches' },
+    { name: 'Main.level', type: 'REAL', words: 'how full · buffer' },
+    { name: 'Main.high_level', type: 'BOOL', words: '' },
+  ];
+  const found = (text) => view.found(names, text, 5).map(({ name }) => name);
+  assert.deepEqual(found('level'), ['Main.level', 'Main.high_level', 'Main.total'], 'what begins so first, what is only said of it last');
+  assert.deepEqual(found('!buffer FULL'), ['Main.level']);
+  assert.deepEqual(found('nothing'), []);
+});
+
+test('Part_WhenItIsRead_ThenItHasWhatTheServerChecked', () => {
+  const read = (attributes) => view.partOf((name) => attributes[name] ?? null);
+  assert.equal(read({}), null);
+  assert.equal(read({ part: 'lever' }), null);
+  const choice = read({ part: 'choice', key: 'a', write: 'Main.mode', values: '0 = Off; 2=By = hand;3', on: '!Main.ok' });
+  assert.deepEqual(choice.values, [{ literal: '0', name: 'Off' }, { literal: '2', name: 'By = hand' }, { literal: '3', name: '3' }]);
+  assert.deepEqual(view.namesOf(choice), ['Main.mode', 'Main.ok']);
+  assert.deepEqual([view.literalOf(20, 'REAL'), view.literalOf(20.5, 'REAL'), view.literalOf(20, 'INT'), view.literalOf(1.5, 'TIME')], ['20.0', '20.5', '20', 'T#1.5s']);
+});
+
+test('Screens_WhenThePageOpens_ThenItShowsTheOneAskedForTheStartOrTheFirst', () => {
+  const entry = (name, more = {}) => ({ name, symbol: false, removed: false, ...more });
+  const list = { start: 'B', screens: [entry('A'), entry('B'), entry('Face', { symbol: true }), entry('Old', { removed: true })] };
+  assert.deepEqual(['A', 'Face', 'Old', ''].map((asked) => view.chosenOf(list, asked)), ['A', 'B', 'B', 'B']);
+  assert.equal(view.chosenOf({ ...list, start: '' }, ''), 'A');
+  assert.equal(view.chosenOf(null, 'A'), '');
+  assert.equal(view.askedIn(view.hashOf('Mixer 1 & 2')), 'Mixer 1 & 2');
+});
+
+test('Trend_WhenTheHistoryComesLate_ThenItStandsBeforeWhatWasSeen', () => {
+  const lines = new view.TrendLines(2, 1);
+  lines.add(100, [1, null]);
+  lines.begin([98, 99, 100, 101], [[5, 6, 7, 8]]);
+  assert.deepEqual(lines.times, [98, 99, 100]);
+  assert.deepEqual(lines.columns, [[5, 6, 1], [null, null, null]]);
+  for (let k = 0; k < 300; k++) lines.add(101 + k, [k, k]);
+  assert.ok(lines.times.length < 140 && lines.columns[0].length === lines.times.length, 'and what is old goes');
+});
