@@ -7,8 +7,10 @@
 #include <vector>
 
 #include "cell/runtime/fleet_plant.h"
+#include "cell/runtime/model_plant.h"
 #include "cell/runtime/plant_memory.h"
 #include "cell/runtime/robot_cell_plant.h"
+#include "cell/runtime/stepped_plant.h"
 #include "cell/runtime/tugger_plant.h"
 #include "plant_models/assemblies/fleet_floor.h"
 #include "plant_models/assemblies/robot_cell.h"
@@ -98,8 +100,17 @@ class PlantIo final : public CellIo, private host::PlantAccess {
     return {};
   }
 
+  // The plant's process, which runs from here on.
+  [[nodiscard]] result::Result<void> start(const config::CellConfig& config) {
+    if (!config::is_stepped(config.plant.kind)) return {};
+    stepped_ = static_cast<stepped::SteppedPlant*>(plant_.get());
+    return stepped_->start(stepped_command(config));
+  }
+
   image::IoDriver& driver() override { return *driver_; }
   host::PlantAccess* plant() override { return this; }
+  bool alive() const override { return stepped_ == nullptr || !stepped_->failed(); }
+  std::string trouble() override { return stepped_ == nullptr ? std::string() : stepped_->trouble(); }
 
  private:
   std::span<const std::string> value_names() const override { return names_; }
@@ -111,6 +122,7 @@ class PlantIo final : public CellIo, private host::PlantAccess {
   }
 
   std::unique_ptr<core::Plant> plant_;
+  stepped::SteppedPlant* stepped_ = nullptr;  // the same, where it is a process of its own
   std::unique_ptr<PlantMemory> memory_;
   std::vector<std::string> names_;
   std::unique_ptr<RetainedPlantDriver> driver_;
@@ -182,11 +194,19 @@ result::Result<std::unique_ptr<core::Plant>> make_robot_cell(const config::Plant
   return std::unique_ptr<core::Plant>(std::move(*cell));
 }
 
+result::Result<std::unique_ptr<core::Plant>> make_stepped(const config::PlantConfig& plant) {
+  auto stepped = stepped_plant(plant);
+  if (!stepped) return result::forward(stepped);
+  return std::unique_ptr<core::Plant>(std::move(*stepped));
+}
+
 result::Result<std::unique_ptr<core::Plant>> make_plant(const config::PlantConfig& plant,
                                                         const Kept& left = std::nullopt) {
+  if (plant.kind == "model") return make_model(plant, left);
   if (plant.kind == "fleet") return make_fleet(plant, left);
   if (plant.kind == "tugger") return make_tugger(plant, left);
   if (plant.kind == "robot_cell") return make_robot_cell(plant, left);
+  if (config::is_stepped(plant.kind)) return make_stepped(plant);
   return plant.kind == "sorting_line" ? make_line(plant, left) : make_bench(plant, left);
 }
 
@@ -214,10 +234,11 @@ result::Diagnostics check_no_plant(const config::CellConfig& config) {
   result::Diagnostics problems;
   for (const config::ScheduledFault& fault : config.faults) {
     if (config::is_goal_change(fault)) continue;
-    problems.push_back(
-        {"C0448", result::Severity::Error, fault.where,
-         "fault '" + fault.name + "' is of a simulated plant, and this cell has none",
-         "[plant] kind = \"tank_bench\", \"sorting_line\", \"fleet\", \"tugger\" or \"robot_cell\""});
+    problems.push_back({"C0448", result::Severity::Error, fault.where,
+                        "fault '" + fault.name + "' is of a simulated plant, and this cell has none",
+                        "[plant] kind = \"tank_bench\", \"sorting_line\", \"fleet\", \"tugger\", "
+                        "\"robot_cell\", \"model\", \"shared\", "
+                        "\"fmu\" or \"st\""});
   }
   return problems;
 }
@@ -234,6 +255,7 @@ std::vector<bridge::PortWire> plant_wires(const config::CellConfig& config) {
     wires = bridge::default_fleet_wires(config.plant.fleet.vehicles.size());
   }
   if (wires.empty() && config.plant.kind == "tugger") wires = tugger_wires(config.plant);
+  if (wires.empty() && config.plant.kind == "model") wires = model_wires(config.plant);
   if (wires.empty() && config.plant.kind == "robot_cell") wires = robot_cell_wires(config.plant);
   return wires;
 }
@@ -272,6 +294,7 @@ result::Result<std::unique_ptr<CellIo>> CellIo::create(const config::CellConfig&
   if (!plant) return result::forward(plant);
   auto io = std::make_unique<PlantIo>(std::move(*plant), std::move(*memory));
   if (auto wired = io->wire(config); !wired) return result::forward(wired);
+  if (auto started = io->start(config); !started) return result::forward(started);
   return io;
 }
 

@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "cell/config/cell_config.h"
@@ -32,8 +33,11 @@ class CellIo {
   virtual std::optional<io_memory::ProcessMark> other_runtime() const { return std::nullopt; }
   // True if the process behind the I/O is there. Always true where it cannot be missing.
   virtual bool alive() const { return true; }
+  // What has become of a plant in a process of its own, which is ended then; empty while all is well.
+  virtual std::string trouble() { return {}; }
 
-  // Fails with what is wrong in [plant], its ports and its scheduled faults (C0301 to C0331).
+  // Fails with what is wrong in [plant], its ports and its scheduled faults (C0301 to C0331), and with why
+  // a plant in a process of its own does not run (R0151 to R0155).
   [[nodiscard]] static result::Result<std::unique_ptr<CellIo>> create(const config::CellConfig& config);
 };
 

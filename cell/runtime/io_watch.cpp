@@ -8,8 +8,7 @@
 
 namespace stepwright::cell_runtime {
 
-IoWatch::IoWatch(const config::CellConfig& config, const CellIo& io, host::HostRuntime& runtime,
-                 log::Logger& log)
+IoWatch::IoWatch(const config::CellConfig& config, CellIo& io, host::HostRuntime& runtime, log::Logger& log)
     : config_(config), io_(io), runtime_(runtime), log_(log), restart_(config.safety.io.restart) {}
 
 void IoWatch::event(const host::StepEvent& event) {
@@ -38,6 +37,7 @@ void IoWatch::supervisor(bool alive) {
 void IoWatch::turn(IoRestart::Clock::time_point now) {
   tell();
   tell_other();
+  tell_plant();
   const bool alive = io_.alive();
   if (lost_ && alive) {
     lost_ = false;
@@ -95,6 +95,16 @@ void IoWatch::tell_other() {
       "another runtime (process " + std::to_string(other) + ") drives these outputs: this one does not";
   log_.error("other_runtime", sentence + "; two cells of one name share an I/O area", {{"process", other}});
   runtime_.set_note("io", sentence);
+}
+
+// A plant that is lost stays lost until the runtime is started again.
+void IoWatch::tell_plant() {
+  if (plant_told_) return;
+  const std::string trouble = io_.trouble();
+  if (trouble.empty()) return;
+  plant_told_ = true;
+  log_.error("lost_plant", trouble);
+  runtime_.set_note("io", trouble);
 }
 
 void IoWatch::start() {

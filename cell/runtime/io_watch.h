@@ -28,7 +28,7 @@ namespace stepwright::cell_runtime {
 class IoWatch {
  public:
   // References must outlive it.
-  IoWatch(const config::CellConfig& config, const CellIo& io, host::HostRuntime& runtime, log::Logger& log);
+  IoWatch(const config::CellConfig& config, CellIo& io, host::HostRuntime& runtime, log::Logger& log);
 
   void event(const host::StepEvent& event);
   // Somebody asked for a stop, whether anything ran or not.
@@ -40,14 +40,16 @@ class IoWatch {
   void ask();
   void tell();
   void tell_other();
+  void tell_plant();
   void start();
 
   const config::CellConfig& config_;
-  const CellIo& io_;
+  CellIo& io_;
   host::HostRuntime& runtime_;
   log::Logger& log_;
   IoRestart restart_;
   bool lost_ = false;
+  bool plant_told_ = false;  // what has become of the plant's process
   std::uint32_t other_ = 0;  // the process of another runtime that drives the outputs
   bool supervised_ = false;
   std::atomic<bool> asks_{false};

@@ -4,22 +4,27 @@
 #include <nvector/nvector_serial.h>
 #include <sundials/sundials_context.h>
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
+#include <sunnonlinsol/sunnonlinsol_newton.h>
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <string>
 
+#include "plant_models/ode/jacobian.h"
+
 namespace stepwright::ode {
 
 // Everything that SUNDIALS made, freed in the reverse order.
 struct CvodeSolver::State {
   const OdeSystem* system = nullptr;
+  Callbacks callbacks;  // what SUNDIALS hands to them
   double first_step_s = 0.0;
   SUNContext context = nullptr;
   N_Vector y = nullptr;        // solution at `time`
   N_Vector scratch = nullptr;  // absolute tolerances first, then dense output
   SUNNonlinearSolver iteration = nullptr;
+  std::unique_ptr<Jacobian> jacobian;  // of an implicit method
   void* cvode = nullptr;
   double time = 0.0;
   double oldest = 0.0;  // begin of the last step
@@ -33,6 +38,7 @@ struct CvodeSolver::State {
   ~State() {
     if (cvode != nullptr) CVodeFree(&cvode);
     if (iteration != nullptr) SUNNonlinSolFree(iteration);
+    jacobian.reset();
     if (scratch != nullptr) N_VDestroy(scratch);
     if (y != nullptr) N_VDestroy(y);
     if (context != nullptr) SUNContext_Free(&context);
@@ -48,8 +54,8 @@ std::span<double> values(N_Vector vector) {
   return {NV_DATA_S(vector), static_cast<std::size_t>(NV_LENGTH_S(vector))};
 }
 
-int call_derivative(realtype t, N_Vector y, N_Vector dydt, void* system) {
-  static_cast<const OdeSystem*>(system)->derivative(t, values(y), values(dydt));
+int call_derivative(realtype t, N_Vector y, N_Vector dydt, void* user) {
+  static_cast<const Callbacks*>(user)->system->derivative(t, values(y), values(dydt));
   // CVODE's error test lets NaN pass, and a plant full of NaN would look healthy.
   double finite = 0.0;
   for (const double slope : values(dydt)) finite += 0.0 * slope;
@@ -57,8 +63,8 @@ int call_derivative(realtype t, N_Vector y, N_Vector dydt, void* system) {
   return finite == 0.0 ? 0 : kTryShorterStep;
 }
 
-int call_roots(realtype t, N_Vector y, realtype* g, void* system) {
-  const auto* ode = static_cast<const OdeSystem*>(system);
+int call_roots(realtype t, N_Vector y, realtype* g, void* user) {
+  const OdeSystem* ode = static_cast<const Callbacks*>(user)->system;
   ode->roots(t, values(y), {g, ode->root_count()});
   return 0;
 }
@@ -82,7 +88,9 @@ std::string check(const OdeSystem& system, std::span<const double> y0, const Cvo
   if (!positive(settings.first_step_s) || !positive(settings.max_step_s) || shortest_s < kMinStepS) {
     return "the steps must be at least a nanosecond";
   }
-  if (settings.max_order < 1 || settings.max_order > 12) return "the order must lie in 1..12";
+  const int highest = settings.implicit ? 5 : 12;
+  if (settings.max_order < 1 || settings.max_order > highest)
+    return "the order must lie in 1.." + std::to_string(highest);
   return {};
 }
 
@@ -101,6 +109,7 @@ result::Result<CvodeSolver> CvodeSolver::create(const OdeSystem& system, std::sp
   auto state = std::make_unique<State>();
   State& s = *state;
   s.system = &system;
+  s.callbacks.system = &system;
   s.first_step_s = settings.first_step_s;
   s.time = s.oldest = t0_s;
   s.roots.resize(system.root_count());
@@ -108,8 +117,11 @@ result::Result<CvodeSolver> CvodeSolver::create(const OdeSystem& system, std::sp
   const auto size = static_cast<sunindextype>(y0.size());
   ok = ok && (s.y = N_VNew_Serial(size, s.context)) != nullptr;
   ok = ok && (s.scratch = N_VNew_Serial(size, s.context)) != nullptr;
-  ok = ok && (s.iteration = SUNNonlinSol_FixedPoint(s.y, 0, s.context)) != nullptr;
-  ok = ok && (s.cvode = CVodeCreate(CV_ADAMS, s.context)) != nullptr;
+  s.iteration = !ok                 ? nullptr
+                : settings.implicit ? SUNNonlinSol_Newton(s.y, s.context)
+                                    : SUNNonlinSol_FixedPoint(s.y, 0, s.context);
+  ok = ok && s.iteration != nullptr;
+  ok = ok && (s.cvode = CVodeCreate(settings.implicit ? CV_BDF : CV_ADAMS, s.context)) != nullptr;
   ok = ok && CVodeSetErrHandlerFn(s.cvode, ignore_message, nullptr) == CV_SUCCESS;
   if (ok) {
     std::copy(y0.begin(), y0.end(), NV_DATA_S(s.y));
@@ -117,8 +129,13 @@ result::Result<CvodeSolver> CvodeSolver::create(const OdeSystem& system, std::sp
   }
   ok = ok && CVodeInit(s.cvode, call_derivative, t0_s, s.y) == CV_SUCCESS;
   ok = ok && CVodeSVtolerances(s.cvode, settings.relative_tolerance, s.scratch) == CV_SUCCESS;
-  ok = ok && CVodeSetUserData(s.cvode, const_cast<OdeSystem*>(&system)) == CV_SUCCESS;
+  ok = ok && CVodeSetUserData(s.cvode, &s.callbacks) == CV_SUCCESS;
   ok = ok && CVodeSetNonlinearSolver(s.cvode, s.iteration) == CV_SUCCESS;
+  if (ok && settings.implicit) {
+    s.jacobian = Jacobian::attach(system, s.y, s.cvode, s.context, settings.absolute_tolerance);
+    s.callbacks.jacobian = s.jacobian.get();
+    ok = s.jacobian != nullptr;
+  }
   ok = ok && CVodeSetMaxOrd(s.cvode, settings.max_order) == CV_SUCCESS;
   ok = ok && CVodeSetMaxStep(s.cvode, settings.max_step_s) == CV_SUCCESS;
   ok = ok && CVodeSetMinStep(s.cvode, kMinStepS) == CV_SUCCESS;

@@ -6,7 +6,8 @@
 //
 // Adams with fixed-point iteration combines derivatives linearly, so it keeps every linear invariant of
 // the system (the total liquid) to rounding; a Newton iteration would keep it to its tolerance only. It
-// suits systems whose fastest time constant is not far below the output interval.
+// suits systems whose fastest time constant is not far below the output interval. Others are solved
+// implicitly: with a dense Jacobian, or by GMRES without one where there are many states.
 //
 // Thread rule: one thread at a time. After create() no call allocates. The system must outlive the solver
 // and must not move.
@@ -30,7 +31,10 @@ struct CvodeSettings {
   std::vector<double> absolute_tolerance;  // one per state, > 0
   double first_step_s = 1e-3;              // tried after a restart; the error test may shorten it
   double max_step_s = 0.1;                 // bounds what a root function can do unseen
-  int max_order = 5;                       // 1..12
+  int max_order = 5;                       // 1..12; of an implicit method at most 5
+  // Backward differentiation with Newton's method for stiff systems, instead of Adams. Keeps linear
+  // invariants to its tolerance only.
+  bool implicit = false;
 };
 
 enum class StepOutcome : std::uint8_t {

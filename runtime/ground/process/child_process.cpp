@@ -15,6 +15,8 @@
 namespace stepwright::process {
 namespace {
 
+constexpr int kCannotStart = 127;  // exit code of a child that did not become the program
+
 std::vector<char*> pointers(const std::vector<std::string>& texts) {
   std::vector<char*> all;
   for (const std::string& text : texts) all.push_back(const_cast<char*>(text.c_str()));
@@ -34,6 +36,20 @@ std::vector<std::string> environment_with(const std::vector<std::string>& change
   for (char** entry = environ; *entry != nullptr; ++entry)
     if (!is_changed(*entry)) all.emplace_back(*entry);
   return all;
+}
+
+// As 3, 4, ...; first out of the way of each other. Between fork and exec.
+void hand_down(const std::vector<int>& descriptors) {
+  constexpr int kFirst = STDERR_FILENO + 1;
+  constexpr int kAside = 64;
+  constexpr std::size_t kMost = 16;
+  int aside[kMost] = {};
+  const std::size_t count = descriptors.size() < kMost ? descriptors.size() : kMost;
+  for (std::size_t i = 0; i < count; ++i) aside[i] = fcntl(descriptors[i], F_DUPFD, kAside);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (dup2(aside[i], kFirst + static_cast<int>(i)) < 0) _exit(kCannotStart);
+  }
+  static_cast<void>(close_range(kFirst + static_cast<unsigned>(count), ~0u, 0));
 }
 
 // Between fork and exec: calls of the system only.
@@ -63,12 +79,15 @@ result::Result<ChildProcess> ChildProcess::start(const ChildOptions& options) {
   }
   const pid_t parent = getpid();
   const char* const log = options.log.empty() ? nullptr : options.log.c_str();
+  const char* const folder = options.folder.empty() ? nullptr : options.folder.c_str();
   const pid_t pid = fork();
   if (pid < 0) return result::fail("M0001", {}, std::string("cannot fork: ") + std::strerror(errno));
   if (pid == 0) {
     become_child(parent, log, options.output);
+    if (folder != nullptr && chdir(folder) != 0) _exit(kCannotStart);
+    if (!options.descriptors.empty()) hand_down(options.descriptors);
     execve(argv[0], argv.data(), envp.data());
-    _exit(127);
+    _exit(kCannotStart);
   }
   return ChildProcess(pid);
 }

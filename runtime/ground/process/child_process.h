@@ -30,6 +30,10 @@ struct ChildOptions {
   std::filesystem::path log = {};             // what it prints is appended to this file; empty: to `output`
   int output = -1;                            // an open descriptor; -1: that of this process
   std::vector<std::string> environment = {};  // NAME=VALUE, in place of what this process has by that name
+  std::filesystem::path folder = {};          // its working folder; empty: that of this process
+  // Open descriptors that are 3, 4, ... in the child, which then gets no others of this process but the
+  // standard streams.
+  std::vector<int> descriptors = {};
 };
 
 class ChildProcess {

@@ -1,5 +1,6 @@
 // Cost of the tank bench in a scan of 10 ms: CVODE through the port driver, the plant alone, and the
-// hand-written RK4 of the same equations as baseline. All three run the same job in the same process.
+// hand-written RK4 of the same equations as baseline; and the same bench as a file of components. All run the
+// same job in the same process. Then rows of 10, 100 and 1000 components.
 //
 //   bench_plant [--json FILE]
 
@@ -19,6 +20,7 @@
 #include "runtime/ground/result/exit_code.h"
 #include "tests/bench/plant/bench_job.h"
 #include "tests/bench/plant/bench_rk4.h"
+#include "tests/bench/plant/model_bench.h"
 
 namespace stepwright::bench {
 namespace {
@@ -135,12 +137,37 @@ int run(const char* json_file) {
               coarse.us, plant_us / coarse.us, coarse.error_percent);
   std::printf("  hand RK4, 10 steps per scan  %6.3f us per scan  ratio %.2f, level error %.3f percent\n",
               fine.us, plant_us / fine.us, fine.error_percent);
+  const ModelFigures model = measure_model(job, kRepeats);
+  std::printf(
+      "  components, port driver      %6.3f us per scan  ratio to the built-in one %.2f, level error %.1e "
+      "percent\n",
+      model.us, model.us / driver_us, model.largest_level_error_percent);
+  nlohmann::json growth = nlohmann::json::array();
+  for (const std::size_t components : {10u, 100u, 1000u}) {
+    const Growth row = measure_row(components);
+    std::printf(
+        "  a row of %4zu components      %6.2f us per scan  (%.0f times real time; implicit %.2f us), read "
+        "in %.1f ms\n",
+        row.components, row.scan_us, row.realtime_factor, row.implicit_scan_us, row.load_ms);
+    growth.push_back({{"components", row.components},
+                      {"states", row.states},
+                      {"load_ms", row.load_ms},
+                      {"scan_us", row.scan_us},
+                      {"realtime_factor", row.realtime_factor},
+                      {"implicit_scan_us", row.implicit_scan_us}});
+  }
   if (json_file == nullptr) return result::to_int(result::ExitCode::Done);
   const nlohmann::json json = {{"scans", kScans},
                                {"driver_us", driver_us},
                                {"plant_us", plant_us},
                                {"solver_steps", statistics.steps},
                                {"solver_restarts", statistics.restarts},
+                               {"model_us", model.us},
+                               {"bench_model_ratio", model.us / driver_us},
+                               {"realtime_factor_model", model.realtime_factor},
+                               {"model_level_error_percent", model.largest_level_error_percent},
+                               {"components", library_size()},
+                               {"growth", growth},
                                {"rk4_1_us", coarse.us},
                                {"rk4_1_error_percent", coarse.error_percent},
                                {"rk4_10_us", fine.us},

@@ -1,0 +1,36 @@
+#include "cell/runtime/model_plant.h"
+
+#include <utility>
+
+#include "plant_models/components/library/catalogue.h"
+#include "plant_models/components/model_plant.h"
+
+namespace stepwright::cell_runtime {
+namespace {
+
+components::ModelOptions options_of(const config::PlantConfig& plant) {
+  return {.seed = plant.seed, .uncertainty = plant.uncertainty};
+}
+
+}  // namespace
+
+result::Result<std::unique_ptr<core::Plant>> make_model(const config::PlantConfig& plant,
+                                                        const std::optional<std::vector<double>>& left) {
+  std::optional<std::span<const double>> kept;
+  if (left) kept = *left;
+  auto model =
+      components::ModelPlant::load(plant.file, components::library::catalogue(), options_of(plant), kept);
+  if (!model) return result::forward(model);
+  return std::unique_ptr<core::Plant>(std::move(*model));
+}
+
+std::vector<bridge::PortWire> model_wires(const config::PlantConfig& plant) {
+  std::vector<bridge::PortWire> wires;
+  auto text = components::read_model(plant.file, components::library::catalogue(), options_of(plant));
+  if (!text) return wires;
+  for (const components::TerminalText& terminal : text->terminals)
+    wires.push_back({terminal.name, terminal.address, terminal.where});
+  return wires;
+}
+
+}  // namespace stepwright::cell_runtime

@@ -1,0 +1,199 @@
+#include "plant_models/components/component_reader.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdio>
+
+#include "plant_models/components/own_type.h"
+
+namespace stepwright::components {
+namespace {
+
+using settings::TomlTable;
+
+constexpr std::size_t kDeepest = 8;  // assemblies in assemblies
+
+std::string short_text(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%g", value);
+  return text.data();
+}
+
+std::string example_of(const ParameterSpec& spec) {
+  if (!spec.fallback.empty()) return "for example \"" + spec.fallback + "\"";
+  return spec.unit.empty() ? "a number" : "a figure with its unit, such as \"1 " + spec.unit + "\"";
+}
+
+// A text as it stands, or what an assembly was given for it.
+std::string text_of(const TomlTable& table, const std::string& key, const Replaced& replaced) {
+  std::string text = table.text(key, {});
+  if (!text.starts_with('$')) return text;
+  const auto found = replaced.find(text.substr(1));
+  if (found != replaced.end()) return found->second;
+  std::vector<std::string> known;
+  for (const auto& [name, value] : replaced) known.push_back(name);
+  table.report(key, "'" + text + "' is no parameter of the assembly", meant_or(text.substr(1), known));
+  return {};
+}
+
+}  // namespace
+
+std::string meant_or(const std::string& word, const std::vector<std::string>& known) {
+  const std::string meant = settings::closest(word, known);
+  if (!meant.empty()) return "did you mean '" + meant + "'?";
+  std::string text;
+  constexpr std::size_t kMost = 40;
+  for (std::size_t i = 0; i < known.size() && i < kMost; ++i) text += (i == 0 ? "" : ", ") + known[i];
+  return known.empty() ? "there is none" : "known here: " + text + (known.size() > kMost ? ", ..." : "");
+}
+
+Quantity read_figure(const TomlTable& table, const ParameterSpec& spec, const Replaced& replaced) {
+  const bool any = spec.unit == "any";
+  const Unit wanted = any ? Unit{} : parse_unit(spec.unit).value_or(Unit{});
+  Quantity fallback = parse_quantity(spec.fallback).value_or(Quantity{0.0, wanted});
+  const std::string& key = spec.name;
+  if (!table.has(key)) {
+    if (spec.fallback.empty()) (void)table.required_text(key);
+    return fallback;
+  }
+  Quantity figure;
+  // A pure number may stand without quotes.
+  if (wanted.dimension.none() && !any && !table.is_text(key)) {
+    figure = {table.number(key, fallback.value), wanted};
+  } else {
+    const std::string text = text_of(table, key, replaced);
+    if (text.empty()) return fallback;
+    const auto parsed = parse_quantity(text);
+    if (!parsed) {
+      table.report(key, "'" + text + "' is no figure with a unit", example_of(spec), "0341");
+      return fallback;
+    }
+    figure = *parsed;
+  }
+  if (!any && figure.unit.dimension != wanted.dimension) {
+    table.report(key,
+                 "the unit of '" + key + "' does not fit: " + to_string(figure.unit.dimension) + " where " +
+                     to_string(wanted.dimension) + " is wanted",
+                 example_of(spec), "0341");
+    return fallback;
+  }
+  if (!(figure.value >= spec.low && figure.value <= spec.high)) {
+    table.report(key, "'" + key + "' is out of range",
+                 "it must lie between " + short_text(wanted.from_si(spec.low)) + " and " +
+                     short_text(wanted.from_si(spec.high)) + " " + wanted.text,
+                 "0004");
+    return fallback;
+  }
+  return figure;
+}
+
+ComponentReader::ComponentReader(Catalogue catalogue, const Parameters& of_plant, const TomlTable& root,
+                                 ModelText& model)
+    : catalogue_(catalogue), of_plant_(of_plant), assemblies_(root.table("assemblies")), model_(model) {
+  const TomlTable types = root.table("types");
+  for (const std::string& name : types.keys()) {
+    if (find_type(name) != nullptr)
+      types.report(name, "there is a type '" + name + "' already", "choose another name");
+    if (auto type = read_own_type(types.table(name), name)) model_.own_types.push_back(std::move(*type));
+  }
+}
+
+const ComponentType* ComponentReader::find_type(const std::string& name) const {
+  for (const ComponentType& type : model_.own_types)
+    if (type.name == name) return &type;
+  for (const ComponentType& type : catalogue_)
+    if (type.name == name) return &type;
+  return nullptr;
+}
+
+void ComponentReader::read(const TomlTable& table, const std::string& name) {
+  read_in(table, name, {});
+}
+
+void ComponentReader::read_in(const TomlTable& table, const std::string& name, const Around& around) {
+  const bool plain =
+      std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; });
+  if (!plain || name.empty()) {
+    table.report("type", "'" + name + "' cannot name a component", "letters, digits and '_'");
+    return;
+  }
+  const std::string type = table.required_text("type");
+  if (type.empty()) return;
+  if (const ComponentType* found = find_type(type))
+    return read_part(table, *found, around.prefix + name, around);
+  if (assemblies_.has_table(type)) return read_assembly(table, type, around.prefix + name, around);
+  std::vector<std::string> known = assemblies_.keys();
+  for (const ComponentType& one : model_.own_types) known.push_back(one.name);
+  for (const ComponentType& one : catalogue_) known.push_back(one.name);
+  table.report("type", "there is no type '" + type + "'", meant_or(type, known), "0342");
+}
+
+void ComponentReader::read_assembly(const TomlTable& table, const std::string& type, const std::string& name,
+                                    const Around& around) {
+  if (around.depth >= kDeepest) {
+    table.report("type", "assembly '" + type + "' has itself inside, or is too deep",
+                 "at most " + std::to_string(kDeepest) + " in each other");
+    return;
+  }
+  const TomlTable assembly = assemblies_.table(type);
+  Around inside{name + ".", {}, around.depth + 1};
+  const TomlTable parameters = assembly.table("parameters");
+  for (const std::string& key : parameters.keys()) {
+    inside.replaced[key] = parameters.text(key, {});
+    if (table.has(key)) inside.replaced[key] = text_of(table, key, around.replaced);
+  }
+  const std::size_t first = model_.components.size();
+  const TomlTable parts = assembly.table("components");
+  for (const std::string& part : parts.keys()) read_in(parts.table(part), part, inside);
+  // A port of the assembly is one of a part.
+  const TomlTable ports = assembly.table("ports");
+  for (const std::string& port : ports.keys()) {
+    const std::string target = name + "." + ports.text(port, {});
+    model_.port_names[name + "." + port] = target;
+    if (!table.has(port)) continue;
+    const std::size_t dot = target.rfind('.');
+    for (std::size_t i = first; i < model_.components.size(); ++i) {
+      ComponentText& part = model_.components[i];
+      if (part.name != target.substr(0, dot)) continue;
+      const auto& specs = part.type->ports;
+      const auto spec = std::find_if(specs.begin(), specs.end(),
+                                     [&](const PortSpec& one) { return one.name == target.substr(dot + 1); });
+      if (spec == specs.end()) continue;
+      part.connections.push_back({static_cast<std::size_t>(spec - specs.begin()),
+                                  text_of(table, port, around.replaced), around.prefix, table.where(port)});
+    }
+  }
+}
+
+void ComponentReader::read_part(const TomlTable& table, const ComponentType& type, const std::string& name,
+                                const Around& around) {
+  ComponentText part;
+  part.name = name;
+  part.type = &type;
+  part.parameters = of_plant_;
+  part.parameters.stream = model_.components.size();
+  part.place = table.where();
+  for (const ParameterSpec& spec : type.parameters) {
+    part.where[spec.name] = table.where(table.has(spec.name) ? spec.name : "type");
+    if (spec.choices.empty()) {
+      const Quantity figure = read_figure(table, spec, around.replaced);
+      part.parameters.figures[spec.name] = figure.value;
+      if (!spec.like.empty()) part.units[spec.name] = figure.unit;
+    } else {
+      part.parameters.words[spec.name] = table.choice(spec.name, spec.fallback, spec.choices);
+    }
+  }
+  for (std::size_t i = 0; i < type.ports.size(); ++i) {
+    const std::string& port = type.ports[i].name;
+    if (!table.has(port)) continue;
+    if (auto to = text_of(table, port, around.replaced); !to.empty())
+      part.connections.push_back({i, std::move(to), around.prefix, table.where(port)});
+  }
+  if (type.wrong) {
+    auto [message, hint] = type.wrong(part.parameters);
+    if (!message.empty()) table.report("type", std::move(message), std::move(hint), "0321");
+  }
+  model_.components.push_back(std::move(part));
+}
+
+}  // namespace stepwright::components

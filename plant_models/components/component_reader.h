@@ -1,0 +1,47 @@
+#pragma once
+
+// One table of [components]: its parameters by its type, and what its ports are connected to.
+
+#include <string>
+
+#include "plant_models/components/model_text.h"
+#include "runtime/ground/settings/toml_document.h"
+
+namespace stepwright::components {
+
+// The figure of a parameter, or its default; what is wrong is reported to the document. `replaced` is what a
+// value "$name" stands for.
+using Replaced = std::map<std::string, std::string, std::less<>>;
+Quantity read_figure(const settings::TomlTable& table, const ParameterSpec& spec, const Replaced& replaced);
+
+// What does not exist and could have been meant.
+std::string meant_or(const std::string& word, const std::vector<std::string>& known);
+
+class ComponentReader {
+ public:
+  ComponentReader(Catalogue catalogue, const Parameters& of_plant, const settings::TomlTable& root,
+                  ModelText& model);
+
+  // Adds the component of that name, or all parts of one that is an assembly.
+  void read(const settings::TomlTable& table, const std::string& name);
+
+ private:
+  struct Around {
+    std::string prefix;  // "station." of what is inside of an assembly
+    Replaced replaced{};
+    std::size_t depth = 0;
+  };
+  void read_in(const settings::TomlTable& table, const std::string& name, const Around& around);
+  void read_assembly(const settings::TomlTable& table, const std::string& type, const std::string& name,
+                     const Around& around);
+  void read_part(const settings::TomlTable& table, const ComponentType& type, const std::string& name,
+                 const Around& around);
+  const ComponentType* find_type(const std::string& name) const;
+
+  Catalogue catalogue_;
+  Parameters of_plant_;
+  settings::TomlTable assemblies_;
+  ModelText& model_;
+};
+
+}  // namespace stepwright::components

@@ -1,0 +1,126 @@
+// Sensors of one quantity: filter, then bias, drift and noise. A card turns what they show into counts.
+
+#include <chrono>
+
+#include "plant_models/components/library/types.h"
+#include "plant_models/core/sensor_error.h"
+
+namespace stepwright::components::library {
+namespace {
+
+enum Port : std::size_t { kOf, kValue };
+enum Fault : std::size_t { kDrifts, kFrozen, kOffset };
+
+class Sensor final : public Component {
+ public:
+  Sensor(const Parameters& p, std::uint32_t what)
+      : error_(sure(p, "bias"), sure(p, "drift"), sure(p, "noise"), p.seed,
+               p["stream"] >= 0.0 ? static_cast<std::uint64_t>(p["stream"]) : 1000 + p.stream),
+        what_(what),
+        filter_s_(p["filter"]) {
+    if (filter_s_ > 0.0) add_state({.start = p["first"], .tolerance = 1e-7});
+  }
+
+  void evaluate(std::uint32_t, const Frame& f) const override {
+    across(f, kValue) = frozen() ? shown_ : reading(f);
+    if (what_ != 0) through(f, kOf, kFlow) = through(f, kOf, kHeatFlow) = 0.0;
+  }
+  void derivative(const Frame& f) const override {
+    if (filter_s_ > 0.0) dydt(f, 0) = (measured(f) - y(f, 0)) / filter_s_;
+  }
+  void fault_changed(std::size_t fault, double value, const Frame& f) override {
+    if (fault == kDrifts) since_ns_ = f.time_ns;
+    if (fault == kFrozen && value >= 0.5) shown_ = across(f, kValue);
+  }
+
+ private:
+  static double sure(const Parameters& p, const char* name) { return p.uncertainty ? p[name] : 0.0; }
+  bool frozen() const { return fault(kFrozen) >= 0.5; }
+  double measured(const Frame& f) const { return across(f, kOf, what_ == 0 ? 0 : kPressure); }
+  double reading(const Frame& f) const {
+    double value = filter_s_ > 0.0 ? y(f, 0) : measured(f);
+    value += fault(kOffset);
+    if (!f.sampling) return value;
+    const std::chrono::nanoseconds time(f.time_ns);
+    value += error_.offset(time) + error_.noise(time);
+    return value + fault(kDrifts) * 1e-9 * static_cast<double>(f.time_ns - since_ns_);
+  }
+
+  core::SensorError error_;
+  std::uint32_t what_;  // 0: a signal; else: a pressure
+  double filter_s_;
+  std::int64_t since_ns_ = 0;
+  double shown_ = 0.0;
+};
+
+ComponentType sensor(const char* name, const char* meaning, const char* unit, bool of_liquid) {
+  const std::string of = unit;
+  const auto size = [&](const char* parameter, const char* what) {
+    return ParameterSpec{
+        .name = parameter, .unit = of, .fallback = "0 " + of, .low = 0.0, .high = 1e9, .meaning = what};
+  };
+  ComponentType type = {
+      .name = name,
+      .meaning = meaning,
+      .parameters = {size("bias", "a constant error, even over +- this; another one for each seed"),
+                     size("drift", "wanders within +- this, an hour from one random value to the next"),
+                     size("noise", "standard deviation of what is new at each reading"),
+                     {.name = "filter",
+                      .unit = "s",
+                      .fallback = "0 s",
+                      .low = 0.0,
+                      .high = 1e4,
+                      .meaning = "time constant; 0: it shows what is there"},
+                     {.name = "first",
+                      .unit = of,
+                      .fallback = "0 " + of,
+                      .meaning = "what a filter shows at the start"},
+                     {.name = "stream",
+                      .unit = "",
+                      .fallback = "-1",
+                      .low = -1.0,
+                      .high = 1e6,
+                      .meaning = "number of its random values; -1: its own by its place in the file"}},
+      .ports =
+          {{.name = "of", .unit = of, .reads = 0, .meaning = "what it measures"},
+           {.name = "value", .role = Role::Node, .unit = of, .open = Open::Fine, .meaning = "what it shows"}},
+      .faults = {{.name = "drift",
+                  .unit = of + "/s",
+                  .low = -1e6,
+                  .high = 1e6,
+                  .rest = 0.0,
+                  .meaning = "what it shows walks away at this rate"},
+                 {.name = "frozen",
+                  .unit = "",
+                  .low = 0.0,
+                  .high = 1.0,
+                  .rest = 0.0,
+                  .meaning = "1: it goes on showing its present value"},
+                 {.name = "offset",
+                  .unit = of,
+                  .low = -1e9,
+                  .high = 1e9,
+                  .rest = 0.0,
+                  .meaning = "it shows so much more"}},
+      .make = [of_liquid](const Parameters& p) { return std::make_unique<Sensor>(p, of_liquid ? 1 : 0); }};
+  if (of_liquid)
+    type.ports[0] = {.name = "of", .kind = PortKind::Fluid, .reads = 0, .meaning = "where it measures"};
+  return type;
+}
+
+}  // namespace
+
+ComponentType level_sensor_type() {
+  return sensor("level_sensor", "shows the level of a tank", "percent", false);
+}
+ComponentType temperature_sensor_type() {
+  return sensor("temperature_sensor", "shows a temperature", "K", false);
+}
+ComponentType flow_sensor_type() {
+  return sensor("flow_sensor", "shows a flow", "l/s", false);
+}
+ComponentType pressure_sensor_type() {
+  return sensor("pressure_sensor", "shows the pressure of a liquid above that of the room", "bar", true);
+}
+
+}  // namespace stepwright::components::library

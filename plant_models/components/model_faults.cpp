@@ -1,0 +1,69 @@
+// Faults of a described plant.
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "plant_models/components/component_reader.h"
+#include "plant_models/components/model_plant.h"
+#include "plant_models/core/names.h"
+
+namespace stepwright::components {
+namespace {
+
+std::string number_text(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%g", value);
+  return text.data();
+}
+
+result::Result<std::size_t> find_fault(const Model& model, std::string_view name) {
+  if (const auto fault = core::index_of(model.faults, name)) return *fault;
+  std::vector<std::string> known;
+  for (const core::Quantity& fault : model.faults) known.push_back(fault.name);
+  return result::fail("C0311", {}, "the plant has no fault named '" + std::string(name) + "'",
+                      meant_or(std::string(name), known));
+}
+
+}  // namespace
+
+result::Result<void> ModelPlant::inject_fault(std::string_view name, double value) {
+  const auto fault = find_fault(*model_, name);
+  if (!fault) return tl::unexpected(fault.error());
+  const ModelFault& at = model_->fault_at[*fault];
+  if (!(value >= at.low && value <= at.high)) {
+    const core::Quantity& quantity = model_->faults[*fault];
+    return result::fail("C0312", {},
+                        "fault '" + quantity.name + "' cannot have the value " + number_text(value),
+                        "allowed: " + number_text(at.low) + " to " + number_text(at.high) +
+                            (quantity.unit.empty() ? "" : " ") + quantity.unit + "; " + quantity.meaning);
+  }
+  set_fault(*fault, value * at.factor);
+  return {};
+}
+
+result::Result<void> ModelPlant::clear_fault(std::string_view name) {
+  const auto fault = find_fault(*model_, name);
+  if (!fault) return tl::unexpected(fault.error());
+  set_fault(*fault, model_->fault_at[*fault].rest);
+  return {};
+}
+
+void ModelPlant::set_fault(std::size_t fault, double si) {
+  const ModelFault& at = model_->fault_at[fault];
+  Component& component = *model_->components[at.component];
+  // Sampled, so that what a sensor shows now can be kept.
+  sample(Sampled::All);
+  component.fault_changed(at.fault, si,
+                          {.t_s = static_cast<double>(now_.count()) * 1e-9,
+                           .time_ns = now_.count(),
+                           .sampling = true,
+                           .y = y_.data(),
+                           .v = sampled_.data()});
+  component.set_fault(at.fault, si);
+  sampled_now_ = Sampled::Nothing;
+  changed_ = fault_changed_ = true;
+}
+
+}  // namespace stepwright::components

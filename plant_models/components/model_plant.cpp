@@ -1,0 +1,223 @@
+#include "plant_models/components/model_plant.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "plant_models/components/describe.h"
+#include "runtime/base/hash64.h"
+
+namespace stepwright::components {
+namespace {
+
+constexpr int kMostSettlings = 16;  // modes that change modes
+
+double seconds(std::chrono::nanoseconds time) {
+  return static_cast<double>(time.count()) * 1e-9;
+}
+
+ode::CvodeSettings settings_of(const Model& model) {
+  ode::CvodeSettings settings;
+  settings.relative_tolerance = model.text.solver.relative_tolerance;
+  settings.max_step_s = model.text.solver.max_step_s;
+  settings.absolute_tolerance = model.tolerances();
+  settings.implicit = model.text.solver.implicit;
+  return settings;
+}
+
+}  // namespace
+
+ModelPlant::ModelPlant(std::unique_ptr<Model> model)
+    : model_(std::move(model)),
+      y_(model_->start()),
+      before_(model_->states),
+      after_(model_->states),
+      actuators_(model_->actuators.size(), 0),
+      sampled_(model_->values) {
+  description_ = describe(*model_);
+  mark_ = mark();
+}
+
+result::Result<std::unique_ptr<ModelPlant>> ModelPlant::load(const std::filesystem::path& file,
+                                                             Catalogue catalogue, const ModelOptions& options,
+                                                             std::optional<std::span<const double>> left) {
+  auto text = read_model(file, catalogue, options);
+  if (!text) return result::forward(text);
+  auto model = assemble(std::move(*text));
+  if (!model) return result::forward(model);
+  std::unique_ptr<ModelPlant> plant(new ModelPlant(std::move(*model)));
+  auto equations = ModelEquations::create(*plant->model_);
+  if (!equations) return result::forward(equations);
+  plant->equations_ = std::move(*equations);
+  const bool goes_on = left && left->size() == plant->kept_size() && left->back() == plant->mark_ &&
+                       std::all_of(left->begin(), left->end(), [](double x) { return std::isfinite(x); });
+  if (goes_on) std::copy_n(left->begin(), plant->y_.size(), plant->y_.begin());
+  plant->settle(0.0);
+  if (plant->y_.empty()) return plant;
+  auto solver = ode::CvodeSolver::create(*plant->equations_, plant->y_, 0.0, settings_of(*plant->model_));
+  if (!solver) return result::forward(solver);
+  plant->solver_ = std::make_unique<ode::CvodeSolver>(std::move(*solver));
+  return plant;
+}
+
+// Names and states of the components as one number.
+double ModelPlant::mark() const {
+  std::uint64_t hash = model_->states;
+  for (std::size_t i = 0; i < model_->names.size(); ++i) {
+    hash = base::hash_mix(hash, base::hash_bytes(std::as_bytes(std::span(model_->names[i]))));
+    hash = base::hash_mix(hash, base::hash_bytes(std::as_bytes(std::span(model_->types[i]->name))));
+  }
+  return static_cast<double>(hash >> 12);
+}
+
+Frame ModelPlant::frame(double t_s) {
+  return {.t_s = t_s, .time_ns = std::llround(t_s * 1e9), .y = y_.data(), .v = equations_->values()};
+}
+
+void ModelPlant::set_actuator(core::ActuatorId id, std::int16_t value) {
+  assert(id.value < actuators_.size());
+  const bool is_bit = model_->actuators[id.value].kind == core::PortKind::Bool;
+  const std::int16_t wanted = is_bit ? static_cast<std::int16_t>(value != 0) : value;
+  actuators_[id.value] = wanted;
+  changed_ = changed_ || equations_->values()[model_->actuator_at[id.value].slot] != wanted;
+}
+
+// Modes that follow from inputs, until none changes another one.
+void ModelPlant::settle(double t_s) {
+  for (std::size_t i = 0; i < actuators_.size(); ++i)
+    equations_->values()[model_->actuator_at[i].slot] = actuators_[i];
+  const Frame at = frame(t_s);
+  for (int round = 0; round < kMostSettlings; ++round) {
+    equations_->evaluate(at);
+    bool changed = false;
+    for (const auto& component : model_->components) changed = component->settle(at) || changed;
+    if (!changed) return;
+  }
+}
+
+bool ModelPlant::restart(double t_s) {
+  settle(t_s);
+  return solver_ == nullptr || solver_->restart(t_s, y_);
+}
+
+core::PlantStatus ModelPlant::advance_to(std::chrono::nanoseconds time) {
+  if (time <= now_ || failed_) return failed_ ? core::PlantStatus::Failed : core::PlantStatus::Good;
+  if (changed_) {
+    // What was set and taken back at the same instant is no change.
+    const double* values = equations_->values();
+    bool differs = fault_changed_;
+    for (std::size_t i = 0; i < actuators_.size(); ++i)
+      differs = differs || values[model_->actuator_at[i].slot] != actuators_[i];
+    if (differs) {
+      failed_ = !restart(seconds(now_));
+      event_pending_ = false;
+    }
+    changed_ = fault_changed_ = false;
+  }
+  failed_ = failed_ || !run_to(seconds(time));
+  sampled_now_ = Sampled::Nothing;
+  if (failed_) return core::PlantStatus::Failed;
+  now_ = time;
+  return core::PlantStatus::Good;
+}
+
+bool ModelPlant::run_to(double t_s) {
+  if (solver_ == nullptr) return true;
+  while (solver_->time() < t_s || (event_pending_ && solver_->time() <= t_s)) {
+    if (event_pending_) {
+      event_pending_ = false;
+      if (!handle_event()) return false;
+      continue;
+    }
+    const ode::StepOutcome outcome = solver_->step();
+    if (outcome == ode::StepOutcome::Failed) return false;
+    event_pending_ = outcome == ode::StepOutcome::Root;
+  }
+  return solver_->state_at(t_s, y_);
+}
+
+// Returns false if the solver cannot go on.
+bool ModelPlant::handle_event() {
+  const auto signs = solver_->roots();
+  const double t_s = solver_->time();
+  if (!solver_->state_at(t_s, y_)) return false;
+  Frame at = frame(t_s);
+  at.dydt = before_.data();
+  equations_->evaluate(at);
+  equations_->derivatives(at);
+  Event most = Event::None;
+  for (const std::uint32_t c : model_->with_roots) {
+    Component& component = *model_->components[c];
+    const int* of_component = signs.data() + model_->first_root[c];
+    if (std::all_of(of_component, of_component + component.root_count(), [](int sign) { return sign == 0; }))
+      continue;
+    most = std::max(most, component.handle(at, of_component, y_.data()));
+  }
+  if (most == Event::None) return true;
+  if (most == Event::Restart) return restart(t_s);
+  settle(t_s);
+  at.dydt = after_.data();
+  equations_->evaluate(at);
+  equations_->derivatives(at);
+  return before_ == after_ || solver_->restart(t_s, y_);
+}
+
+void ModelPlant::sample(Sampled wanted) const {
+  if (sampled_now_ >= wanted) return;
+  for (std::size_t i = 0; i < actuators_.size(); ++i)
+    sampled_[model_->actuator_at[i].slot] = equations_->values()[model_->actuator_at[i].slot];
+  const Frame at{
+      .t_s = seconds(now_), .time_ns = now_.count(), .sampling = true, .y = y_.data(), .v = sampled_.data()};
+  wanted == Sampled::All ? equations_->evaluate(at) : equations_->evaluate_shown(at);
+  sampled_now_ = wanted;
+}
+
+std::int16_t ModelPlant::sensor(core::SensorId id) const {
+  assert(id.value < model_->sensors.size());
+  sample(Sampled::Shown);
+  const double value = sampled_[model_->sensor_at[id.value].slot];
+  if (model_->sensors[id.value].kind == core::PortKind::Bool) return value >= 0.5 ? 1 : 0;
+  return static_cast<std::int16_t>(std::floor(std::clamp(value, -32768.0, 32767.0) + 0.5));
+}
+
+double ModelPlant::truth(core::TruthId id) const {
+  const ModelTruth& truth = model_->truth_at[id.value];
+  if (truth.slot != kAllLiquid) {
+    sample(Sampled::All);
+    return (sampled_[truth.slot] - truth.offset) / truth.factor;
+  }
+  double sum = 0.0;
+  for (const std::uint32_t c : model_->with_states) {
+    const Component& component = *model_->components[c];
+    for (std::size_t s = 0; s < component.state_count(); ++s)
+      sum += component.liquid(s) * y_[model_->first_state[c] + s];
+  }
+  return sum / truth.factor;
+}
+
+std::string ModelPlant::stiffest() {
+  Frame at = frame(seconds(now_));
+  at.dydt = before_.data();
+  equations_->evaluate(at);
+  equations_->derivatives(at);
+  std::string name;
+  double most = 0.0;
+  for (const std::uint32_t c : model_->with_states) {
+    const Component& component = *model_->components[c];
+    for (std::size_t s = 0; s < component.state_count(); ++s) {
+      const double rate = std::abs(before_[model_->first_state[c] + s]) / component.tolerance(s);
+      if (rate > most || !std::isfinite(rate)) {
+        most = std::isfinite(rate) ? rate : 1e300;
+        name = model_->names[c];
+      }
+    }
+  }
+  return name;
+}
+
+void ModelPlant::keep(std::span<double> numbers) const {
+  std::copy(y_.begin(), y_.end(), numbers.begin());
+  numbers.back() = mark_;
+}
+
+}  // namespace stepwright::components

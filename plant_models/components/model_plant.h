@@ -1,0 +1,90 @@
+#pragma once
+
+// A plant that somebody has described in a file, as the runtime knows plants. CVODE integrates between
+// events; an event, a terminal or a fault changes modes of components.
+//
+// Thread rule and meaning of terminals: core::Plant. Reproducible as the built-in plants are: the state at an
+// instant depends on the file, the seed and the instants at which terminals and faults change, bit for bit,
+// however finely advance_to() slices the time.
+//
+//   auto plant = ModelPlant::load("plant.toml", library::catalogue(), {.seed = 7});
+//   if (!plant) return forward(plant);
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "plant_models/components/model.h"
+#include "plant_models/components/model_equations.h"
+#include "plant_models/core/plant.h"
+#include "plant_models/ode/cvode_solver.h"
+
+namespace stepwright::components {
+
+class ModelPlant final : public core::Plant {
+ public:
+  // Fails with everything that read_model() and assemble() find, or with C0331 (solver). `left`: numbers that
+  // keep() wrote, to go on from; those of another plant are not taken.
+  [[nodiscard]] static result::Result<std::unique_ptr<ModelPlant>> load(
+      const std::filesystem::path& file, Catalogue catalogue, const ModelOptions& options,
+      std::optional<std::span<const double>> left = std::nullopt);
+
+  std::span<const core::Port> actuators() const override { return model_->actuators; }
+  std::span<const core::Port> sensors() const override { return model_->sensors; }
+  std::span<const core::Quantity> truths() const override { return model_->truths; }
+  std::span<const core::Quantity> faults() const override { return model_->faults; }
+  const core::PlantDescription& description() const override { return description_; }
+  const Model& model() const { return *model_; }
+
+  std::chrono::nanoseconds now() const override { return now_; }
+  void set_actuator(core::ActuatorId id, std::int16_t value) override;
+  core::PlantStatus advance_to(std::chrono::nanoseconds time) override;
+  std::int16_t sensor(core::SensorId id) const override;
+  double truth(core::TruthId id) const override;
+  [[nodiscard]] result::Result<void> inject_fault(std::string_view name, double value) override;
+  [[nodiscard]] result::Result<void> clear_fault(std::string_view name) override;
+
+  // The states, in the order of the components, and then what makes sure that they are of the same plant.
+  std::size_t kept_size() const override { return model_->states + 1; }
+  void keep(std::span<double> numbers) const override;
+
+  ode::CvodeStatistics statistics() const { return solver_ ? solver_->statistics() : ode::CvodeStatistics{}; }
+  std::span<const double> state() const { return y_; }
+  // The component whose state changes fastest, beside its tolerance: where a solver that gives up has its
+  // trouble.
+  std::string stiffest();
+
+ private:
+  explicit ModelPlant(std::unique_ptr<Model> model);
+
+  Frame frame(double t_s);
+  void settle(double t_s);
+  bool restart(double t_s);
+  bool run_to(double t_s);
+  bool handle_event();
+  enum class Sampled : std::uint8_t { Nothing, Shown, All };
+  void sample(Sampled wanted) const;
+  double mark() const;
+  void set_fault(std::size_t fault, double si);
+
+  std::unique_ptr<Model> model_;
+  std::unique_ptr<ModelEquations> equations_;
+  std::unique_ptr<ode::CvodeSolver> solver_;  // null for a plant without states
+  core::PlantDescription description_;
+  std::vector<double> y_;       // at now_
+  std::vector<double> before_;  // derivatives around an event
+  std::vector<double> after_;
+  std::vector<std::int16_t> actuators_;  // as commanded
+  mutable std::vector<double> sampled_;  // values of the ports at now_, as far as `sampled_now_`
+  mutable Sampled sampled_now_ = Sampled::Nothing;
+  std::chrono::nanoseconds now_{0};
+  double mark_ = 0.0;
+  bool changed_ = false;  // an actuator or a fault may have changed at now_
+  bool fault_changed_ = false;
+  bool event_pending_ = false;  // the solver stands at a root that has not been handled
+  bool failed_ = false;
+};
+
+}  // namespace stepwright::components

@@ -1,0 +1,124 @@
+#include "plant_models/components/own_component.h"
+
+#include <cmath>
+
+namespace stepwright::components {
+namespace {
+
+// Requires an expression that was read before.
+Expression sure(const std::string& text, const std::vector<Variable>& variables) {
+  auto made = Expression::create(text, variables, {});
+  if (!made) made = Expression::create("0", variables, {});
+  return std::move(*made);
+}
+
+class OwnComponent final : public Component {
+ public:
+  OwnComponent(std::shared_ptr<const OwnEquations> equations, const Parameters& p)
+      : equations_(std::move(equations)), room_k_(p.room_k) {
+    const OwnEquations& e = *equations_;
+    const std::vector<Variable> variables = variables_of(e, values_);
+    for (std::size_t i = 0; i < e.parameters.size(); ++i) values_[i] = p[e.parameters[i].first];
+    first_fault_ = e.parameters.size();
+    first_read_ = first_fault_ + e.faults.size();
+    first_state_ = first_read_ + e.reads.size();
+    for (const OwnState& state : e.states) {
+      add_state({.start = sure(state.start, variables).value(),
+                 .tolerance = state.tolerance,
+                 .liquid = state.liquid ? 1.0 : 0.0});
+      derivatives_.push_back(sure(state.derivative, variables));
+    }
+    for (const OwnOutput& output : e.outputs) outputs_.push_back(sure(output.text, variables));
+    for (const OwnEvent& event : e.events) {
+      events_.push_back(sure(event.when, variables));
+      sets_.emplace_back();
+      for (const auto& [state, text] : event.set) sets_.back().push_back({state, sure(text, variables)});
+    }
+    set_roots(events_.size());
+  }
+
+  void evaluate(std::uint32_t stage, const Frame& f) const override {
+    load(f);
+    for (std::size_t i = 0; i < outputs_.size(); ++i) {
+      const OwnOutput& output = equations_->outputs[i];
+      if (output.stage != stage) continue;
+      const double value = outputs_[i].value();
+      const std::size_t port = output.place.port;
+      if (!output.place.fluid) {
+        across(f, port) = output.is_switch ? (value > 0.5 ? 1.0 : 0.0) : value;
+      } else if (output.place.through) {
+        // What flows into the port leaves the node that it is joined to.
+        const double flow = value >= 0.0 ? value * across(f, port, kAvailable) : value;
+        const double temperature = value >= 0.0 ? across(f, port, kTemperature) : room_k_;
+        through(f, port, kFlow) = -flow;
+        through(f, port, kHeatFlow) = -flow * temperature;
+      } else {
+        across(f, port, kPressure) = value;
+        across(f, port, kAvailable) = 1.0;
+        across(f, port, kTemperature) = room_k_;
+      }
+    }
+  }
+  void derivative(const Frame& f) const override {
+    load(f);
+    for (std::size_t i = 0; i < derivatives_.size(); ++i) dydt(f, i) = derivatives_[i].value();
+  }
+  void roots(const Frame& f, double* g) const override {
+    load(f);
+    for (std::size_t i = 0; i < events_.size(); ++i) g[i] = events_[i].value();
+  }
+  Event handle(const Frame& f, const int* signs, double* all) override {
+    load(f);
+    Event most = Event::None;
+    for (std::size_t i = 0; i < events_.size(); ++i) {
+      const OwnEvent& event = equations_->events[i];
+      const bool happens = (signs[i] > 0 && event.rising) || (signs[i] < 0 && event.falling);
+      if (!happens) continue;
+      for (const auto& [state, value] : sets_[i]) state_of(all, state) = value.value();
+      most = Event::Restart;
+    }
+    return most;
+  }
+
+ private:
+  void load(const Frame& f) const {
+    const OwnEquations& e = *equations_;
+    for (std::size_t i = 0; i < e.faults.size(); ++i) values_[first_fault_ + i] = fault(i);
+    for (std::size_t i = 0; i < e.reads.size(); ++i) {
+      const OwnPlace& place = e.reads[i].place;
+      values_[first_read_ + i] = place.through ? through(f, place.port) : across(f, place.port);
+    }
+    for (std::size_t i = 0; i < e.states.size(); ++i) values_[first_state_ + i] = y(f, i);
+    values_.back() = f.t_s;
+  }
+
+  std::shared_ptr<const OwnEquations> equations_;  // shared by all components of the type
+  double room_k_;
+  mutable std::vector<double> values_;  // of the variables, in the order of variables_of()
+  std::size_t first_fault_ = 0, first_read_ = 0, first_state_ = 0;
+  std::vector<Expression> derivatives_, outputs_, events_;
+  std::vector<std::vector<std::pair<std::size_t, Expression>>> sets_;
+};
+
+}  // namespace
+
+std::vector<Variable> variables_of(const OwnEquations& e, std::vector<double>& values) {
+  values.assign(e.parameters.size() + e.faults.size() + e.reads.size() + e.states.size() + 1, 1.0);
+  std::vector<Variable> variables;
+  const auto add = [&](const std::string& name, const Dimension& dimension) {
+    variables.push_back({name, dimension, &values[variables.size()]});
+  };
+  for (const auto& [name, dimension] : e.parameters) add(name, dimension);
+  for (const auto& [name, dimension] : e.faults) add(name, dimension);
+  for (const OwnRead& read : e.reads) add(read.name, read.dimension);
+  for (const OwnState& state : e.states) add(state.name, state.dimension);
+  add("t", Dimension{{0, 0, 1, 0, 0}});
+  return variables;
+}
+
+std::unique_ptr<Component> make_own(std::shared_ptr<const OwnEquations> equations,
+                                    const Parameters& parameters) {
+  return std::make_unique<OwnComponent>(std::move(equations), parameters);
+}
+
+}  // namespace stepwright::components

@@ -1,0 +1,181 @@
+#include "plant_models/components/step_answer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+
+#include "plant_models/components/component_reader.h"
+#include "runtime/ground/markup/xml_text.h"
+
+namespace stepwright::components {
+namespace {
+
+using Reader = std::function<double()>;
+
+std::vector<std::string> all_names(const core::Plant& plant) {
+  std::vector<std::string> names;
+  for (const core::Quantity& truth : plant.truths()) names.push_back(truth.name);
+  for (const core::Port& sensor : plant.sensors()) names.push_back(sensor.name);
+  return names;
+}
+
+std::string text(const char* format, double value) {
+  std::array<char, 40> out{};
+  std::snprintf(out.data(), out.size(), format, value);
+  return out.data();
+}
+
+result::Result<std::vector<Reader>> readers(core::Plant& plant, const std::vector<std::string>& names,
+                                            StepAnswer& answer) {
+  std::vector<Reader> found;
+  result::Diagnostics problems;
+  for (const std::string& name : names) {
+    if (const auto truth = core::find_truth(plant, name)) {
+      found.push_back([&plant, id = *truth] { return plant.truth(id); });
+      answer.columns.push_back({name, plant.truths()[truth->value].unit, {}});
+    } else if (const auto sensor = core::find_sensor(plant, name)) {
+      found.push_back([&plant, id = *sensor] { return static_cast<double>(plant.sensor(id)); });
+      answer.columns.push_back(
+          {name, plant.sensors()[sensor->value].kind == core::PortKind::Bool ? "" : "counts", {}});
+    } else {
+      problems.push_back({"C0301",
+                          result::Severity::Error,
+                          {},
+                          "the plant has no value '" + name + "'",
+                          meant_or(name, all_names(plant))});
+    }
+  }
+  if (!problems.empty()) return tl::unexpected(std::move(problems));
+  return found;
+}
+
+result::Result<void> act(core::Plant& plant, const AnswerAction& action) {
+  if (action.fault) return plant.inject_fault(action.name, action.value);
+  const auto actuator = core::find_actuator(plant, action.name);
+  if (!actuator) {
+    std::vector<std::string> names;
+    for (const core::Port& port : plant.actuators()) names.push_back(port.name);
+    return result::fail("C0301", {}, "the plant has no terminal '" + action.name + "' that is driven",
+                        meant_or(action.name, names));
+  }
+  plant.set_actuator(*actuator, static_cast<std::int16_t>(std::clamp(action.value, -32768.0, 32767.0)));
+  return {};
+}
+
+// What does not change says nothing.
+void drop_constants(StepAnswer& answer) {
+  std::erase_if(answer.columns, [](const AnswerColumn& column) {
+    return std::all_of(column.values.begin(), column.values.end(),
+                       [&](double value) { return value == column.values.front(); });
+  });
+}
+
+}  // namespace
+
+result::Result<StepAnswer> record_answer(core::Plant& plant, const AnswerRequest& request) {
+  StepAnswer answer;
+  auto read = readers(plant, request.values.empty() ? all_names(plant) : request.values, answer);
+  if (!read) return result::forward(read);
+  std::vector<AnswerAction> actions = request.actions;
+  std::stable_sort(actions.begin(), actions.end(),
+                   [](const AnswerAction& a, const AnswerAction& b) { return a.at_s < b.at_s; });
+  std::size_t next = 0;
+  const auto note = [&] {
+    answer.times_s.push_back(static_cast<double>(plant.now().count()) * 1e-9);
+    for (std::size_t i = 0; i < read->size(); ++i) answer.columns[i].values.push_back((*read)[i]());
+  };
+  const auto do_next = [&](double until_s) -> result::Result<void> {
+    for (; next < actions.size() && actions[next].at_s <= until_s; ++next)
+      if (auto done = act(plant, actions[next]); !done) return result::forward(done);
+    return {};
+  };
+  note();
+  const std::chrono::nanoseconds end(static_cast<std::int64_t>(std::llround(request.seconds * 1e9)));
+  while (plant.now() < end) {
+    const double now_s = static_cast<double>(plant.now().count()) * 1e-9;
+    if (auto done = do_next(now_s + 1e-9); !done) return result::forward(done);
+    if (plant.advance(request.interval) != core::PlantStatus::Good) {
+      answer.failed = true;
+      break;
+    }
+    note();
+  }
+  // What comes after the end is checked as well.
+  if (auto done = do_next(1e300); !done) return result::forward(done);
+  if (request.values.empty()) drop_constants(answer);
+  return answer;
+}
+
+std::string to_csv(const StepAnswer& answer) {
+  std::string csv = "time_s";
+  for (const AnswerColumn& column : answer.columns)
+    csv += "," + column.name + (column.unit.empty() ? "" : " [" + column.unit + "]");
+  csv += "\n";
+  for (std::size_t row = 0; row < answer.times_s.size(); ++row) {
+    csv += text("%.9g", answer.times_s[row]);
+    for (const AnswerColumn& column : answer.columns) csv += text(",%.9g", column.values[row]);
+    csv += "\n";
+  }
+  return csv;
+}
+
+std::string to_svg(const StepAnswer& answer, const std::string& title) {
+  constexpr double kWidth = 900.0, kPanel = 220.0, kLeft = 80.0, kRight = 180.0, kTop = 40.0, kGap = 40.0;
+  constexpr std::array<const char*, 8> kColours = {"#0b62a4", "#c0392b", "#1e8449", "#7d3c98",
+                                                   "#b9770e", "#117a65", "#5d6d7e", "#943126"};
+  constexpr std::size_t kMostPoints = 2000;
+  std::vector<std::string> units;
+  for (const AnswerColumn& column : answer.columns)
+    if (std::find(units.begin(), units.end(), column.unit) == units.end()) units.push_back(column.unit);
+  const double height = kTop + static_cast<double>(units.size()) * (kPanel + kGap);
+  std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + text("%.0f ", kWidth) +
+                    text("%.0f", height) +
+                    "\" font-family=\"sans-serif\" font-size=\"12\">\n<rect width=\"100%\" height=\"100%\" "
+                    "fill=\"white\"/>\n<text x=\"20\" y=\"24\" font-size=\"16\">" +
+                    markup::xml_escaped(title) + "</text>\n";
+  const double last_s = std::max(answer.times_s.back(), 1e-9);
+  const std::size_t stride = answer.times_s.size() / kMostPoints + 1;
+  for (std::size_t u = 0; u < units.size(); ++u) {
+    double low = 1e300, high = -1e300;
+    for (const AnswerColumn& column : answer.columns) {
+      if (column.unit != units[u]) continue;
+      const auto [least, most] = std::minmax_element(column.values.begin(), column.values.end());
+      low = std::min(low, *least);
+      high = std::max(high, *most);
+    }
+    if (high - low < 1e-12 * std::max(1.0, std::abs(high))) high = low + 1.0;
+    const double top = kTop + static_cast<double>(u) * (kPanel + kGap);
+    const double wide = kWidth - kLeft - kRight;
+    svg += "<rect x=\"" + text("%.1f", kLeft) + "\" y=\"" + text("%.1f", top) + "\" width=\"" +
+           text("%.1f", wide) + "\" height=\"" + text("%.1f", kPanel) +
+           "\" fill=\"none\" stroke=\"#999\"/>\n";
+    for (int i = 0; i <= 4; ++i) {
+      const double y = top + kPanel * (1.0 - 0.25 * i);
+      svg += "<text x=\"" + text("%.1f", kLeft - 6.0) + "\" y=\"" + text("%.1f", y + 4.0) +
+             "\" text-anchor=\"end\">" + text("%.4g", low + (high - low) * 0.25 * i) + "</text>\n";
+      svg += "<text x=\"" + text("%.1f", kLeft + wide * 0.25 * i) + "\" y=\"" +
+             text("%.1f", top + kPanel + 16.0) + "\" text-anchor=\"middle\">" +
+             text("%.4g s", last_s * 0.25 * i) + "</text>\n";
+    }
+    svg += "<text x=\"" + text("%.1f", kLeft) + "\" y=\"" + text("%.1f", top - 6.0) + "\">" +
+           markup::xml_escaped(units[u]) + "</text>\n";
+    std::size_t curve = 0;
+    for (const AnswerColumn& column : answer.columns) {
+      if (column.unit != units[u]) continue;
+      const std::string colour = kColours[curve % kColours.size()];
+      svg += "<polyline fill=\"none\" stroke=\"" + colour + "\" stroke-width=\"1.5\" points=\"";
+      for (std::size_t i = 0; i < column.values.size(); i += stride)
+        svg += text("%.1f,", kLeft + wide * answer.times_s[i] / last_s) +
+               text("%.1f ", top + kPanel * (1.0 - (column.values[i] - low) / (high - low)));
+      svg += "\"/>\n<text x=\"" + text("%.1f", kWidth - kRight + 10.0) + "\" y=\"" +
+             text("%.1f", top + 14.0 + 16.0 * static_cast<double>(curve)) + "\" fill=\"" + colour + "\">" +
+             markup::xml_escaped(column.name) + "</text>\n";
+      ++curve;
+    }
+  }
+  return svg + "</svg>\n";
+}
+
+}  // namespace stepwright::components

@@ -1,0 +1,67 @@
+#pragma once
+
+// modelDescription.xml of a Functional Mock-up Unit, FMI 2.0 and 3.0 (https://fmi-standard.org/docs): what a
+// co-simulation needs of it. Any input gives a description or located diagnostics (C0332).
+//
+// Thread-safe: pure.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "runtime/ground/result/result.h"
+
+namespace stepwright::fmu {
+
+enum class FmiVersion : std::uint8_t { V2, V3 };
+
+enum class VariableType : std::uint8_t {
+  Real,  // FMI 2
+  Integer,
+  Enumeration,
+  Boolean,
+  Float64,  // FMI 3
+  Float32,
+  Int8,
+  UInt8,
+  Int16,
+  UInt16,
+  Int32,
+  UInt32,
+  Int64,
+  UInt64,
+  Other,  // strings, binaries, clocks: no numbers
+};
+
+struct ModelVariable {
+  std::string name;
+  std::uint32_t reference = 0;  // its value reference
+  VariableType type = VariableType::Real;
+  std::string causality = "local";
+  std::string variability;
+  std::string unit;
+  double start = 0.0;
+  bool is_array = false;  // FMI 3: it has dimensions
+  std::uint32_t line = 0;
+};
+
+struct ModelDescription {
+  FmiVersion version = FmiVersion::V2;
+  std::string name;
+  std::string token;       // FMI 2: guid; FMI 3: instantiationToken
+  std::string identifier;  // of the co-simulation: name of its library
+  bool needs_tool = false;
+  bool variable_steps = true;        // canHandleVariableCommunicationStepSize
+  std::optional<double> fixed_step;  // FMI 3: fixedInternalStepSize, s
+  std::vector<ModelVariable> variables;
+
+  const ModelVariable* find(std::string_view variable) const;
+};
+
+// `name` is that of the file, for diagnostics.
+[[nodiscard]] result::Result<ModelDescription> parse_description(std::string_view xml,
+                                                                 const std::string& name);
+
+}  // namespace stepwright::fmu

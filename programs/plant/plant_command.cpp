@@ -1,0 +1,214 @@
+#include "programs/plant/plant_command.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "plant_models/components/library/catalogue.h"
+#include "plant_models/components/model_plant.h"
+#include "plant_models/components/step_answer.h"
+#include "runtime/ground/process/command_line.h"
+#include "runtime/ground/process/files.h"
+
+namespace stepwright::plant_program {
+namespace {
+
+using components::AnswerAction;
+using components::ComponentType;
+using components::ModelPlant;
+using nlohmann::json;
+using result::ExitCode;
+
+ExitCode fail(const result::Diagnostics& diagnostics, ExitCode code = ExitCode::BadInput) {
+  (void)process::fail(diagnostics, code);
+  return code;
+}
+
+void print_types() {
+  for (const ComponentType& type : components::library::catalogue()) {
+    std::printf("%s: %s\n", type.name.c_str(), type.meaning.c_str());
+    for (const components::ParameterSpec& spec : type.parameters) {
+      const std::string value = spec.fallback.empty() ? "required, " + spec.unit : spec.fallback;
+      std::printf("  %-20s %-16s %s\n", spec.name.c_str(), value.c_str(), spec.meaning.c_str());
+    }
+    for (const components::PortSpec& port : type.ports)
+      std::printf("  %s %-16s %-16s %s\n", port.role == components::Role::Node ? "->" : "<-",
+                  port.name.c_str(), port.unit.c_str(), port.meaning.c_str());
+    for (const components::FaultSpec& fault : type.faults)
+      std::printf("  !  %-16s %-16s %s\n", fault.name.c_str(), fault.unit.c_str(), fault.meaning.c_str());
+  }
+}
+
+// "B1=1@5.0"
+std::optional<AnswerAction> parse_action(const std::string& text, bool fault) {
+  const std::size_t equal = text.find('=');
+  if (equal == std::string::npos || equal == 0) return std::nullopt;
+  AnswerAction action{text.substr(0, equal), 0.0, 0.0, fault};
+  char* end = nullptr;
+  action.value = std::strtod(text.c_str() + equal + 1, &end);
+  if (end == text.c_str() + equal + 1) return std::nullopt;
+  if (*end == '@') {
+    const char* const at = end + 1;
+    action.at_s = std::strtod(at, &end);
+    if (end == at) return std::nullopt;
+  }
+  return *end == '\0' && std::isfinite(action.value) && action.at_s >= 0.0 ? std::optional(action)
+                                                                           : std::nullopt;
+}
+
+result::Result<std::vector<AnswerAction>> actions_of(const PlantArguments& arguments) {
+  std::vector<AnswerAction> actions;
+  result::Diagnostics problems;
+  const auto add = [&](const std::vector<std::string>& texts, bool fault) {
+    for (const std::string& text : texts) {
+      if (const auto action = parse_action(text, fault)) {
+        actions.push_back(*action);
+      } else {
+        problems.push_back({"C0350",
+                            result::Severity::Error,
+                            {(fault ? "--fault " : "--set ") + text, 0, 0},
+                            "this is not NAME=VALUE or NAME=VALUE@SECONDS",
+                            fault ? "--fault a1.leak=0.5@20" : "--set B1=1@5"});
+      }
+    }
+  };
+  add(arguments.sets, false);
+  add(arguments.faults, true);
+  if (!problems.empty()) return tl::unexpected(std::move(problems));
+  return actions;
+}
+
+// Times real time in scans of 10 ms, without a controller: what is left to a program and the other processes.
+double measure_speed(ModelPlant& plant) {
+  using Clock = std::chrono::steady_clock;
+  constexpr auto kPatience = std::chrono::milliseconds(200);
+  constexpr int kScans = 100;
+  const auto start = Clock::now();
+  double simulated_s = 0.0;
+  while (Clock::now() - start < kPatience) {
+    for (int i = 0; i < kScans; ++i)
+      if (plant.advance(std::chrono::milliseconds(10)) != core::PlantStatus::Good) return 0.0;
+    for (std::uint32_t i = 0; i < plant.sensors().size(); ++i) (void)plant.sensor(core::SensorId(i));
+    simulated_s += 0.01 * kScans;
+  }
+  return simulated_s / std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+void print_plant(const ModelPlant& plant, double speed) {
+  const components::Model& model = plant.model();
+  std::printf("%s: %zu components, %zu states, %zu loops\n", model.text.name.c_str(),
+              model.text.components.size(), model.states, model.loops.size());
+  for (const components::Loop& loop : model.loops) std::printf("  solved together: %s\n", loop.names.c_str());
+  std::printf("driven by the program\n");
+  for (std::size_t i = 0; i < model.actuators.size(); ++i)
+    std::printf("  %-20s %-10s %s\n", model.actuators[i].name.c_str(), model.actuator_at[i].address.c_str(),
+                model.actuators[i].meaning.c_str());
+  std::printf("read by the program\n");
+  for (std::size_t i = 0; i < model.sensors.size(); ++i)
+    std::printf("  %-20s %-10s %s\n", model.sensors[i].name.c_str(), model.sensor_at[i].address.c_str(),
+                model.sensors[i].meaning.c_str());
+  std::printf("values\n");
+  for (std::uint32_t i = 0; i < model.truths.size(); ++i)
+    std::printf("  %-28s %12.6g %-10s %s\n", model.truths[i].name.c_str(), plant.truth(core::TruthId(i)),
+                model.truths[i].unit.c_str(), model.truths[i].meaning.c_str());
+  std::printf("faults\n");
+  for (std::size_t i = 0; i < model.faults.size(); ++i)
+    std::printf("  %-28s %g..%g %-10s %s\n", model.faults[i].name.c_str(), model.fault_at[i].low,
+                model.fault_at[i].high, model.faults[i].unit.c_str(), model.faults[i].meaning.c_str());
+  std::printf("about %.0f times real time\n", speed);
+}
+
+json plant_json(const ModelPlant& plant, double speed) {
+  const components::Model& model = plant.model();
+  json document = {{"name", model.text.name},    {"components", model.text.components.size()},
+                   {"states", model.states},     {"loops", json::array()},
+                   {"actuators", json::array()}, {"sensors", json::array()},
+                   {"values", json::array()},    {"faults", json::array()},
+                   {"realtime_factor", speed}};
+  for (const components::Loop& loop : model.loops) document["loops"].push_back(loop.names);
+  for (std::size_t i = 0; i < model.actuators.size(); ++i)
+    document["actuators"].push_back(
+        {{"name", model.actuators[i].name}, {"address", model.actuator_at[i].address}});
+  for (std::size_t i = 0; i < model.sensors.size(); ++i)
+    document["sensors"].push_back({{"name", model.sensors[i].name}, {"address", model.sensor_at[i].address}});
+  for (const core::Quantity& truth : model.truths)
+    document["values"].push_back({{"name", truth.name}, {"unit", truth.unit}});
+  for (const core::Quantity& fault : model.faults)
+    document["faults"].push_back({{"name", fault.name}, {"unit", fault.unit}});
+  return document;
+}
+
+ExitCode write(const std::string& file, const std::string& text) {
+  if (file.empty()) return ExitCode::Done;
+  const result::Diagnostics unwritten = process::write_file(file, text);
+  return unwritten.empty() ? ExitCode::Done : fail(unwritten);
+}
+
+result::Result<std::unique_ptr<ModelPlant>> load(const PlantArguments& arguments) {
+  return ModelPlant::load(arguments.file, components::library::catalogue(), {.seed = arguments.seed});
+}
+
+// Runs the plant and writes what it answers.
+ExitCode answer(const PlantArguments& arguments) {
+  auto actions = actions_of(arguments);
+  if (!actions) return fail(actions.error());
+  auto plant = load(arguments);
+  if (!plant) return fail(plant.error());
+  const std::chrono::nanoseconds interval(
+      std::max<std::int64_t>(1, std::llround(arguments.interval_s * 1e9)));
+  auto answered =
+      components::record_answer(**plant, {arguments.seconds, interval, arguments.values, *actions});
+  if (!answered) return fail(answered.error());
+  if (const ExitCode code = write(arguments.csv_file, components::to_csv(*answered)); code != ExitCode::Done)
+    return code;
+  const ExitCode drawn =
+      write(arguments.svg_file, components::to_svg(*answered, (*plant)->model().text.name));
+  if (drawn != ExitCode::Done) return drawn;
+  if (!answered->failed) return ExitCode::Done;
+  const std::string stiff = (*plant)->stiffest();
+  const std::string hint = (stiff.empty() ? std::string() : "'" + stiff + "' changes fastest; ") +
+                           "[solver] method = \"implicit\" is for stiff plants";
+  result::Diagnostics problems;
+  problems.push_back(
+      {"C0351",
+       result::Severity::Error,
+       {arguments.file, 0, 0},
+       "the solver gave up at " + std::to_string(answered->times_s.back()) + " s: no step is small enough",
+       hint});
+  return fail(problems, ExitCode::RuntimeFault);
+}
+
+}  // namespace
+
+ExitCode run_plant(const PlantArguments& arguments) {
+  if (arguments.types) {
+    print_types();
+    return ExitCode::Done;
+  }
+  for (const std::string& name : {arguments.csv_file, arguments.svg_file, arguments.json_file}) {
+    if (name.empty()) continue;
+    if (const auto unwritable = process::check_writable(name); !unwritable.empty()) return fail(unwritable);
+  }
+  auto plant = load(arguments);
+  if (!plant) return fail(plant.error());
+  const bool to_stdout = arguments.csv_file == "-" || arguments.svg_file == "-" || arguments.json_file == "-";
+  const bool runs = !arguments.csv_file.empty() || !arguments.svg_file.empty() || !arguments.sets.empty() ||
+                    !arguments.faults.empty();
+  const bool lists = !runs || !arguments.json_file.empty();
+  if (lists) {
+    auto trial = load(arguments);
+    const double speed = trial ? measure_speed(**trial) : 0.0;
+    if (!to_stdout) print_plant(**plant, speed);
+    const ExitCode written =
+        write(arguments.json_file,
+              plant_json(**plant, speed).dump(1, ' ', false, json::error_handler_t::replace) + "\n");
+    if (written != ExitCode::Done) return written;
+  }
+  return runs ? answer(arguments) : ExitCode::Done;
+}
+
+}  // namespace stepwright::plant_program

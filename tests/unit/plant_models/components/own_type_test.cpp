@@ -1,0 +1,149 @@
+// Types that a file describes itself, and assemblies.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/unit/plant_models/components/model_rig.h"
+
+namespace stepwright::components {
+namespace {
+
+const std::string kReactor = R"toml([types.reactor]
+meaning = "a substance that decays"
+parameters.rate = { unit = "1/s", default = "0.1 1/s" }
+parameters.first = { unit = "kg/m3" }
+inputs.feed = { unit = "kg/(m3 s)", default = "0 kg/(m3 s)" }
+states.content = { unit = "kg/m3", start = "first", derivative = "feed - rate * (1 - slowed) * content" }
+outputs.concentration = { unit = "kg/m3", value = "content" }
+outputs.low = { switch = true, value = "content < 0.5 * first" }
+faults.slowed = { unit = "percent", high = 100 }
+)toml";
+
+TEST(OwnType, WhenAStateDecays_ThenItDoesSoExponentially) {
+  ModelRig rig(kReactor +
+               "[components.r]\ntype = \"reactor\"\nfirst = \"2 g/l\"\n[terminals]\nLOW = { address = "
+               "\"%IX0.0\", from = \"r.low\" }\n");
+  ASSERT_TRUE(rig.run(5.0));
+  EXPECT_EQ(rig.sensor("LOW"), 0);
+  ASSERT_TRUE(rig.run(5.0));
+  EXPECT_NEAR(rig.truth("r.concentration"), 2.0 * std::exp(-1.0), 1e-5);
+  EXPECT_EQ(rig.sensor("LOW"), 1);
+  ASSERT_TRUE(rig.plant().inject_fault("r.slowed", 100.0));
+  ASSERT_TRUE(rig.run(10.0));
+  EXPECT_NEAR(rig.truth("r.concentration"), 2.0 * std::exp(-1.0), 1e-5);
+}
+
+TEST(OwnType, WhenAnEventHappens_ThenItSetsItsStates) {
+  // A ball that bounces: after each impact it has 0.8 of its speed.
+  ModelRig rig(R"toml([types.ball]
+parameters.g = { unit = "m/s2", default = "9.80665 m/s2" }
+states.height = { unit = "m", start = "1 m", derivative = "speed" }
+states.speed = { unit = "m/s", start = "0 m/s", derivative = "-g" }
+outputs.height_out = { unit = "m", value = "height" }
+outputs.speed_out = { unit = "m/s", value = "speed" }
+events.impact = { when = "height", falling = true, set = { speed = "-0.8 * speed", height = "0 * height" } }
+outputs.up = { switch = true, value = "speed > 0" }
+[components.b]
+type = "ball"
+[components.l]
+type = "lamp"
+command = "b.up"
+)toml");
+  const double fall_s = std::sqrt(2.0 / 9.80665);
+  ASSERT_TRUE(rig.run(0.6));
+  const double up_s = 0.6 - fall_s;
+  const double speed = 0.8 * 9.80665 * fall_s;
+  EXPECT_NEAR(rig.truth("b.height_out"), speed * up_s - 0.5 * 9.80665 * up_s * up_s, 1e-5);
+  EXPECT_NEAR(rig.truth("b.speed_out"), speed - 9.80665 * up_s, 1e-5);
+}
+
+TEST(OwnType, WhenALiquidPortHasAFlow_ThenItIsJoinedLikeTheOthers) {
+  ModelRig rig(R"toml([types.drip]
+parameters.k = { unit = "(m3/s)/Pa" }
+ports.inlet = { role = "branch", flow = "k * inlet_pressure" }
+[components.d]
+type = "drip"
+k = "1e-7 (m3/s)/Pa"
+inlet = "t"
+[components.t]
+type = "tank"
+volume = "1 m3"
+height = "1 m"
+start = "50 percent"
+)toml");
+  ASSERT_TRUE(rig.run(100.0));
+  EXPECT_NEAR(rig.truth("t.level"), 50.0 * std::exp(-1e-7 * 9806.65 * 100.0), 1e-3);
+}
+
+void expect_wrong(const std::string& text, const std::string& code, std::size_t line,
+                  const std::string& says) {
+  const auto plant = ModelRig::load(text);
+  ASSERT_FALSE(plant) << says;
+  const bool found =
+      std::any_of(plant.error().begin(), plant.error().end(), [&](const result::Diagnostic& one) {
+        return one.code == code && one.where.line == line &&
+               (one.message + " / " + one.hint).find(says) != std::string::npos;
+      });
+  EXPECT_TRUE(found) << says << " is not in\n" << result::to_string(plant.error());
+}
+
+TEST(OwnType, WhenAnEquationIsWrong_ThenItsPlaceIsSaid) {
+  const auto with = [](const std::string& line) {
+    return "[types.x]\nparameters.a = { unit = \"m\" }\n" + line +
+           "\n[components.c]\ntype = \"x\"\na = \"1 m\"\n";
+  };
+  expect_wrong(with("states.s = { unit = \"m\", derivative = \"a\" }"), "C0341", 3,
+               "m where m s-1 is wanted");
+  expect_wrong(with("states.s = { unit = \"m\", derivative = \"a + a * a\" }"), "C0341", 3,
+               "different units");
+  expect_wrong(with("states.s = { unit = \"m\", derivative = \"b\" }"), "C0349", 3,
+               "'b' in \"b\" is nothing that is known here");
+  expect_wrong(with("states.s = { unit = \"m\", derivative = \"a * (\" }"), "C0349", 3, "cannot be read");
+  expect_wrong(with("outputs.o = { unit = \"m2\", value = \"a\" }"), "C0341", 3, "m where m2 is wanted");
+  expect_wrong(with("states.s = { unit = \"meter per fortnite\", derivative = \"a\" }"), "C0341", 3,
+               "is no unit");
+}
+
+TEST(Assembly, WhenAPumpStationIsUsedTwice_ThenEachHasItsOwnPumps) {
+  ModelRig rig(R"toml([assemblies.station]
+[assemblies.station.parameters]
+head = "10 m"
+[assemblies.station.components.p1]
+type = "pump"
+head = "$head"
+resistance = "5000 m/(m3/s)"
+in = "main"
+out = "main2"
+command = "run"
+[assemblies.station.components.main]
+type = "tank"
+volume = "1 m3"
+start = "50 percent"
+[assemblies.station.components.main2]
+type = "tank"
+volume = "1 m3"
+[assemblies.station.components.run]
+type = "photo_eye"
+of = "true"
+[assemblies.station.ports]
+level = "main2.level"
+[components.a]
+type = "station"
+[components.b]
+type = "station"
+head = "20 m"
+[components.la]
+type = "level_sensor"
+of = "a.level"
+)toml");
+  ASSERT_TRUE(rig.run(20.0));
+  EXPECT_GT(rig.truth("a.main2.level"), 1.0);
+  EXPECT_GT(rig.truth("b.main2.level"), rig.truth("a.main2.level"));
+  EXPECT_EQ(rig.truth("la.value"), rig.truth("a.main2.level"));
+  ASSERT_TRUE(rig.plant().inject_fault("a.p1.weak", 0.0));
+}
+
+}  // namespace
+}  // namespace stepwright::components

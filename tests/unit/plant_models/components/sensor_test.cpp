@@ -1,0 +1,86 @@
+// Sensors, cards and their faults.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/unit/plant_models/components/model_rig.h"
+
+namespace stepwright::components {
+namespace {
+
+const std::string kTank = "[components.t]\ntype = \"tank\"\nvolume = \"1 m3\"\nstart = \"50 percent\"\n";
+const std::string kCard =
+    "[components.c]\ntype = \"analog_input\"\nof = \"s\"\nlow = \"0 percent\"\nhigh = \"100 percent\"\n"
+    "[terminals]\nL = { address = \"%IW0\", from = \"c\" }\n";
+
+TEST(Sensor, WhenItIsExact_ThenACardShowsItsShareOfTheRange) {
+  ModelRig rig(kTank + "[components.s]\ntype = \"level_sensor\"\nof = \"t\"\n" + kCard);
+  EXPECT_EQ(rig.sensor("L"), 13824);
+  ASSERT_TRUE(rig.plant().inject_fault("s.offset", 10.0));
+  EXPECT_EQ(rig.sensor("L"), 16589);
+  ASSERT_TRUE(rig.plant().clear_fault("s.offset"));
+  ASSERT_TRUE(rig.plant().inject_fault("c.broken_wire", 1.0));
+  EXPECT_EQ(rig.sensor("L"), 32767);
+  ASSERT_TRUE(rig.plant().clear_fault("c.broken_wire"));
+  ASSERT_TRUE(rig.plant().inject_fault("s.drift", 1.0));
+  ASSERT_TRUE(rig.run(10.0));
+  EXPECT_EQ(rig.sensor("L"), 16589);
+  ASSERT_TRUE(rig.plant().inject_fault("s.frozen", 1.0));
+  ASSERT_TRUE(rig.run(10.0));
+  EXPECT_EQ(rig.sensor("L"), 16589);
+}
+
+TEST(Sensor, WhenItHasNoise_ThenReadingsScatterAsSaidAndRepeat) {
+  const std::string text =
+      kTank + "[components.s]\ntype = \"level_sensor\"\nof = \"t\"\nnoise = \"1 percent\"\n" + kCard;
+  ModelRig one(text), other(text);
+  double sum = 0.0, squares = 0.0;
+  constexpr int kReadings = 4000;
+  for (int i = 0; i < kReadings; ++i) {
+    ASSERT_TRUE(one.run(0.01));
+    ASSERT_TRUE(other.run(0.01));
+    ASSERT_EQ(one.sensor("L"), other.sensor("L"));
+    const double error = one.truth("s.value") - 50.0;
+    sum += error;
+    squares += error * error;
+  }
+  EXPECT_NEAR(sum / kReadings, 0.0, 0.05);
+  EXPECT_NEAR(std::sqrt(squares / kReadings), 1.0, 0.05);
+}
+
+TEST(Sensor, WhenItFilters_ThenItFollowsWithItsTimeConstant) {
+  ModelRig rig(kTank + "[components.s]\ntype = \"level_sensor\"\nof = \"t\"\nfilter = \"10 s\"\n" + kCard);
+  ASSERT_TRUE(rig.run(10.0));
+  EXPECT_NEAR(rig.truth("s.value"), 50.0 * (1.0 - std::exp(-1.0)), 1e-4);
+}
+
+TEST(Sensor, WhenItMeasuresFlowOrTemperatureOrPressure_ThenItShowsThem) {
+  ModelRig rig(
+      "[components.m]\ntype = \"source\"\npressure = \"2 bar\"\n[components.d]\ntype = \"sink\"\n"
+      "[components.p]\ntype = \"pipe\"\nflow = \"1 l/s\"\npressure_drop = \"2 bar\"\nin = \"m\"\nout = "
+      "\"d\"\n"
+      "[components.f]\ntype = \"flow_sensor\"\nof = \"p\"\n[components.g]\ntype = \"pressure_sensor\"\nof = "
+      "\"m\"\n"
+      "[components.t]\ntype = \"tank\"\nvolume = \"1 l\"\ntemperature = \"42 degC\"\n[components.h]\ntype = "
+      "\"temperature_sensor\"\nof = \"t\"\n");
+  ASSERT_TRUE(rig.run(0.1));
+  EXPECT_NEAR(rig.truth("f.value"), 1.0, 1e-6);
+  EXPECT_NEAR(rig.truth("g.value"), 2.0, 1e-12);
+  EXPECT_NEAR(rig.truth("h.value"), 315.15, 1e-9);
+}
+
+TEST(Fault, WhenItIsUnknownOrOutOfRange_ThenItIsRefusedWithAHint) {
+  ModelRig rig(kTank + "[components.s]\ntype = \"level_sensor\"\nof = \"t\"\n" + kCard);
+  auto unknown = rig.plant().inject_fault("t.leek", 1.0);
+  ASSERT_FALSE(unknown);
+  EXPECT_EQ(unknown.error()[0].code, std::string("C0311"));
+  EXPECT_NE(unknown.error()[0].hint.find("t.leak"), std::string::npos);
+  auto wide = rig.plant().inject_fault("t.leak", 101.0);
+  ASSERT_FALSE(wide);
+  EXPECT_EQ(wide.error()[0].code, std::string("C0312"));
+  EXPECT_FALSE(rig.plant().inject_fault("t.leak", std::nan("")));
+}
+
+}  // namespace
+}  // namespace stepwright::components

@@ -1,0 +1,98 @@
+// What is wrong with a described plant is said with its place and a hint.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/unit/plant_models/components/model_rig.h"
+
+namespace stepwright::components {
+namespace {
+
+constexpr const char* kTanks = R"(
+[components.t1]
+type = "tank"
+volume = "1 m3"
+[components.t2]
+type = "tank"
+volume = "1 m3"
+)";
+
+const char* const kPipe = R"(
+[components.p]
+type = "pipe"
+flow = "1 l/s"
+pressure_drop = "1 bar"
+)";
+
+struct Wrong {
+  std::string text;
+  std::string code;
+  std::size_t line;
+  std::string says;
+};
+
+void expect(const Wrong& wrong) {
+  const auto plant = ModelRig::load(wrong.text);
+  ASSERT_FALSE(plant) << wrong.says;
+  const auto found =
+      std::find_if(plant.error().begin(), plant.error().end(), [&](const result::Diagnostic& one) {
+        return one.code == wrong.code && one.where.line == wrong.line &&
+               (one.message + " / " + one.hint).find(wrong.says) != std::string::npos;
+      });
+  EXPECT_NE(found, plant.error().end()) << wrong.says << " is not in\n" << result::to_string(plant.error());
+}
+
+TEST(WrongModel, WhenAFileHasSlips_ThenEachHasItsPlaceAndAHint) {
+  const std::string tanks = kTanks;
+  expect({"[components.t]\ntype = \"tnak\"\n", "C0342", 2, "did you mean 'tank'?"});
+  expect({"[components.t]\ntype = \"tank\"\nvolume = \"3 s\"\n", "C0341", 3, "s where m3 is wanted"});
+  expect({"[components.t]\ntype = \"tank\"\nvolume = \"3 litters\"\n", "C0341", 3, "no figure with a unit"});
+  expect({"[components.t]\ntype = \"tank\"\nvolume = \"-3 l\"\n", "C0004", 3, "out of range"});
+  expect({"[components.t]\ntype = \"tank\"\nvolumn = \"3 l\"\n", "C0002", 3, "did you mean 'volume'?"});
+  expect({"[components.t]\ntype = \"tank\"\n", "C0005", 1, "'components.t.volume' is missing"});
+  expect({tanks + "[components.p]\ntype = \"pipe\"\nflow = \"1 l/s\"\npressure_drop = \"1 bar\"\nin = "
+                  "\"t1\"\nout = \"t3\"\n",
+          "C0343", 13, "did you mean 't1'?"});
+  expect({tanks + "[components.p]\ntype = \"pipe\"\nflow = \"1 l/s\"\npressure_drop = \"1 bar\"\nin = "
+                  "\"t1\"\nout = \"t2.top\"\n",
+          "C0343", 13, "no port 'top'"});
+  expect(
+      {tanks + "[components.p]\ntype = \"pipe\"\nflow = \"1 l/s\"\npressure_drop = \"1 bar\"\nin = \"t1\"\n",
+       "C0344", 8, "port 'p.out' is open"});
+  expect({tanks, "C0345", 2, "'t1' is connected to nothing"});
+  expect(
+      {"[components.t1]\ntype = \"tank\"\nvolume = \"1 l\"\nliquid = \"t2\"\n[components.t2]\ntype = "
+       "\"tank\"\nvolume = \"1 l\"\n",
+       "C0343", 4, "several ports for a liquid"});
+  expect({tanks + "[components.s]\ntype = \"temperature_sensor\"\nof = \"t1.level\"\n", "C0341", 10,
+          "do not fit: a pure number and K"});
+  expect(
+      {tanks + "[components.c]\ntype = \"analog_input\"\nof = \"t1.level\"\nlow = \"0 m\"\nhigh = \"1 m\"\n",
+       "C0341", 11, "'c.of' is a pure number"});
+  expect({tanks + "[terminals]\nL = { address = \"%IW0\", from = \"t1.liquid_height\" }\n", "C0341", 9,
+          "an analog_input between them"});
+  expect({tanks + "[terminals]\nB = \"%IX0.0\"\n", "C0348", 9, "is no address for 'B'"});
+  expect({tanks + "[terminals]\nB = \"%QX0.0\"\n", "C0344", 9, "drives nothing"});
+}
+
+TEST(WrongModel, WhenThingsGoRoundWithoutAState_ThenTheCircleIsNamed) {
+  expect(
+      {"[components.a]\ntype = \"analog_output\"\nlow = \"0\"\nhigh = \"1\"\ncounts = \"b.counts\"\n"
+       "[components.b]\ntype = \"analog_input\"\nlow = \"0\"\nhigh = \"1\"\nof = \"a.value\"\n",
+       "C0346", 1, "a circle without a state: a, b"});
+}
+
+TEST(WrongModel, WhenAThousandComponentsAreUnconnected_ThenTheFirstAreNamedAndTheOthersCounted) {
+  std::string text;
+  for (int i = 0; i < 1000; ++i)
+    text += "[components.t" + std::to_string(i) + "]\ntype = \"tank\"\nvolume = \"1 l\"\n";
+  const auto plant = ModelRig::load(text);
+  ASSERT_FALSE(plant);
+  EXPECT_LT(plant.error().size(), 30u);
+  EXPECT_EQ(plant.error().front().code, std::string("C0345"));
+  EXPECT_NE(plant.error().back().message.find("more ports are open"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace stepwright::components
