@@ -13,10 +13,12 @@ install(FILES systemd/stepwright@.service systemd/stepwright-runtime@.service sy
               systemd/stepwright-modbus-server@.service systemd/stepwright-modbus-client@.service systemd/stepwright-guard@.service
         DESTINATION lib/systemd/system COMPONENT stepwright-base)
 install(FILES systemd/stepwright.sysusers DESTINATION lib/sysusers.d RENAME stepwright.conf COMPONENT stepwright-base)
-foreach(cell IN ITEMS bench conveyor fleet four_diverters htn ltl reach robot_cell tugger)
+foreach(cell IN ITEMS bench bench_model conveyor fleet four_diverters htn ltl reach robot_cell tugger)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/tests/cells/${cell} DESTINATION share/stepwright/cells COMPONENT stepwright-base
           PATTERN CMakeLists.txt EXCLUDE PATTERN "*.py" EXCLUDE PATTERN "*.cpp" EXCLUDE PATTERN __pycache__ EXCLUDE)
 endforeach()
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/tests/cells/shared_plant DESTINATION share/stepwright/cells COMPONENT stepwright-base
+        PATTERN CMakeLists.txt EXCLUDE PATTERN "*_test.py" EXCLUDE PATTERN stepped_cell.py EXCLUDE PATTERN __pycache__ EXCLUDE)
 install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR}
         COMPONENT stepwright-base)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/doc DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT stepwright-base)

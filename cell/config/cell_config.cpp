@@ -8,8 +8,10 @@
 #include <cstdio>
 #include <span>
 
+#include "cell/config/cell_keys.h"
 #include "cell/config/place.h"
 #include "cell/config/state_dir.h"
+#include "cell/config/tag_table.h"
 #include "runtime/base/hash64.h"
 #include "runtime/ground/settings/toml_document.h"
 
@@ -33,18 +35,34 @@ EngineKind read_engine(const TomlTable& table) {
   return engine == "native" ? EngineKind::Native : engine == "vm" ? EngineKind::Vm : EngineKind::Auto;
 }
 
-void read_plant(const TomlTable& table, const std::filesystem::path& folder, PlantConfig& plant) {
+void read_plant(const TomlTable& table, const std::filesystem::path& folder, const ClockConfig& clock,
+                PlantConfig& plant) {
   // A plant that nobody describes is none; one that is misspelt has no ports that could be wrong.
   const std::string otherwise = table.has("kind") || !plant.described ? "none" : plant.kind;
   plant.kind = table.choice("kind", otherwise,
-                            {"tank_bench", "sorting_line", "fleet", "tugger", "robot_cell", "none"});
+                            {"tank_bench", "sorting_line", "fleet", "tugger", "robot_cell", "model", "shared",
+                             "fmu", "st", "none"});
   plant.seed = static_cast<std::uint64_t>(table.integer("seed", 1, {0, 1e15}));
   plant.uncertainty = table.boolean("uncertainty", plant.uncertainty);
   plant.diverters = static_cast<std::size_t>(table.integer("diverters", 2, {1, 4}));
   plant.boxes = static_cast<std::size_t>(table.integer("boxes", 5, {1, 9}));
+  if (plant.kind == "model") {
+    plant.file = read_plant_file(table, "file", folder);
+    plant.file_where = table.where("file");
+    if (!table.has("file"))
+      table.report("kind", "a model without its file", "file = \"plant.toml\", with its components");
+  }
   if (plant.kind == "fleet") plant.fleet = read_fleet_plant(table, folder);
   if (plant.kind == "tugger") plant.tugger = read_tugger_plant(table, folder);
   if (plant.kind == "robot_cell") plant.robot_cell = read_robot_cell_plant(table, folder);
+  if (is_stepped(plant.kind)) {
+    plant.stepped = read_stepped_plant(table, plant.kind, folder, clock.interval_us);
+    for (const auto* terminals : {&plant.stepped.actuators, &plant.stepped.sensors}) {
+      for (const SteppedTerminalConfig& each : *terminals)
+        plant.ports.push_back({each.name, each.address, each.where});
+    }
+    return;
+  }
   const TomlTable ports = table.table("ports");
   for (const std::string& port : ports.keys())
     plant.ports.push_back({port, ports.text(port, {}), ports.where(port)});
@@ -112,6 +130,15 @@ ScheduledFault read_fault(const TomlTable& table, const missions::CellMission& m
   return fault;
 }
 
+CellReading unread(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+                   result::Diagnostics problems) {
+  CellReading reading;
+  reading.config.file = file;
+  reading.config.overrides = overrides;
+  reading.problems = std::move(problems);
+  return reading;
+}
+
 }  // namespace
 
 std::filesystem::path temporary_folder() {
@@ -153,26 +180,11 @@ std::filesystem::path CellConfig::journal_path() const {
   return state_dir / "executive.json";
 }
 
-CellReading read_cell_config(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+CellReading read_cell_document(settings::TomlDocument& document, const std::filesystem::path& file) {
   CellReading reading;
   CellConfig& config = reading.config;
   config.file = file;
-  config.overrides = overrides;
-  auto document = settings::TomlDocument::load(file);
-  if (!document) {
-    reading.problems = std::move(document.error());
-    return reading;
-  }
-  for (const std::string& entry : overrides) {
-    const std::size_t equals = entry.find('=');
-    const std::string key = entry.substr(0, equals);
-    auto applied =
-        (*document)->override_value(key, equals == std::string::npos ? "" : entry.substr(equals + 1));
-    if (applied) continue;
-    reading.problems = std::move(applied.error());
-    return reading;
-  }
-  const TomlTable root = (*document)->root();
+  const TomlTable root = document.root();
   const std::filesystem::path folder = file.parent_path();
   const TomlTable cell = root.table("cell");
   config.name = cell.text("name", config.name);
@@ -185,7 +197,7 @@ CellReading read_cell_config(const std::filesystem::path& file, const std::vecto
       static_cast<std::uint32_t>(root.table("runtime").integer("memory_limit_mb", 0, {0, 1'000'000}));
   config.tasks = read_tasks(root);
   config.plant.described = root.has_table("plant");
-  read_plant(root.table("plant"), folder, config.plant);
+  read_plant(root.table("plant"), folder, config.clock, config.plant);
   const TomlTable image = root.table("image");
   config.image.input_bytes = static_cast<std::uint32_t>(image.integer("input_bytes", 64, {1, 65'536}));
   config.image.output_bytes = static_cast<std::uint32_t>(image.integer("output_bytes", 64, {1, 65'536}));
@@ -223,6 +235,9 @@ CellReading read_cell_config(const std::filesystem::path& file, const std::vecto
   config.change = read_change(root);
   const result::Diagnostics controller = read_controller(root, folder, config.controller);
   config.hmi = read_hmi(root.table("hmi"), folder, config.state_dir);
+  const result::Diagnostics described = read_tag_table(config.hmi.tags, config.tags);
+  result::Diagnostics secrets;
+  config.notify = read_notify(root, folder, secrets);
   config.log = log::read_log(root, folder);
   read_retain(root, folder, config.state_dir, config.retain, config.boot);
   config.record = read_record(root.table("record"), config.state_dir);
@@ -233,10 +248,27 @@ CellReading read_cell_config(const std::filesystem::path& file, const std::vecto
       read_modbus_acceptors(root.table("modbus").table("server"), folder, config.modbus_server.tcp,
                             config.modbus_server.server, config.modbus_server.acceptors);
   check_names(cell, dds, config);
-  config.values = (*document)->values();
-  reading.problems = (*document)->finish();
-  for (const result::Diagnostics& more : {found, controller, unserved, closed})
+  config.values = document.values();
+  reading.problems = document.finish([](std::string_view table, std::string_view key) {
+    return settings::advice_of(cell_keys(), table, key);
+  });
+  for (const result::Diagnostics& more : {found, controller, unserved, closed, described, secrets})
     reading.problems.insert(reading.problems.end(), more.begin(), more.end());
+  return reading;
+}
+
+CellReading read_cell_config(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  auto document = settings::TomlDocument::load(file);
+  if (!document) return unread(file, overrides, std::move(document.error()));
+  for (const std::string& entry : overrides) {
+    const std::size_t equals = entry.find('=');
+    const std::string key = entry.substr(0, equals);
+    auto applied =
+        (*document)->override_value(key, equals == std::string::npos ? "" : entry.substr(equals + 1));
+    if (!applied) return unread(file, overrides, std::move(applied.error()));
+  }
+  CellReading reading = read_cell_document(**document, file);
+  reading.config.overrides = overrides;
   return reading;
 }
 

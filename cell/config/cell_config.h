@@ -23,10 +23,12 @@
 #include "cell/config/modbus_client_config.h"
 #include "cell/config/modbus_server_config.h"
 #include "cell/config/monitor_config.h"
+#include "cell/config/notify_config.h"
 #include "cell/config/record_config.h"
 #include "cell/config/retain_config.h"
 #include "cell/config/robot_cell_config.h"
 #include "cell/config/safety_config.h"
+#include "cell/config/stepped_config.h"
 #include "cell/config/tag_config.h"
 #include "cell/config/task_config.h"
 #include "cell/config/tugger_config.h"
@@ -56,16 +58,20 @@ struct PortAddress {
 };
 
 struct PlantConfig {
-  std::string kind = "tank_bench";  // or "sorting_line", "fleet", "tugger" or "robot_cell"; or "none":
-                                    // outputs go nowhere, inputs stay 0
+  std::string kind = "tank_bench";  // or "sorting_line", "fleet", "tugger" or "robot_cell"; "model": of a
+                                    // file; "shared", "fmu" or "st": a model in a process of its own; or
+                                    // "none": outputs go nowhere, inputs stay 0
   std::uint64_t seed = 1;           // of all that is uncertain
   bool uncertainty = true;          // the bench: sensor bias, drift and noise; the line: boxes that differ; a
                                     // fleet, a tugger train and a robot cell: noise of their sensors
+  std::filesystem::path file;       // of a model (plant_models/doc/components.md)
+  result::Location file_where;
   std::size_t diverters = 2;        // of the line; 1 to 4
   std::size_t boxes = 5;            // of the line's order list; 1 to 9
   FleetPlantConfig fleet;           // of kind "fleet" only
   TuggerPlantConfig tugger;         // of kind "tugger" only
   RobotCellPlantConfig robot_cell;  // of kind "robot_cell" only
+  SteppedPlantConfig stepped;       // of the kinds "shared", "fmu" and "st" only
   std::vector<PortAddress> ports;
   bool described = false;  // the file has a table [plant]; without one there is none
 };
@@ -133,6 +139,7 @@ struct CellConfig {
   ExecutiveConfig executive;
   DdsConfig dds;
   HmiConfig hmi;
+  std::vector<NotifyConfig> notify;  // [[notify]]: who is told of alarms
   ChangeConfig change;
   ControllerConfig controller;  // where the program runs: in `stepwright runtime`, or behind Modbus
   RetainSection retain;
@@ -166,7 +173,11 @@ struct CellReading {
 [[nodiscard]] CellReading read_cell_config(const std::filesystem::path& file,
                                            const std::vector<std::string>& overrides = {});
 
-// The same, for whoever wants to run the cell: any error is a refusal.
+// The same, of a document that somebody has loaded, and may listen to.
+[[nodiscard]] CellReading read_cell_document(settings::TomlDocument& document,
+                                             const std::filesystem::path& file);
+
+// As the first, for whoever wants to run the cell: any error is a refusal.
 // `overrides` are "dotted.key=value" texts that win over the file (--set).
 [[nodiscard]] result::Result<CellConfig> load_cell_config(const std::filesystem::path& file,
                                                           const std::vector<std::string>& overrides = {});

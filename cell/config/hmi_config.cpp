@@ -35,6 +35,35 @@ void check_page_names(const settings::TomlTable& hmi, const HmiConfig& config) {
   }
 }
 
+const std::vector<std::string> kPanels = {"alarms", "history", "synoptic", "plan",     "incidents", "sfc",
+                                          "trend",  "state",   "replans",  "monitors", "scan",      "tags"};
+
+WallConfig read_wall(const settings::TomlTable& table, const std::string& host) {
+  WallConfig wall;
+  for (const std::string& each : table.texts("addresses")) {
+    if (const auto range = modbus::server::IpRange::parse(each))
+      wall.addresses.push_back(*range);
+    else
+      table.report("addresses", "'" + each + "' is no address", "10.0.0.17, or many: 192.168.7.0/24", "0471");
+  }
+  const auto here = modbus::server::parse_ip("127.0.0.1");
+  const bool from_here =
+      std::ranges::any_of(wall.addresses, [&](const auto& range) { return here && range.contains(*here); });
+  if (!wall.addresses.empty() && !from_here && is_loopback(host))
+    table.report("addresses", "from there nobody reaches a server at " + host,
+                 "[hmi] host, with tls_certificate and tls_key", "0471");
+  if (auto panels = table.texts("panels"); table.has("panels")) wall.panels = std::move(panels);
+  for (const std::string& each : wall.panels) {
+    if (std::ranges::find(kPanels, each) != kPanels.end()) continue;
+    const std::string meant = settings::closest(each, kPanels);
+    std::string all;
+    for (const std::string& panel : kPanels) all += (all.empty() ? "" : ", ") + panel;
+    table.report("panels", "there is no panel '" + each + "'",
+                 meant.empty() ? all : "did you mean '" + meant + "'?", "0471");
+  }
+  return wall;
+}
+
 }  // namespace
 
 HmiConfig read_hmi(const settings::TomlTable& hmi, const std::filesystem::path& folder,
@@ -57,6 +86,9 @@ HmiConfig read_hmi(const settings::TomlTable& hmi, const std::filesystem::path& 
   config.recipes_dir = path("recipes_dir");
   config.programs_dir = path("programs_dir");
   if (config.programs_dir.empty()) config.programs_dir = state_dir / "programs";
+  config.tags = path("tags");
+  config.screens_dir = path("screens_dir");
+  if (config.screens_dir.empty()) config.screens_dir = state_dir / "screens";
   config.drawing = path("drawing");
   if (config.recipes_dir.empty()) config.recipes_dir = state_dir / "recipes";
   config.idle = std::chrono::minutes(hmi.integer("idle_minutes", 30, {1, 24 * 60}));
@@ -70,6 +102,7 @@ HmiConfig read_hmi(const settings::TomlTable& hmi, const std::filesystem::path& 
                "set tls_certificate and tls_key, or leave host at 127.0.0.1", "0468");
   }
   check_page_names(hmi, config);
+  config.wall = read_wall(hmi.table("wall"), config.host);
   return config;
 }
 

@@ -15,7 +15,14 @@
 //   recipes = "recipes.toml"      # beside this file: the tags that recipes set (hmi_web/doc/recipes.md)
 //   recipes_dir = "recipes"       # the recipes themselves; default: in the state folder
 //   programs_dir = "programs"     # programs that can be brought back (hmi_web/doc/change.md); likewise
+//   tags = "tags.csv"             # beside this file: what people want to know of tags (hmi_web/doc/tags.md)
+//   screens_dir = "screens"       # screens that people draw on the page (hmi_web/doc/screens.md); likewise
 //   drawing = "plant.svg"         # the plant's picture, drawn by hand (hmi_web/doc/drawings.md)
+//
+//
+//   [hmi.wall]                    # a display on the wall that looks without logging in, and never acts
+//   addresses = ["10.0.0.17", "192.168.7.0/24"]   # who calls from there is a viewer
+//   panels = ["alarms", "synoptic", "trend"]      # that /#wall shows, in this order
 //
 // Pure.
 
@@ -26,8 +33,14 @@
 #include <vector>
 
 #include "runtime/ground/settings/toml_document.h"
+#include "runtime/modbus/server/ip_range.h"
 
 namespace stepwright::config {
+
+struct WallConfig {
+  std::vector<modbus::server::IpRange> addresses;  // empty: there is no such display
+  std::vector<std::string> panels = {"alarms", "synoptic", "plan", "trend"};
+};
 
 struct HmiConfig {
   std::string host = "127.0.0.1";
@@ -42,7 +55,10 @@ struct HmiConfig {
   std::filesystem::path recipes;  // the file of definitions; empty: there are no recipes
   std::filesystem::path recipes_dir;
   std::filesystem::path programs_dir;
+  std::filesystem::path tags;  // a table beside [tags]; empty: there is none
+  std::filesystem::path screens_dir;
   std::filesystem::path drawing;  // empty: the picture is made from the plant's description
+  WallConfig wall;
   std::chrono::minutes idle{30};
   std::chrono::hours session{12};
 };
@@ -51,7 +67,8 @@ struct HmiConfig {
 bool is_loopback(const std::string& host);
 
 // Errors are reported to the document: C0003, C0004, C0468 (a host beyond loopback without TLS), C0469 (half
-// of what TLS needs), C0470 (names that are none, or missing).
+// of what TLS needs), C0470 (names that are none, or missing), C0471 (an address of a wall display that is
+// none, a panel that there is not).
 HmiConfig read_hmi(const settings::TomlTable& hmi, const std::filesystem::path& folder,
                    const std::filesystem::path& state_dir);
 

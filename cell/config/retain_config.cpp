@@ -1,7 +1,9 @@
 #include "cell/config/retain_config.h"
 
 #include <string>
+#include <vector>
 
+#include "ladder/source/dialect.h"
 #include "runtime/ground/settings/toml_document.h"
 
 namespace stepwright::config {
@@ -27,6 +29,9 @@ void read_retain(const settings::TomlTable& root, const std::filesystem::path& f
                      "a source in ST or PLCopen XML");
     boot.sources.push_back(folder / source);
   }
+  std::vector<std::string> dialects;
+  for (const source::Dialect& each : source::dialects()) dialects.emplace_back(each.name);
+  boot.dialect = runtime.choice("dialect", dialects.front(), dialects);
   if (boot.program.empty() && !boot.sources.empty()) boot.program = state_dir / "program.swb";
   boot.autostart = runtime.boolean("autostart", boot.autostart);
   if (runtime.boolean("boot", false)) boot.keep = state_dir / "boot.swb";

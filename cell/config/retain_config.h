@@ -9,13 +9,15 @@
 //   policy = "carry"          # what becomes of values that do not fit the program: "initialise", "refuse"
 //   [runtime]
 //   program = "line.swb"      # loaded at the start, from the folder of this file
-//   sources = ["line.st"]     # what `stepwright up` compiles it from; without `program` it is in the state
-//   folder autostart = true          # and started, warm boot = true               # the last program that
-//   was downloaded is kept in the state folder and loaded
+//   sources = ["line.st"]     # what it is compiled from; without `program` it is in the state folder
+//   dialect = "matiec"        # the system that the sources come from (ladder/doc/dialects.md)
+//   autostart = true          # and started, warm
+//   boot = true               # the last program that was downloaded is kept in the state folder and loaded
 
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace stepwright::settings {
@@ -35,6 +37,7 @@ struct RetainSection {
 struct BootSection {
   std::filesystem::path program;               // empty: none; the one that was kept comes before it
   std::vector<std::filesystem::path> sources;  // of `program`; empty: it is compiled elsewhere
+  std::string dialect = "standard";            // of the sources (ladder/source/dialect.h)
   bool autostart = false;
   std::filesystem::path keep;  // where the last downloaded program is kept; empty: nowhere
 };

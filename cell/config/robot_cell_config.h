@@ -33,6 +33,7 @@
 //   mass_kg = 0.2
 //
 //   [[plant.blockages]]       # boxes that stand while the fault block_1, block_2, ... holds: as fixed
+//                             # the camera calls them obstacles
 //
 //   [plant.drive]             # defaults as here
 //   position_gain_1_s = 40.0
@@ -55,7 +56,7 @@
 //   ghosts = 0.02             # share of reports with an object that is not there
 //   position_m = 0.002        # standard deviations
 //   yaw_rad = 0.02
-//   slots = 6                 # terminals for so many objects; default two more than there are
+//   slots = 6                 # terminals for so many objects; default two more than objects and blockages
 //
 //   [plant.encoder]
 //   noise_rad = 1e-5

@@ -1,7 +1,7 @@
 #pragma once
 
 // What `stepwright up` leaves of a cell that is up, in the cell's state folder, for `status`, `down` and
-// scripts (programs/doc/up.md).
+// scripts (doc/operate.md).
 //
 //   write_record(record_path(config), record);
 //   const auto record = read_record(record_path(config));

@@ -13,6 +13,8 @@
 #include "hmi_web/alarms/definition_file.h"
 #include "hmi_web/drawing/drawing_file.h"
 #include "hmi_web/recipes/definition_file.h"
+#include "hmi_web/screens/screen_store.h"
+#include "programs/check/check_plant.h"
 #include "programs/check/check_processes.h"
 #include "programs/check/check_program.h"
 #include "programs/check/compile_sources.h"
@@ -96,6 +98,7 @@ CheckReport check_cell(const std::filesystem::path& file, const std::vector<std:
   report.problems = std::move(cell.problems);
   if (auto options = cell_runtime::host_options(cell.config); !options) add(report.problems, options.error());
   add(report.problems, cell_runtime::check_cell_io(cell.config));
+  add(report.problems, check_plant(cell.config));
   add(report.problems, check_processes(cell.config));
   if (const auto trusted = config::check_state_dir(cell.config); !trusted)
     add(report.problems, trusted.error());
@@ -111,6 +114,10 @@ CheckReport check_cell(const std::filesystem::path& file, const std::vector<std:
   if (!cell.config.hmi.drawing.empty()) {
     if (const auto drawn = drawing::load_drawing(cell.config.hmi.drawing); !drawn)
       add(report.problems, drawn.error());
+  }
+  if (std::filesystem::is_directory(cell.config.hmi.screens_dir)) {
+    if (const auto drawn = screens::ScreenStore::open(cell.config.hmi.screens_dir); drawn)
+      add(report.problems, (*drawn)->damaged());
   }
   check_image(cell.config, image, report);
   // Planning costs seconds: not for a file that has to be changed anyway.

@@ -26,7 +26,8 @@ std::string without_indices(const std::string& name) {
 }  // namespace
 
 result::Diagnostics check_described_tags(std::span<const config::TagConfig> tags,
-                                         const reader::ProgramInfo& info) {
+                                         const reader::ProgramInfo& info,
+                                         const std::vector<std::string>& points) {
   if (tags.empty()) return {};
   std::set<std::string> known;
   std::vector<std::string> names;
@@ -35,12 +36,17 @@ result::Diagnostics check_described_tags(std::span<const config::TagConfig> tags
     known.insert(naming::upper(without_indices(tag.name)));
     names.push_back(tag.name);
   }
+  for (const std::string& point : points) {
+    known.insert(naming::upper(point));
+    names.push_back(point);
+  }
   result::Diagnostics problems;
   for (const config::TagConfig& tag : tags) {
     if (known.contains(naming::upper(tag.name))) continue;
     const std::string meant = settings::closest(tag.name, names);
     problems.push_back(
-        {"C0632", result::Severity::Warning, tag.where, "the program has no variable '" + tag.name + "'",
+        {"C0632", result::Severity::Warning, tag.where,
+         "neither the program nor the plant has '" + tag.name + "'",
          meant.empty() ? "a name as `stepwright snapshot` writes it" : "did you mean '" + meant + "'?"});
   }
   return problems;

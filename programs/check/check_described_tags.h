@@ -1,11 +1,13 @@
 #pragma once
 
-// [tags] of a cell against the variables of a program. C0632 (a warning): the program has no variable of that
-// name, so that nobody will see what is said of it.
+// [tags] of a cell, and its table, against the variables of a program and the points of the plant's picture.
+// C0632 (a warning): there is nothing of that name, so that nobody will see what is said of it.
 //
 // Pure; any thread.
 
 #include <span>
+#include <string>
+#include <vector>
 
 #include "cell/config/tag_config.h"
 #include "runtime/bytecode/reader/program_info.h"
@@ -14,6 +16,7 @@
 namespace stepwright::check {
 
 result::Diagnostics check_described_tags(std::span<const config::TagConfig> tags,
-                                         const reader::ProgramInfo& info);
+                                         const reader::ProgramInfo& info,
+                                         const std::vector<std::string>& points);
 
 }  // namespace stepwright::check

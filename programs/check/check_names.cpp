@@ -1,13 +1,17 @@
 #include "programs/check/check_names.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "cell/hmi/plant_picture.h"
+#include "hmi_web/access/durable_file.h"
 #include "hmi_web/alarms/definition_file.h"
 #include "hmi_web/drawing/drawing_file.h"
 #include "hmi_web/recipes/definition_file.h"
+#include "hmi_web/screens/screen_store.h"
 #include "runtime/ground/naming/ascii_names.h"
 #include "runtime/ground/settings/toml_document.h"
 
@@ -18,21 +22,33 @@ using result::Location;
 
 // Of the cell itself: "cell.runtime_alive".
 constexpr std::string_view kOfTheCell = "cell.";
+// Of a point in the history.
+constexpr std::string_view kPointPrefix = "points/";
+constexpr std::size_t kLargestKept = 4 << 20;  // bytes
 
 class NameCheck {
  public:
   NameCheck(const config::CellConfig& config, const reader::ProgramInfo& info) : info_(info) {
     for (const reader::Tag& tag : info.tags()) names_.push_back(tag.name);
-    if (const auto picture = hmi::picture_of(config.plant))
-      for (const protocol::Point& point : picture->synoptic.points) points_.push_back(point.id);
+    points_ = picture_points(config);
+  }
+
+  // What is kept outlives programs: a warning.
+  void note_kept(const std::string& name, const Location& where, const std::string& what, bool points) {
+    const std::size_t before = problems_.size();
+    check(name, where, what, points);
+    if (problems_.size() == before) return;
+    problems_.back().code = "C0634";
+    problems_.back().severity = result::Severity::Warning;
   }
 
   // `points`: those of the plant's picture will do, too.
-  void check(const std::string& name, const Location& where, const std::string& what, bool points) {
+  void check(const std::string& name, const Location& where, const std::string& what, bool points,
+             result::Severity severity = result::Severity::Error) {
     if (name.empty() || name.starts_with('%') || info_.find(name) != nullptr) return;
     if (points && std::ranges::find(points_, name) != points_.end()) return;
     const std::string meant = nearest(name, points);
-    problems_.push_back({"C0532", result::Severity::Error, where,
+    problems_.push_back({"C0532", severity, where,
                          what + " names '" + name + "', which the program does not have",
                          meant.empty() ? "`stepwright snapshot` lists the variables of a running program"
                                        : "did you mean '" + meant + "'?"});
@@ -88,7 +104,62 @@ void check_drawing(const config::CellConfig& config, NameCheck& names) {
   for (const drawing::BoundName& each : drawn->names) names.check(each.name, each.where, "the drawing", true);
 }
 
+// What a server keeps is its own: a file that cannot be read or is damaged is told by the server.
+nlohmann::json kept(const std::filesystem::path& file, const char* list) {
+  const auto text = access::read_bounded(file, kLargestKept);
+  if (!text || text->size() > kLargestKept) return nlohmann::json::array();
+  nlohmann::json document = nlohmann::json::parse(*text, nullptr, /*allow_exceptions=*/false);
+  const bool right = document.is_object() && document.contains(list) && document[list].is_array();
+  return right ? document[list] : nlohmann::json::array();
+}
+
+std::string text_of(const nlohmann::json& object, const char* key) {
+  if (!object.is_object()) return {};
+  const auto found = object.find(key);
+  return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+void check_forces(const config::CellConfig& config, NameCheck& names) {
+  const std::filesystem::path file = config.hmi.access_dir / "forces.json";
+  for (const auto& each : kept(file, "forces"))
+    names.note_kept(text_of(each, "name"), {file.string(), 0, 0}, "a force", false);
+}
+
+void check_trends(const config::CellConfig& config, NameCheck& names) {
+  const std::filesystem::path file = config.hmi.access_dir / "trends.json";
+  for (const auto& group : kept(file, "groups")) {
+    if (!group.is_object() || !group.contains("series") || !group["series"].is_array()) continue;
+    for (const auto& each : group["series"]) {
+      std::string tag = text_of(each, "tag");
+      if (tag.starts_with(kPointPrefix)) tag.erase(0, kPointPrefix.size());
+      names.note_kept(tag, {file.string(), 0, 0}, "the trend '" + text_of(group, "name") + "'", true);
+    }
+  }
+}
+
+// People draw them while the cell runs: a warning, as the page shows by itself what is bound to nothing.
+void check_screens(const config::CellConfig& config, NameCheck& names) {
+  if (!std::filesystem::is_directory(config.hmi.screens_dir)) return;
+  const auto store = screens::ScreenStore::open(config.hmi.screens_dir);
+  if (!store) return;
+  for (const screens::Screen& screen : (*store)->list()) {
+    const screens::Version* now = screen.current();
+    if (now == nullptr || now->removed || now->is_symbol) continue;
+    const auto drawn = (*store)->read(screen.name, now->number);
+    if (!drawn) continue;
+    for (const drawing::BoundName& each : drawn->names)
+      names.check(each.name, each.where, "the screen '" + screen.name + "'", true, result::Severity::Warning);
+  }
+}
+
 }  // namespace
+
+std::vector<std::string> picture_points(const config::CellConfig& config) {
+  std::vector<std::string> points;
+  if (const auto picture = hmi::picture_of(config.plant))
+    for (const protocol::Point& point : picture->synoptic.points) points.push_back(point.id);
+  return points;
+}
 
 result::Diagnostics check_names(const config::CellConfig& config, const reader::ProgramInfo& info) {
   if (!info.complete()) return {};
@@ -96,6 +167,9 @@ result::Diagnostics check_names(const config::CellConfig& config, const reader::
   check_alarms(config, names);
   check_recipes(config, names);
   check_drawing(config, names);
+  check_forces(config, names);
+  check_trends(config, names);
+  check_screens(config, names);
   return names.take();
 }
 

@@ -73,7 +73,7 @@ result::Diagnostics check_program(const config::CellConfig& config, const CellPr
     add(problems, modbus::map::build_map(*info, config.modbus_server.map).problems);
   add(problems, check_tags(config.modbus_client, *info));
   add(problems, check_wires(config, *info));
-  add(problems, check_described_tags(config.tags, *info));
+  add(problems, check_described_tags(config.tags, *info, picture_points(config)));
   add(problems, cell_monitors::missing_monitors(config, *info));
   add(problems, check_names(config, *info));
   return problems;

@@ -13,7 +13,8 @@ std::optional<CellProgram> compile_sources(const config::CellConfig& config, res
   std::vector<std::string> paths;
   for (const std::filesystem::path& each : config.boot.sources) paths.push_back(each.string());
   result::Diagnostics unread;
-  const sources::SourceFiles files = sources::load(paths, unread);
+  const source::Dialect* const dialect = source::find_dialect(config.boot.dialect);
+  const sources::SourceFiles files = sources::load(paths, unread, {.dialect = dialect});
   const auto monitors = cell_monitors::cell_monitors(config);
   add(problems, unread);
   if (!unread.empty() || !monitors) return std::nullopt;  // what is wrong with monitors is told already

@@ -7,8 +7,12 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 #include <span>
+#include <utility>
 
+#include "programs/new/plcopen_project.h"
+#include "programs/new/project_cell.h"
 #include "programs/new/template_texts.h"
 #include "runtime/ground/process/files.h"
 
@@ -23,12 +27,20 @@ std::span<const TemplateText> texts_of(const std::string& plant) {
   return plant == "modbus" ? modbus_texts() : none_texts();
 }
 
-std::string filled_in(std::string_view text, const std::string& name) {
-  constexpr std::string_view kName = "{{name}}";
-  std::string made(text);
-  for (std::size_t at = made.find(kName); at != std::string::npos; at = made.find(kName, at + name.size()))
-    made.replace(at, kName.size(), name);
-  return made;
+// Every {{placeholder}} of the text; what is filled in is not looked through again.
+std::string filled_in(std::string_view text, const Fillings& fillings) {
+  std::string made;
+  std::size_t done = 0;
+  for (std::size_t at = text.find("{{"); at != std::string_view::npos; at = text.find("{{", done)) {
+    const std::size_t end = text.find("}}", at);
+    if (end == std::string_view::npos) break;
+    made.append(text, done, at - done);
+    const std::string_view name = text.substr(at + 2, end - at - 2);
+    const auto found = std::ranges::find(fillings, name, &Fillings::value_type::first);
+    if (found != fillings.end()) made += found->second;
+    done = end + 2;
+  }
+  return made.append(text, done, std::string_view::npos);
 }
 
 bool is_name(const std::string& name) {
@@ -53,39 +65,53 @@ result::Result<void> check_free(const std::filesystem::path& folder) {
 }
 
 result::Result<void> write_all(const std::filesystem::path& folder, const NewOptions& options,
-                               const std::string& name) {
-  for (const TemplateText& each : texts_of(options.plant)) {
-    auto unwritten = process::write_file((folder / each.name).string(), filled_in(each.text, name));
+                               const std::string& name, const std::optional<TakenProject>& project) {
+  Fillings fillings = project ? fillings_of(*project) : Fillings{};
+  fillings.emplace_back("name", name);
+  for (const TemplateText& each : project ? plcopen_texts() : texts_of(options.plant)) {
+    auto unwritten = process::write_file((folder / each.name).string(), filled_in(each.text, fillings));
     if (!unwritten.empty()) return tl::unexpected(std::move(unwritten));
   }
+  if (!project) return {};
+  auto unwritten = process::write_file((folder / "main.xml").string(), project->xml);
+  if (!unwritten.empty()) return tl::unexpected(std::move(unwritten));
   return {};
+}
+
+result::Result<std::optional<TakenProject>> project_of(const NewOptions& options) {
+  if (options.from.empty()) return std::optional<TakenProject>();
+  auto taken = read_project(options.from, {options.dialect, options.configuration});
+  if (!taken) return result::forward(taken);
+  return std::optional<TakenProject>(std::move(*taken));
 }
 
 }  // namespace
 
-result::Result<void> make_cell(const NewOptions& options) {
+result::Result<std::vector<std::string>> make_cell(const NewOptions& options) {
   const std::filesystem::path folder = folder_of(options);
   const std::string name = folder.filename().string();
   if (!is_name(name))
     return result::fail("M0018", {}, "'" + name + "' cannot name a cell",
                         "up to 48 letters, digits, '_', '-' and '.', the first a letter or digit");
-  if (auto free = check_free(folder); !free) return free;
+  if (auto free = check_free(folder); !free) return result::forward(free);
+  auto project = project_of(options);
+  if (!project) return result::forward(project);
   // Written beside its place and moved there as a whole.
   std::string made = (folder.parent_path() / ("." + name + "-XXXXXX")).string();
   if (mkdtemp(made.data()) == nullptr)
     return result::fail("E0002", {folder.string(), 0, 0},
                         std::string("cannot be made: ") + std::strerror(errno));
   std::error_code error;
-  auto done = write_all(made, options, name);
+  auto done = write_all(made, options, name, *project);
   if (done) {
     constexpr auto kUsual = std::filesystem::perms(0755);
     std::filesystem::permissions(made, kUsual, error);
     std::filesystem::rename(made, folder, error);
   }
-  if (done && !error) return {};
+  if (done && !error) return *project ? (*project)->left : std::vector<std::string>();
   std::error_code ignored;
   std::filesystem::remove_all(made, ignored);
-  if (!done) return done;
+  if (!done) return result::forward(done);
   return result::fail("E0002", {folder.string(), 0, 0}, "cannot be made: " + error.message());
 }
 

@@ -12,7 +12,7 @@ process::ChildOptions compile_command(const config::CellConfig& config, const st
   options.arguments = {(programs / "stepwright-compile").string(), "compile"};
   for (const std::filesystem::path& source : config.boot.sources)
     options.arguments.push_back(source.string());
-  options.arguments.insert(options.arguments.end(), {"-o", image.string()});
+  options.arguments.insert(options.arguments.end(), {"-o", image.string(), "--dialect", config.boot.dialect});
   if (!config.monitors.empty())
     options.arguments.insert(options.arguments.end(), {"--config", config.file.string()});
   return options;

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Keeps the documents readable: README.md has at most 120 lines; the glossary has one term a row, in alphabetical order and
 each once; every relative link of a Markdown file leads to a file of the tree, and its anchor to a heading there; a code of a
-message has one row in all tables of codes.
+message has one row in all tables of codes; a page of the user's book (doc/*.md) has its first example within two screens.
 
 Prints each problem as file:line and exits with 1.
 """
@@ -13,6 +13,7 @@ import sys
 import urllib.parse
 
 README_LINES = 120
+SCREENS_LINES = 50  # two screens
 GLOSSARY = "doc/glossary.md"
 ROW = re.compile(r"^\| (?P<term>[^|]+) \| [^|]+ \|$")
 LINK = re.compile(r"\[[^\]]*\]\((?P<target>[^)\s]+)\)")
@@ -103,6 +104,12 @@ def broken_links(root: pathlib.Path, name: str, texts: dict[str, str]) -> list[s
     return problems
 
 
+def late_example(name: str, text: str) -> list[str]:
+    lines = text.splitlines()
+    first = next((number for number, line in enumerate(lines) if FENCE.match(line)), len(lines))
+    return [f"{name}:1: no example within {SCREENS_LINES} lines"] if first > SCREENS_LINES else []
+
+
 def main() -> int:
     root = pathlib.Path(sys.argv[1])
     listed = subprocess.run(
@@ -111,6 +118,9 @@ def main() -> int:
     ).stdout.split("\0")
     texts = {name: (root / name).read_text(encoding="utf-8") for name in listed if name and (root / name).is_file()}
     problems = long_readme(texts["README.md"]) + unsorted_terms(texts[GLOSSARY])
+    for name, text in texts.items():
+        if re.fullmatch(r"doc/[\w-]+\.md", name) and name not in (GLOSSARY, "doc/README.md"):
+            problems += late_example(name, text)
     codes: dict[str, str] = {}
     for name in sorted(texts):
         problems += broken_links(root, name, texts) + repeated_codes(name, texts[name], codes)

@@ -5,7 +5,8 @@ namespace stepwright::missions {
 // Each planner's own (cell/missions/NAME/table).
 #define STEPWRIGHT_MISSION(name)                                                            \
   std::shared_ptr<const MissionTable> read_##name##_table(const settings::TomlTable& table, \
-                                                          const TablePlace& place);
+                                                          const TablePlace& place);         \
+  std::span<const settings::KeyWords> name##_keys();
 #include "cell/missions/missions.def"
 #undef STEPWRIGHT_MISSION
 
@@ -14,10 +15,11 @@ namespace {
 struct NamedReader {
   const char* name;
   TableReader read;
+  std::span<const settings::KeyWords> (*keys)();
 };
 
 constexpr NamedReader kReaders[] = {
-#define STEPWRIGHT_MISSION(name) {#name, read_##name##_table},
+#define STEPWRIGHT_MISSION(name) {#name, read_##name##_table, name##_keys},
 #include "cell/missions/missions.def"
 #undef STEPWRIGHT_MISSION
 };
@@ -37,6 +39,15 @@ CellMission read_mission(const settings::TomlTable& root, const TablePlace& plac
     mission = {reader.name, std::move(table)};
   }
   return mission;
+}
+
+std::vector<settings::KeyWords> mission_keys() {
+  std::vector<settings::KeyWords> all;
+  for (const NamedReader& reader : kReaders) {
+    const std::span<const settings::KeyWords> keys = reader.keys();
+    all.insert(all.end(), keys.begin(), keys.end());
+  }
+  return all;
 }
 
 std::string mission_tables() {

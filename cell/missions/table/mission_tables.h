@@ -8,8 +8,10 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "cell/missions/table/mission_table.h"
+#include "runtime/ground/settings/key_words.h"
 
 namespace stepwright::missions {
 
@@ -20,6 +22,9 @@ struct CellMission {
 
 // A cell has one mission: C0545 at every table beyond the first.
 CellMission read_mission(const settings::TomlTable& root, const TablePlace& place);
+
+// What people are told of the keys of all these tables.
+std::vector<settings::KeyWords> mission_keys();
 
 // "[fleet], [planning]"
 std::string mission_tables();

@@ -1,12 +1,11 @@
 #include "runtime/ground/settings/toml_document.h"
 
-#define TOML_ENABLE_FORMATTERS 0
-#include <toml++/toml.h>
-
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
+#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <fstream>
@@ -15,33 +14,9 @@
 #include <sstream>
 
 #include "runtime/ground/settings/key_parts.h"
+#include "runtime/ground/settings/toml_state.h"
 
 namespace stepwright::settings {
-
-struct TomlDocument::State {
-  std::string file;
-  std::string code;
-  toml::table root;
-  result::Diagnostics problems;
-  std::map<std::string, std::string> origins;  // dotted key -> the override that set it
-  using Keys = std::map<const void*, std::set<std::string, std::less<>>>;  // of each table
-  Keys asked;                                                              // that were read
-  Keys looked_for;  // of which somebody wanted to know whether they are there
-
-  result::Location place(const toml::source_region& source) const {
-    return {file, source.begin.line, source.begin.column};
-  }
-  // What came from an override stands in no line of the file.
-  result::Location place(const std::string& path, const toml::source_region& source) const {
-    const auto found = origins.find(path);
-    return found != origins.end() ? result::Location{found->second, 0, 0} : place(source);
-  }
-  void add(const char* number, result::Location where, std::string message, std::string hint) {
-    problems.push_back(
-        {code + number, result::Severity::Error, std::move(where), std::move(message), std::move(hint)});
-  }
-  void report_unknown(const toml::table& table, const std::string& path);
-};
 
 namespace {
 
@@ -153,62 +128,16 @@ result::Result<void> TomlDocument::override_value(const std::string& dotted_key,
   return {};
 }
 
+void TomlDocument::listen(KeyListener listener) {
+  state_->listener = std::move(listener);
+}
+
 TomlTable TomlDocument::root() {
   return {this, &state_->root, ""};
 }
 
-namespace {
-
-// Words that differ where the values differ; nobody reads them as TOML.
-std::string scalar_text(const toml::node& node) {
-  std::ostringstream text;
-  text.precision(17);
-  if (const auto words = node.value_exact<std::string>()) {
-    text << '"' << *words << '"';
-  } else if (const auto whole = node.value_exact<std::int64_t>()) {
-    text << *whole;
-  } else if (const auto number = node.value_exact<double>()) {
-    text << *number;
-  } else if (const auto truth = node.value_exact<bool>()) {
-    text << (*truth ? "true" : "false");
-  } else if (const auto date = node.value_exact<toml::date>()) {
-    text << *date;
-  } else if (const auto time = node.value_exact<toml::time>()) {
-    text << *time;
-  } else if (const auto instant = node.value_exact<toml::date_time>()) {
-    text << *instant;
-  }
-  return text.str();
-}
-
-template <typename Place>
-void collect(const toml::node& node, const std::string& path, const Place& place, SettingTexts& texts) {
-  if (const toml::table* table = node.as_table()) {
-    const std::string prefix = path.empty() ? "" : path + ".";
-    for (const auto& [key, value] : *table) collect(value, prefix + std::string(key.str()), place, texts);
-  } else if (const toml::array* array = node.as_array()) {
-    for (std::size_t i = 0; i < array->size(); ++i) {
-      collect(*array->get(i), path + "[" + std::to_string(i) + "]", place, texts);
-    }
-  } else {
-    texts[path] = {scalar_text(node), place(path, node.source())};
-  }
-}
-
-}  // namespace
-
-SettingTexts TomlDocument::values() const {
-  SettingTexts texts;
-  collect(
-      state_->root, "",
-      [this](const std::string& path, const toml::source_region& source) {
-        return state_->place(path, source);
-      },
-      texts);
-  return texts;
-}
-
-void TomlDocument::State::report_unknown(const toml::table& table, const std::string& path) {
+void TomlDocument::State::report_unknown(const toml::table& table, const std::string& path,
+                                         const KeyAdvice& advice) {
   const auto& read = asked[&table];
   for (const auto& [key, node] : table) {
     const std::string name(key.str());
@@ -220,20 +149,23 @@ void TomlDocument::State::report_unknown(const toml::table& table, const std::st
       const std::vector<std::string> names(known.begin(), known.end());
       const std::string meant = closest(name, names);
       std::string hint = meant.empty() ? "known here: " + joined(names) : "did you mean '" + meant + "'?";
+      const std::string other =
+          meant.empty() && advice ? advice(path.substr(0, path.empty() ? 0 : path.size() - 1), name) : "";
+      if (!other.empty()) hint = other + "; " + hint;
       add("0002", place(path + name, key.source()), "unknown key '" + path + name + "'", std::move(hint));
     } else if (const toml::table* inner = node.as_table(); inner != nullptr && asked.count(inner) != 0) {
-      report_unknown(*inner, path + name + ".");
+      report_unknown(*inner, path + name + ".", advice);
     } else if (const toml::array* array = node.as_array()) {
       for (const toml::node& element : *array) {
         const toml::table* row = element.as_table();
-        if (row != nullptr && asked.count(row) != 0) report_unknown(*row, path + name + ".");
+        if (row != nullptr && asked.count(row) != 0) report_unknown(*row, path + name + ".", advice);
       }
     }
   }
 }
 
-result::Diagnostics TomlDocument::finish() {
-  state_->report_unknown(state_->root, "");
+result::Diagnostics TomlDocument::finish(const KeyAdvice& advice) {
+  state_->report_unknown(state_->root, "", advice);
   return std::move(state_->problems);
 }
 
@@ -248,7 +180,16 @@ const void* TomlTable::find(std::string_view key) const {
   return as_table(node_)->get(key);
 }
 
+void TomlTable::tell(std::string_view key, AskedKey asked) const {
+  const KeyListener& listener = document_->state_->listener;
+  if (!listener) return;
+  asked.table = path_.substr(0, path_.empty() ? 0 : path_.size() - 1);
+  asked.key = key;
+  listener(asked);
+}
+
 bool TomlTable::has(std::string_view key) const {
+  tell(key, {});
   if (node_ == nullptr) return false;
   document_->state_->looked_for[node_].emplace(key);
   return as_table(node_)->get(key) != nullptr;
@@ -257,6 +198,21 @@ bool TomlTable::has(std::string_view key) const {
 bool TomlTable::has_table(std::string_view key) const {
   return has(key) && as_table(node_)->get(key)->is_table();
 }
+
+bool TomlTable::is_text(std::string_view key) const {
+  return has(key) && as_table(node_)->get(key)->is_string();
+}
+
+namespace {
+
+// The shortest text of the number that keeps it.
+std::string number_text(double value) {
+  std::array<char, 32> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+  return {digits.data(), end};
+}
+
+}  // namespace
 
 void TomlTable::wrong_type(std::string_view key, const char* expected) const {
   document_->state_->add("0003", where(key), "'" + path_ + std::string(key) + "' must be " + expected, "");
@@ -275,6 +231,7 @@ double TomlTable::ranged(std::string_view key, double value, Range range, double
 }
 
 std::string TomlTable::text(std::string_view key, std::string fallback) const {
+  tell(key, {.kind = ValueKind::Text, .fallback = fallback.empty() ? fallback : '"' + fallback + '"'});
   const toml::node* node = as_node(find(key));
   if (node == nullptr) return fallback;
   if (const auto value = node->value_exact<std::string>()) return *value;
@@ -283,6 +240,7 @@ std::string TomlTable::text(std::string_view key, std::string fallback) const {
 }
 
 double TomlTable::number(std::string_view key, double fallback, Range range) const {
+  tell(key, {.kind = ValueKind::Number, .fallback = number_text(fallback), .range = range});
   const toml::node* node = as_node(find(key));
   if (node == nullptr) return fallback;
   if (!node->is_number()) {
@@ -293,6 +251,7 @@ double TomlTable::number(std::string_view key, double fallback, Range range) con
 }
 
 std::int64_t TomlTable::integer(std::string_view key, std::int64_t fallback, Range range) const {
+  tell(key, {.kind = ValueKind::Integer, .fallback = std::to_string(fallback), .range = range});
   const toml::node* node = as_node(find(key));
   if (node == nullptr) return fallback;
   if (!node->is_integer()) {
@@ -305,6 +264,7 @@ std::int64_t TomlTable::integer(std::string_view key, std::int64_t fallback, Ran
 }
 
 bool TomlTable::boolean(std::string_view key, bool fallback) const {
+  tell(key, {.kind = ValueKind::Boolean, .fallback = fallback ? "true" : "false"});
   const toml::node* node = as_node(find(key));
   if (node == nullptr) return fallback;
   if (const auto value = node->value_exact<bool>()) return *value;
@@ -314,6 +274,7 @@ bool TomlTable::boolean(std::string_view key, bool fallback) const {
 
 std::string TomlTable::choice(std::string_view key, std::string fallback,
                               const std::vector<std::string>& choices) const {
+  tell(key, {.kind = ValueKind::Choice, .fallback = '"' + fallback + '"', .choices = choices});
   const std::string value = text(key, fallback);
   if (std::find(choices.begin(), choices.end(), value) != choices.end()) return value;
   const std::string meant = closest(value, choices);
@@ -323,6 +284,7 @@ std::string TomlTable::choice(std::string_view key, std::string fallback,
 }
 
 std::vector<std::string> TomlTable::texts(std::string_view key) const {
+  tell(key, {.kind = ValueKind::Texts});
   const toml::node* node = as_node(find(key));
   std::vector<std::string> values;
   if (node == nullptr) return values;
@@ -351,6 +313,7 @@ bool read_numbers(const toml::node& node, std::vector<double>& values) {
 }  // namespace
 
 std::vector<double> TomlTable::numbers(std::string_view key) const {
+  tell(key, {.kind = ValueKind::Numbers});
   const toml::node* node = as_node(find(key));
   std::vector<double> values;
   if (node != nullptr && !read_numbers(*node, values)) {
@@ -361,6 +324,7 @@ std::vector<double> TomlTable::numbers(std::string_view key) const {
 }
 
 std::vector<std::vector<double>> TomlTable::number_rows(std::string_view key, std::size_t width) const {
+  tell(key, {.kind = ValueKind::NumberRows});
   const toml::node* node = as_node(find(key));
   std::vector<std::vector<double>> rows;
   if (node == nullptr) return rows;
@@ -376,6 +340,7 @@ std::vector<std::vector<double>> TomlTable::number_rows(std::string_view key, st
 }
 
 std::string TomlTable::required_text(std::string_view key, const char* empty_number) const {
+  tell(key, {.kind = ValueKind::Text, .required = true});
   const toml::node* node = as_node(find(key));
   if (node == nullptr) {
     document_->state_->add("0005", where(), "'" + path_ + std::string(key) + "' is missing", "");
@@ -389,6 +354,7 @@ std::string TomlTable::required_text(std::string_view key, const char* empty_num
 }
 
 double TomlTable::required_number(std::string_view key, Range range) const {
+  tell(key, {.kind = ValueKind::Number, .required = true, .range = range});
   if (find(key) == nullptr) {
     document_->state_->add("0005", where(), "'" + path_ + std::string(key) + "' is missing", "");
     return 0.0;
@@ -397,6 +363,7 @@ double TomlTable::required_number(std::string_view key, Range range) const {
 }
 
 TomlTable TomlTable::table(std::string_view key) const {
+  tell(key, {.kind = ValueKind::Table});
   const std::string path = path_ + std::string(key) + ".";
   const toml::node* node = as_node(find(key));
   if (node == nullptr) return {document_, nullptr, path};
@@ -406,6 +373,7 @@ TomlTable TomlTable::table(std::string_view key) const {
 }
 
 std::vector<TomlTable> TomlTable::tables(std::string_view key) const {
+  tell(key, {.kind = ValueKind::Tables});
   std::vector<TomlTable> rows;
   const toml::node* node = as_node(find(key));
   if (node == nullptr) return rows;

@@ -13,7 +13,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <limits>
 #include <map>
 #include <memory>
 #include <string>
@@ -22,13 +21,9 @@
 #include <vector>
 
 #include "runtime/ground/result/result.h"
+#include "runtime/ground/settings/asked_key.h"
 
 namespace stepwright::settings {
-
-struct Range {
-  double low = -std::numeric_limits<double>::infinity();
-  double high = std::numeric_limits<double>::infinity();
-};
 
 // One value of a document as text, to tell whether a file says something else than before.
 struct SettingText {
@@ -46,6 +41,8 @@ class TomlTable {
   bool has(std::string_view key) const;
   // The key has a table: where a short form and a long one are possible.
   bool has_table(std::string_view key) const;
+  // The key has a text: where a number may stand with its unit in quotes or alone.
+  bool is_text(std::string_view key) const;
 
   // Optional values: the default where the key is missing, a diagnostic and the default where it is wrong.
   std::string text(std::string_view key, std::string fallback) const;
@@ -81,6 +78,7 @@ class TomlTable {
   friend class TomlDocument;
   TomlTable(TomlDocument* document, const void* node, std::string path);
   const void* find(std::string_view key) const;
+  void tell(std::string_view key, AskedKey asked) const;
   void wrong_type(std::string_view key, const char* expected) const;
   double ranged(std::string_view key, double value, Range range, double fallback) const;
 
@@ -104,11 +102,15 @@ class TomlDocument {
   // values are read. An inline table changes the keys that it names and leaves the others.
   [[nodiscard]] result::Result<void> override_value(const std::string& dotted_key, const std::string& value);
 
+  // From now on `listener` is told of every key that a reader asks for, also where the file does not have it.
+  void listen(KeyListener listener);
+
   TomlTable root();
   // Every value that the document holds, overrides included.
   SettingTexts values() const;
-  // Every problem so far, and every key that was never asked for. Call it last.
-  result::Diagnostics finish();
+  // Every problem so far, and every key that was never asked for. Call it last. `advice` is asked about a key
+  // that is like none of its table.
+  result::Diagnostics finish(const KeyAdvice& advice = {});
 
  private:
   friend class TomlTable;

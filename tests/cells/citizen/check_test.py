@@ -100,6 +100,27 @@ class Check(unittest.TestCase):
         found = [each for each in json.loads(self.json.read_text(encoding="utf-8"))["diagnostics"] if each["code"] == "C0632"]
         self.assertEqual([(each["line"], each["severity"], each["hint"]) for each in found], [(9, "warning", "did you mean 'Main.level'?")])
 
+    def test_what_is_kept_of_a_variable_that_the_program_lacks_is_a_warning(self):
+        source = self.folder / "line.st"
+        source.write_text("PROGRAM Main\n  VAR level : REAL; END_VAR\n  level := 1.0;\nEND_PROGRAM\n", encoding="utf-8")
+        self.assertEqual(stepwright("compile", source, "-o", self.folder / "line.swb").returncode, 0)
+        (self.folder / "access").mkdir()
+        (self.folder / "access" / "forces.json").write_text('{"forces": [{"name": "Main.leve"}, {"name": "MAIN.LEVEL"}]}', encoding="utf-8")
+        (self.folder / "access" / "trends.json").write_text(
+            '{"groups": [{"name": "tank", "series": [{"tag": "points/gone"}, {"tag": "Main.level"}]}]}', encoding="utf-8")
+        result = self.check('[cell]\nname = "line"\n[plant]\nkind = "none"\n[hmi]\naccess_dir = "access"\n', "--program", self.folder / "line.swb")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        found = [each for each in json.loads(self.json.read_text(encoding="utf-8"))["diagnostics"] if each["code"] == "C0634"]
+        self.assertEqual(sorted(each["message"] for each in found),
+                         ["a force names 'Main.leve', which the program does not have", "the trend 'tank' names 'gone', which the program does not have"])
+        self.assertIn("did you mean 'Main.level'?", [each["hint"] for each in found])
+
+    def test_a_table_of_tags_stands_beside_the_cell(self):
+        (self.folder / "tags.csv").write_text("name,unit,least,greatest\nMain.level,l,0,\n", encoding="utf-8")
+        result = self.check('[cell]\nname = "line"\n[plant]\nkind = "none"\n[hmi]\ntags = "tags.csv"\n')
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("tags.csv:2:14: C0631", result.stderr)
+
     def test_checking_leaves_nothing_behind(self):
         self.check('[cell]\nname = "line"\nstate_dir = "state"\n')
         self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["cell.toml", "check.json"])

@@ -37,10 +37,10 @@ class Namespaces(unittest.TestCase):
         return [float(found) for found in re.findall(rf"^{what} line-{each} ([\d.]+)$", self.supervisor.output(), re.M)]
 
     def lost_after(self, each, act):
-        """Seconds from the act until the supervisor knows."""
+        """Seconds from when the act is done until the supervisor knows."""
         known = len(self.times("gone", each))
-        began = time.monotonic()
         act()
+        began = time.monotonic()
         times = eventually(lambda: self.times("gone", each)[known:])
         self.assertTrue(times, self.supervisor.output())
         print(f"\n  line-{each}: noticed after {times[0] - began:.3f} s")

@@ -22,8 +22,10 @@
 
 #include <chrono>
 #include <cstdint>
+#include <span>
 
 #include "cell/missions/table/mission_table.h"
+#include "runtime/ground/settings/key_words.h"
 
 namespace stepwright::missions {
 
@@ -62,5 +64,8 @@ struct FleetTable final : MissionTable {
 
 std::shared_ptr<const MissionTable> read_fleet_table(const settings::TomlTable& table,
                                                      const TablePlace& place);
+
+// What people are told of its keys.
+std::span<const settings::KeyWords> fleet_keys();
 
 }  // namespace stepwright::missions

@@ -20,10 +20,12 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "cell/missions/table/mission_table.h"
+#include "runtime/ground/settings/key_words.h"
 
 namespace stepwright::missions {
 
@@ -52,5 +54,8 @@ struct LtlTable final : MissionTable {
 };
 
 std::shared_ptr<const MissionTable> read_ltl_table(const settings::TomlTable& table, const TablePlace& place);
+
+// What people are told of its keys.
+std::span<const settings::KeyWords> ltl_keys();
 
 }  // namespace stepwright::missions

@@ -16,8 +16,10 @@
 
 #include <chrono>
 #include <cstdint>
+#include <span>
 
 #include "cell/missions/table/mission_table.h"
+#include "runtime/ground/settings/key_words.h"
 
 namespace stepwright::missions {
 
@@ -44,5 +46,8 @@ struct PlanningTable final : MissionTable {
 
 std::shared_ptr<const MissionTable> read_planning_table(const settings::TomlTable& table,
                                                         const TablePlace& place);
+
+// What people are told of its keys.
+std::span<const settings::KeyWords> planning_keys();
 
 }  // namespace stepwright::missions

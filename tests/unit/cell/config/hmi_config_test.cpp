@@ -28,19 +28,21 @@ TEST(HmiConfig, WhenNothingIsSaid_ThenNobodyLooksAndNobodyElseReachesIt) {
   EXPECT_EQ(plain.config.access_dir, "/state/access");
   EXPECT_EQ(plain.config.recipes, "") << "no recipes unless somebody says which tags they set";
   EXPECT_EQ(plain.config.recipes_dir, "/state/recipes");
+  EXPECT_EQ(plain.config.screens_dir, "/state/screens");
   EXPECT_EQ(plain.config.idle, std::chrono::minutes(30));
 }
 
 TEST(HmiConfig, WhenFilesAreNamed_ThenFromTheFolderOfTheConfiguration) {
   const Read all = read(
       "host = \"line.plant\"\ntls_certificate = \"a.pem\"\ntls_key = \"/k/a.key\"\naccess_dir = \"who\"\n"
-      "recipes = \"r.toml\"\nrecipes_dir = \"r\"\n");
+      "recipes = \"r.toml\"\nrecipes_dir = \"r\"\nscreens_dir = \"s\"\n");
   EXPECT_EQ(all.codes, "");
   EXPECT_EQ(all.config.certificate, "/cell/a.pem");
   EXPECT_EQ(all.config.key, "/k/a.key");
   EXPECT_EQ(all.config.access_dir, "/cell/who");
   EXPECT_EQ(all.config.recipes, "/cell/r.toml");
   EXPECT_EQ(all.config.recipes_dir, "/cell/r");
+  EXPECT_EQ(all.config.screens_dir, "/cell/s");
 }
 
 TEST(HmiConfig, WhenItIsServedBeyondThisMachineWithoutTls_ThenItIsRefused) {
@@ -71,6 +73,22 @@ TEST(HmiConfig, WhenSomethingIsWrong_ThenItsCodeIsTold) {
   EXPECT_EQ(read("tls_certificate = \"a.pem\"\n").codes, "C0469");
   EXPECT_NE(read("anonymous = \"operator\"\n").codes, "");
   EXPECT_EQ(read("idle_minutes = 0\n").codes, "C0004");
+}
+
+TEST(HmiConfig, WhenADisplayHangsOnTheWall_ThenItsAddressesAndPanelsAreRead) {
+  EXPECT_TRUE(read("").config.wall.addresses.empty());
+  const std::string outside = "host = \"10.0.0.5\"\ntls_certificate = \"a.pem\"\ntls_key = \"a.key\"\n";
+  const Read wall =
+      read(outside + "[hmi.wall]\naddresses = [\"10.0.0.17\", \"192.168.7.0/24\"]\npanels = [\"alarms\"]\n");
+  EXPECT_EQ(wall.codes, "");
+  ASSERT_EQ(wall.config.wall.addresses.size(), 2u);
+  EXPECT_TRUE(wall.config.wall.addresses[1].contains(*modbus::server::parse_ip("192.168.7.9")));
+  EXPECT_FALSE(wall.config.wall.addresses[0].contains(*modbus::server::parse_ip("10.0.0.18")));
+  EXPECT_EQ(wall.config.wall.panels, (std::vector<std::string>{"alarms"}));
+  EXPECT_EQ(read("[hmi.wall]\naddresses = [\"127.0.0.1\"]\n").codes, "") << "a display of this machine";
+  EXPECT_EQ(read("[hmi.wall]\naddresses = [\"10.0.0.17\"]\n").codes, "C0471") << "nobody comes from there";
+  EXPECT_EQ(read("[hmi.wall]\naddresses = [\"everybody\"]\n").codes, "C0471");
+  EXPECT_EQ(read("[hmi.wall]\npanels = [\"alarm\", \"tags\"]\n").codes, "C0471");
 }
 
 }  // namespace

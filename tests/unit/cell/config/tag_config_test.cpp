@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+
+#include "cell/config/tag_table.h"
+
 namespace stepwright::config {
 namespace {
 
@@ -63,6 +67,62 @@ TEST(TagConfig, WhenItIsWrong_ThenTheKeyIsNamed) {
   EXPECT_EQ(problem("[tags.\"\"]\nunit = \"l\"\n"), "C0630 1");
   EXPECT_EQ(problem("[tags.\"Main.x\"]\nunit = \"l\"\n[tags.\"MAIN.X\"]\nunit = \"m\"\n"), "C0630 3");
   EXPECT_EQ(problem("[tags]\nx = 3\n"), "C0003 2");
+}
+
+// As a spreadsheet saves it; `before`: what [tags] says.
+Read read_table(const std::string& text, std::vector<TagConfig> before = {}) {
+  const auto file = std::filesystem::path(testing::TempDir()) / "tags.csv";
+  std::ofstream(file) << text;
+  Read read{std::move(before), {}};
+  read.problems = read_tag_table(file, read.tags);
+  return read;
+}
+
+TEST(TagTable, WhenASpreadsheetSavesIt_ThenAllOfItIsRead) {
+  const Read whole = read_table(
+      "\xEF\xBB\xBFname,type,unit,description,group,decimals,least,greatest,values\r\n"
+      "Main.level,REAL,l,\"level, \"\"net\"\"\",buffer,1,0,200.5,\r\nMain.other,REAL,,,,,,,\r\n"
+      "Main.mode,INT,,,,,,,off|by hand\r\n");
+  EXPECT_TRUE(whole.problems.empty());
+  ASSERT_EQ(whole.tags.size(), 2u) << "a row that says nothing is none";
+  EXPECT_EQ(whole.tags[0].description, "level, \"net\"");
+  EXPECT_EQ(whole.tags[0].decimals, 1);
+  ASSERT_TRUE(whole.tags[0].range);
+  EXPECT_EQ(whole.tags[0].range->high, 200.5);
+  EXPECT_EQ(whole.tags[0].where.line, 2u);
+  EXPECT_EQ(whole.tags[1].values, (std::vector<std::string>{"off", "by hand"}));
+}
+
+TEST(TagTable, WhenThereIsNone_ThenNothingIsSaid) {
+  std::vector<TagConfig> tags;
+  EXPECT_TRUE(read_tag_table({}, tags).empty());
+}
+
+TEST(TagTable, WhenItIsWrong_ThenTheLineIsNamedAndTheNextOnesAreReadAllTheSame) {
+  const auto problem = [](const std::string& text, std::vector<TagConfig> before = {}) {
+    const Read wrong = read_table(text, std::move(before));
+    EXPECT_EQ(wrong.problems.size(), 1u) << text;
+    return wrong.problems.empty()
+               ? ""
+               : wrong.problems.front().code + " " + std::to_string(wrong.problems.front().where.line);
+  };
+  const std::string head = "name,unit,decimals,least,greatest\n";
+  EXPECT_EQ(problem(""), "C0633 1");
+  EXPECT_EQ(problem("tag,unit\nx,l\n"), "C0633 1");
+  EXPECT_EQ(problem(head + "x,l,1,,\ny,l,10,,\n"), "C0633 3");
+  EXPECT_EQ(problem(head + "x,l,1.5,,\n"), "C0633 2");
+  EXPECT_EQ(problem(head + "x,l,one,,\n"), "C0633 2");
+  EXPECT_EQ(problem(head + "x,l,,5,5\n"), "C0631 2");
+  EXPECT_EQ(problem(head + "x,l,,5,\n"), "C0631 2");
+  EXPECT_EQ(problem(head + ",l,,,\n"), "C0630 2");
+  EXPECT_EQ(problem(head + "x,l,,,\nX,m,,,\n"), "C0630 3");
+  EXPECT_EQ(problem(head + "x,\"l\n"), "C0633 2");
+  TagConfig described;
+  described.name = "Main.X";
+  EXPECT_EQ(problem(head + "main.x,l,,,\n", {described}), "C0630 2");
+  std::vector<TagConfig> tags;
+  EXPECT_EQ(read_tag_table("/nowhere/tags.csv", tags).front().code, "E0001");
+  EXPECT_EQ(read_table(head + "x,l,one,,\ny,m,,5,5\nz,s,,,\n").problems.size(), 2u);
 }
 
 }  // namespace

@@ -43,7 +43,11 @@ TEST_F(FleetRequests, WhenAnotherMissionWouldTakeIt_ThenThisOneDoesNot) {
         R"_({"request": "cancel_what_if"})_", R"_({"request": "goal", "goal": "(is-at v1 f1)"})_",
         R"_({"request": "change", "fluent": "(demand c1)", "value": 8})_"})
     EXPECT_EQ(code(text), "X0003") << text;
-  EXPECT_EQ(nlohmann::json::parse(executive_.goal_form())["available"], false);
+  const auto form = nlohmann::json::parse(executive_.goal_form());
+  EXPECT_EQ(form["available"], false);
+  const auto& locations = form["locations"];
+  EXPECT_NE(std::ranges::find(locations, "dock B"), locations.end()) << "an order goes between these";
+  EXPECT_NE(std::ranges::find(locations, "shelf 2"), locations.end());
   EXPECT_FALSE(executive_.new_outlook().has_value());
 }
 

@@ -1,0 +1,152 @@
+#include "cell/config/tag_table.h"
+
+#include <algorithm>
+#include <charconv>
+#include <map>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "runtime/ground/csv/csv_rows.h"
+#include "runtime/ground/naming/ascii_names.h"
+#include "runtime/ground/process/files.h"
+
+namespace stepwright::config {
+namespace {
+
+constexpr const char* kNoTable = "C0633";
+constexpr int kMostShown = 9;
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+class TagTable {
+ public:
+  TagTable(std::istream& in, std::string file, std::vector<TagConfig>& tags)
+      : rows_(in, file, kNoTable), file_(std::move(file)), tags_(tags) {}
+
+  result::Diagnostics read() {
+    if (rows_.next()) {
+      read_head();
+      while (columns_.contains("name") && rows_.next()) read_row();
+    } else if (!rows_.error()) {
+      report({file_, 1, 1}, kNoTable, "there is no table", "its first line names the columns: name,unit,...");
+    }
+    if (rows_.error()) problems_.insert(problems_.end(), rows_.error()->begin(), rows_.error()->end());
+    return std::move(problems_);
+  }
+
+ private:
+  void read_head() {
+    for (std::size_t i = 0; i < rows_.fields().size(); ++i) {
+      std::string name = rows_.fields()[i];
+      if (i == 0 && name.starts_with(kByteOrderMark)) name.erase(0, kByteOrderMark.size());
+      columns_.emplace(std::move(name), i);
+    }
+    if (!columns_.contains("name"))
+      report(rows_.where(0), kNoTable, "no column is called 'name'",
+             "name,unit,description,group,decimals,least,greatest,values");
+  }
+
+  std::string_view field(const std::string& column) const {
+    const auto found = columns_.find(column);
+    return found == columns_.end() || found->second >= rows_.fields().size()
+               ? std::string_view()
+               : std::string_view(rows_.fields()[found->second]);
+  }
+
+  result::Location where(const std::string& column) const {
+    const auto found = columns_.find(column);
+    return found == columns_.end() || found->second >= rows_.fields().size() ? rows_.where(0)
+                                                                             : rows_.where(found->second);
+  }
+
+  std::optional<double> number(const std::string& column) {
+    const std::string_view text = field(column);
+    if (text.empty()) return std::nullopt;
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error == std::errc() && end == text.data() + text.size()) return value;
+    report(where(column), kNoTable, "'" + std::string(text) + "' is no number",
+           "with a point, without blanks: 12.5");
+    return std::nullopt;
+  }
+
+  void read_row() {
+    TagConfig tag;
+    tag.name = field("name");
+    tag.unit = field("unit");
+    tag.description = field("description");
+    tag.group = field("group");
+    tag.where = rows_.where(0);
+    read_decimals(tag);
+    read_range(tag);
+    read_values(tag);
+    const auto same = [&](const TagConfig& other) { return naming::same_name(other.name, tag.name); };
+    if (tag.name.empty()) {
+      report(tag.where, "C0630", "this tag has no name", "the name that the program has for it");
+    } else if (const auto other = std::ranges::find_if(tags_, same); other != tags_.end()) {
+      report(tag.where, "C0630", "the tag '" + tag.name + "' is described twice",
+             "the first time in line " + std::to_string(other->where.line) + " of " + other->where.file);
+    } else if (says_something(tag)) {
+      tags_.push_back(std::move(tag));
+    }
+  }
+
+  void read_decimals(TagConfig& tag) {
+    const auto decimals = number("decimals");
+    if (!decimals) return;
+    tag.decimals = static_cast<int>(std::clamp(*decimals, -1.0, kMostShown + 1.0));
+    if (*tag.decimals == *decimals && *decimals >= 0 && *decimals <= kMostShown) return;
+    report(where("decimals"), kNoTable, "so many decimals cannot be shown", "0 to 9");
+    tag.decimals.reset();
+  }
+
+  void read_range(TagConfig& tag) {
+    const auto least = number("least");
+    const auto greatest = number("greatest");
+    if (field("least").empty() != field("greatest").empty())
+      return report(where("least"), "C0631", "half of a range", "both, least and greatest, or none");
+    if (!least || !greatest) return;
+    if (*least >= *greatest)
+      return report(where("least"), "C0631", "this range has nothing in it",
+                    "the least is below the greatest");
+    tag.range = settings::Range{*least, *greatest};
+  }
+
+  void read_values(TagConfig& tag) const {
+    std::string_view rest = field("values");
+    while (!rest.empty()) {
+      const std::size_t end = std::min(rest.find('|'), rest.size());
+      tag.values.emplace_back(rest.substr(0, end));
+      rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+  }
+
+  static bool says_something(const TagConfig& tag) {
+    return !tag.unit.empty() || !tag.description.empty() || !tag.group.empty() || tag.decimals || tag.range ||
+           !tag.values.empty();
+  }
+
+  void report(const result::Location& at, const char* code, std::string message, std::string hint) {
+    problems_.push_back({code, result::Severity::Error, at, std::move(message), std::move(hint)});
+  }
+
+  csv::CsvRows rows_;
+  std::string file_;
+  std::vector<TagConfig>& tags_;
+  std::map<std::string, std::size_t, std::less<>> columns_;
+  result::Diagnostics problems_;
+};
+
+}  // namespace
+
+result::Diagnostics read_tag_table(const std::filesystem::path& file, std::vector<TagConfig>& tags) {
+  if (file.empty()) return {};
+  auto text = process::read_file(file.string());
+  if (!text) return text.error();
+  std::istringstream in(*std::move(text));
+  return TagTable(in, file.string(), tags).read();
+}
+
+}  // namespace stepwright::config

@@ -1,0 +1,207 @@
+#include "programs/new/project_cell.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <utility>
+
+#include "runtime/ground/naming/ascii_names.h"
+#include "runtime/ground/naming/direct_address.h"
+
+namespace stepwright::new_cell {
+namespace {
+
+using naming::Area;
+
+// A text of one line, as TOML and tables of Markdown have it between other words.
+std::string one_line(const std::string& text) {
+  std::string line;
+  for (const char c : text)
+    line += c == '\n' || c == '\r' || c == '\t' ? ' ' : c == '"' ? '\'' : c == '|' ? '/' : c;
+  const std::size_t first = line.find_first_not_of(' ');
+  return first == std::string::npos ? "" : line.substr(first, line.find_last_not_of(' ') - first + 1);
+}
+
+std::string safe_state(const TakenProject& project) {
+  std::string lines;
+  std::set<std::string> told;
+  for (const Signal& each : project.signals) {
+    const auto address = naming::parse_direct_address(each.address);
+    if (!address || address->area != Area::Output || address->bits == 64) continue;
+    if (!told.insert(each.address).second) continue;
+    lines += "\"" + each.address + "\" = \"zero\"   # " + each.name + "\n";
+  }
+  return lines.empty() ? "# \"%QX0.0\" = \"hold\"\n" : lines;
+}
+
+std::string tags(const TakenProject& project) {
+  std::string text;
+  for (const Signal& each : project.signals) {
+    const std::string comment = one_line(each.comment);
+    if (comment.empty()) continue;
+    text += "\n[tags.\"" + each.name + "\"]\ndescription = \"";
+    for (const char c : comment) text += c == '\\' ? std::string("\\\\") : std::string(1, c);
+    text += "\"\n";
+  }
+  return text;
+}
+
+// What the device has there, where it is not the signed number that a tag has without words.
+std::string wire_type(const Signal& signal) {
+  using Wire = std::pair<const char*, const char*>;
+  constexpr std::array kWires = {Wire{"WORD", "uint16"},  Wire{"UINT", "uint16"}, Wire{"DWORD", "uint32"},
+                                 Wire{"UDINT", "uint32"}, Wire{"REAL", "real"},   Wire{"LREAL", "lreal"},
+                                 Wire{"LWORD", "uint64"}, Wire{"ULINT", "uint64"}};
+  for (const auto& [type, wire] : kWires)
+    if (naming::same_name(signal.type, type)) return std::string(", type = \"") + wire + "\"";
+  return {};
+}
+
+bool is_field(const Signal& signal) {
+  const auto address = naming::parse_direct_address(signal.address);
+  return address && address->area != Area::Marker;
+}
+
+// An example to change: each signal, at objects of a device in their order.
+std::string example(const TakenProject& project) {
+  std::string text =
+      "\n# Devices over Modbus: take the signs away, leave [plant] out, and say where the device has each of "
+      "these.\n"
+      "# [io]\n# kind = \"modbus\"\n# [[modbus.device]]\n# name = \"device\"\n# host = \"192.168.1.10\"\n"
+      "# [[modbus.device.group]]\n# period_ms = 100\n# tags = [\n";
+  int coil = 0;
+  int discrete = 0;
+  int input = 0;
+  int holding = 0;
+  std::set<std::string> told;
+  for (const Signal& each : project.signals) {
+    if (!is_field(each) || !told.insert(each.address).second) continue;
+    const auto address = naming::parse_direct_address(each.address);
+    const bool output = address->area == Area::Output;
+    const bool bit = address->bits == 1;
+    int& next = bit ? (output ? coil : discrete) : (output ? holding : input);
+    text += "#   { name = \"" + each.name + "\", address = \"" + each.address + "\", " +
+            (bit ? (output ? "coil" : "discrete") : (output ? "holding" : "input")) + " = " +
+            std::to_string(next) + wire_type(each) + " },\n";
+    next += bit ? 1 : std::max(1, address->bits / 16);
+  }
+  return text + "# ]\n";
+}
+
+std::string place_of(const ForeignDevice& device) {
+  if (device.line.empty())
+    return "host = \"" + one_line(device.host) + "\"\nport = " + one_line(device.port) + "\n";
+  return "line = \"" + one_line(device.line) + "\"\n";
+}
+
+// The devices that the editor knows, with what the program has of each.
+std::string devices(const TakenProject& project) {
+  std::string text;
+  std::set<std::string> lines;
+  for (std::size_t i = 0; i < project.devices.devices.size(); ++i) {
+    const ForeignDevice& device = project.devices.devices[i];
+    std::string tags;
+    std::set<std::string> told;
+    for (const Signal& each : project.signals) {
+      const auto object = object_at(project.devices, each.before);
+      if (!object || object->request->device != i || !told.insert(each.address).second) continue;
+      tags += "  { name = \"" + each.name + "\", address = \"" + each.address + "\", " +
+              object->request->object + " = " + std::to_string(object->number) + wire_type(each) + " },\n";
+    }
+    if (tags.empty()) continue;
+    if (!device.line.empty() && lines.insert(device.line).second)
+      text += "\n[modbus.lines.\"" + one_line(device.line) + "\"]\nbaud = " + one_line(device.baud) +
+              "\nparity = \"" + one_line(device.parity) + "\"\nstop_bits = " + one_line(device.stop_bits) +
+              "\n";
+    text += "\n[[modbus.device]]\nname = \"" + one_line(device.name) + "\"\n" + place_of(device) +
+            "unit = " + one_line(device.unit) +
+            "\n[[modbus.device.group]]\nperiod_ms = " + one_line(device.period_ms) + "\ntags = [\n" + tags +
+            "]\n";
+  }
+  return text;
+}
+
+// What is at inputs and outputs, the devices at the end of the file, and what the README says of them.
+struct Field {
+  std::string io;
+  std::string devices;
+  std::string where;
+};
+
+Field field_of(const TakenProject& project) {
+  std::string known = devices(project);
+  if (!known.empty())
+    return {
+        "[io]\nkind = \"modbus\"              # the devices at the end of this file\n"
+        "restart = \"auto\"             # when a device that was lost is back, the program starts again\n",
+        std::move(known), "`cell.toml` ends with the devices that the project has them from."};
+  return {
+      "[plant]\nkind = \"none\"                # inputs stay 0, outputs go nowhere, until there are devices: "
+      "see below\n",
+      example(project),
+      "They are 0 and go nowhere until `cell.toml` says what is there: it ends with an example for Modbus."};
+}
+
+std::string table_of_signals(const TakenProject& project) {
+  if (project.signals.empty()) return "The project has no variable with an address.\n";
+  std::string table = "| variable | address | type | |\n|---|---|---|---|\n";
+  for (const Signal& each : project.signals)
+    table += "| `" + each.name + "` | `" + each.address + "` | " + one_line(each.type) + " | " +
+             one_line(each.comment) + " |\n";
+  return table;
+}
+
+std::string table_of_tasks(const TakenProject& project) {
+  if (project.model.tasks.empty()) return "The project has no task: its one program runs every 10 ms.\n";
+  std::string table = "| task | every | priority | programs |\n|---|---|---|---|\n";
+  for (const graphic::Task& task : project.model.tasks) {
+    std::string programs;
+    for (const graphic::ProgramInstance& each : project.model.instances)
+      if (each.task == task.name)
+        programs += (programs.empty() ? "" : ", ") + each.name + " (" + each.program + ")";
+    const std::string when =
+        task.single.empty() ? std::to_string(task.interval_us) + " µs" : "rising edge of " + task.single;
+    table +=
+        "| " + task.name + " | " + when + " | " + std::to_string(task.priority) + " | " + programs + " |\n";
+  }
+  return table;
+}
+
+std::string moved(const TakenProject& project) {
+  if (project.moved.empty()) return "";
+  std::string text =
+      "\n## Addresses that are others here\nHere an area is bytes: `%QW0` has the bits of `%QX0.0` to "
+      "`%QX1.7`. These were told "
+      "apart, in the whole file:\n\n| there | here |\n|---|---|\n";
+  for (const auto& [before, now] : project.moved) text += "| `" + before + "` | `" + now + "` |\n";
+  return text;
+}
+
+std::string left(const TakenProject& project) {
+  if (project.left.empty()) return "Nothing: all of it was taken.\n";
+  std::string text;
+  for (const std::string& each : project.left) text += "- " + one_line(each) + "\n";
+  return text;
+}
+
+}  // namespace
+
+Fillings fillings_of(const TakenProject& project) {
+  Field field = field_of(project);
+  const auto bytes = [](std::uint32_t needed) { return std::to_string(std::max<std::uint32_t>(needed, 8)); };
+  return {{"project", project.name.empty() ? "the project" : one_line(project.name)},
+          {"dialect", project.dialect},
+          {"input_bytes", bytes(project.input_bytes)},
+          {"output_bytes", bytes(project.output_bytes)},
+          {"safe_state", safe_state(project)},
+          {"tags", tags(project)},
+          {"io", std::move(field.io)},
+          {"devices", std::move(field.devices)},
+          {"where", std::move(field.where)},
+          {"signals", table_of_signals(project)},
+          {"tasks", table_of_tasks(project)},
+          {"moved", moved(project)},
+          {"left", left(project)}};
+}
+
+}  // namespace stepwright::new_cell

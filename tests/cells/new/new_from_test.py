@@ -1,0 +1,186 @@
+"""`stepwright new --from`: a PLCopen project becomes a cell that runs; what it could not take is said."""
+
+import json
+import os
+import pathlib
+import re
+import tempfile
+import unittest
+
+from namespaces import need_network_of_its_own
+from processes import SOURCES, eventually, stepwright
+
+EXAMPLE = SOURCES / "doc/examples/openplc/plc.xml"
+FOREIGN = pathlib.Path(os.environ.get("STEPWRIGHT_DATA", SOURCES.parent / "shared/data")).parent / "cases/iec"
+TASK = '<task name="slow" priority="1" interval="T#100ms"><pouInstance name="run" typeName="Main"/></task>'
+
+
+def project(variables, body, extra="", task=TASK):
+    """A project of one program in ST, in the form of Beremiz."""
+    listed = "".join(f'<variable name="{name}"{address}><type>{kind}</type></variable>' for name, address, kind in variables)
+    return f"""<?xml version='1.0' encoding='utf-8'?>
+<project xmlns="http://www.plcopen.org/xml/tc6_0201" xmlns:xhtml="http://www.w3.org/1999/xhtml">
+<fileHeader companyName="x" productName="x" productVersion="1" creationDateTime="2026-11-25T00:00:00"/>
+<contentHeader name="Mixer"><coordinateInfo><fbd><scaling x="1" y="1"/></fbd><ld><scaling x="1" y="1"/></ld><sfc><scaling x="1" y="1"/></sfc></coordinateInfo></contentHeader>
+<types><dataTypes/><pous><pou name="Main" pouType="program"><interface><localVars>{listed}</localVars></interface>
+<body><ST><xhtml:p><![CDATA[{body}]]></xhtml:p></ST></body>{extra}</pou></pous></types>
+<instances><configurations><configuration name="c"><resource name="r">{task}</resource></configuration></configurations></instances>
+</project>
+"""
+
+
+class From(unittest.TestCase):
+    def setUp(self):
+        need_network_of_its_own()
+        temporary = tempfile.TemporaryDirectory(prefix="stepwright-test-")
+        self.addCleanup(temporary.cleanup)
+        self.root = pathlib.Path(temporary.name)
+
+    def take(self, source, *arguments, name="line"):
+        done = stepwright("new", name, "--from", source, *arguments, cwd=self.root)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        return self.root / name, done.stdout
+
+    def write(self, text, name="plc.xml"):
+        path = self.root / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+        return path
+
+    def sound(self, folder):
+        for path in folder.iterdir():
+            self.assertNotIn("{{", path.read_text(encoding="utf-8"), path)
+        checked = stepwright("check", cwd=folder)
+        self.assertEqual((checked.returncode, checked.stderr), (0, ""), checked.stdout)
+        tested = stepwright("test", cwd=folder)
+        self.assertEqual(tested.returncode, 0, tested.stdout + tested.stderr)
+
+    def test_a_project_of_openplc_runs_with_its_tasks_and_its_inputs_and_outputs(self):
+        folder, said = self.take(EXAMPLE)
+        self.assertEqual({path.name for path in folder.iterdir()}, {"README.md", "cell.toml", "main.xml", "tests.st"})
+        self.assertNotIn("not taken", said)
+        readme = (folder / "README.md").read_text(encoding="utf-8")
+        self.assertIn("| `instance0.motor` | `%QX0.0` | BOOL | contactor of the fan |", readme)
+        self.assertIn("| task0 | 20000 µs | 0 | instance0 (Motor), instance1 (Speed) |", readme)
+        self.assertIn("Nothing: all of it was taken.", readme)
+        self.sound(folder)
+        up = stepwright("up", "--port", 0, "--detach", cwd=folder)
+        self.addCleanup(stepwright, "down", cwd=folder)
+        self.assertEqual(up.returncode, 0, up.stdout + up.stderr)
+        forced = stepwright("force", "--config", "cell.toml", "instance0.start", "TRUE", cwd=folder)
+        self.assertEqual(forced.returncode, 0, forced.stderr)
+        lamp = lambda: "instance0.lamp = TRUE" in stepwright("snapshot", "--config", "cell.toml", "instance0.lamp", cwd=folder).stdout
+        self.assertTrue(eventually(lamp), "the ladder runs")
+
+    def test_addresses_that_are_apart_there_are_apart_here(self):
+        folder, _ = self.take(EXAMPLE)
+        xml = (folder / "main.xml").read_text(encoding="utf-8")
+        self.assertIn('name="speed" address="%QW1"', xml)
+        self.assertIn('name="motor" address="%QX0.0"', xml)
+        readme = (folder / "README.md").read_text(encoding="utf-8")
+        self.assertIn("| `%QW0` | `%QW1` |", readme)
+        self.assertNotIn("| `%QX0.0` | `%QX0.0` |", readme)
+        compiled = stepwright("compile", "--check", "--dialect", "matiec", folder / "main.xml")
+        self.assertNotIn("W0016", compiled.stderr, "nothing overlaps any more")
+
+    def test_addresses_with_levels_get_flat_ones_in_bodies_too(self):
+        source = self.write(project([("lamp", ' address="%QX1.0.3"', "<BOOL/>"), ("count", ' address="%QW1.1.0"', "<INT/>"),
+                                     ("button", ' address="%IX0.0.1"', "<BOOL/>")],
+                                    "lamp := button OR %IX0.0.2; count := count + 1;"))
+        folder, _ = self.take(source)
+        xml = (folder / "main.xml").read_text(encoding="utf-8")
+        self.assertIn('name="lamp" address="%QX0.0"', xml)
+        self.assertIn('name="count" address="%QW1"', xml)
+        self.assertIn("lamp := button OR %IX0.1;", xml)
+        self.assertIn('"%QX0.0" = "zero"   # run.lamp', (folder / "cell.toml").read_text(encoding="utf-8"))
+        self.sound(folder)
+
+    def test_addresses_that_do_not_overlap_stay(self):
+        source = self.write(project([("a", ' address="%QX4.1"', "<BOOL/>"), ("b", ' address="%QW5"', "<INT/>")], "a := TRUE; b := 1;"))
+        folder, _ = self.take(source)
+        self.assertEqual((folder / "main.xml").read_text(encoding="utf-8"), source.read_text(encoding="utf-8"))
+        self.assertNotIn("Addresses that are others here", (folder / "README.md").read_text(encoding="utf-8"))
+        self.assertIn("output_bytes = 12", (folder / "cell.toml").read_text(encoding="utf-8"))
+
+    def test_the_example_of_devices_is_a_table_that_check_takes(self):
+        folder, _ = self.take(EXAMPLE)
+        cell = folder / "cell.toml"
+        text = cell.read_text(encoding="utf-8")
+        head, example = text.split("# [io]\n")
+        head = re.sub(r"(?m)^\[plant\]\nkind.*\n", "", head)
+        cell.write_text(head + "[io]\n" + re.sub(r"(?m)^# ?", "", example), encoding="utf-8")
+        checked = stepwright("check", cwd=folder)
+        self.assertEqual((checked.returncode, checked.stderr), (0, ""), checked.stdout)
+
+    def test_devices_over_modbus_that_beremiz_keeps_beside_the_project_are_taken(self):
+        folder = self.root / "project"
+        self.write(project([("level", ' address="%IW2.0.1.7"', "<WORD/>"), ("valve", ' address="%QX2.0.0.3"', "<BOOL/>"),
+                            ("flag", ' address="%QX2.0.0.0.0"', "<BOOL/>")], "valve := level < WORD#500;"), "project/plc.xml")
+        node = lambda name, channel, settings: (self.write(f'<BaseParams IEC_Channel="{channel}" Name="x"/>', f"project/{name}/baseconfnode.xml"),
+                                                self.write(settings, f"project/{name}/confnode.xml"))
+        node("bus@modbus", 2, "<ModbusRoot/>")
+        node("bus@modbus/press@ModbusTCPclient", 0,
+             '<ModbusTCPclient Remote_IP_Address="10.0.0.9" Remote_Port_Number="1502" Invocation_Rate_in_ms="200"/>')
+        node("bus@modbus/press@ModbusTCPclient/a@ModbusRequest", 0, '<ModbusRequest Function="15 - Write Multiple Coils" SlaveID="4" Nr_of_Channels="8"/>')
+        node("bus@modbus/press@ModbusTCPclient/b@ModbusRequest", 1, '<ModbusRequest Function="04 - Read Input Registers" SlaveID="4" Start_Address="7"/>')
+        node("bus@modbus/ours@ModbusTCPserver", 1, "<ModbusServerNode/>")
+        made, said = self.take(folder)
+        cell = (made / "cell.toml").read_text(encoding="utf-8")
+        for part in ('[io]\nkind = "modbus"', 'name = "press unit 4"\nhost = "10.0.0.9"\nport = 1502\nunit = 4', "period_ms = 200",
+                     'address = "%IW0", input = 7, type = "uint16" }', 'name = "run.valve", address = "%QX0.1", coil = 3 }'):
+            self.assertIn(part, cell)
+        self.assertIn("run.flag at %QX2.0.0.0.0: no request", said)
+        self.assertIn("bus/ours: a ModbusTCPserver", said)
+        self.sound(made)
+
+    def test_what_is_left_is_said_and_the_rest_is_written(self):
+        folder = self.root / "project"
+        self.write(project([("a", "", "<BOOL/>"), ("told", "", '<derived name="LOGGER"/>'), ("lost", "", '<derived name="RTC_CLOCK"/>')],
+                           "a := lost.Q;", extra='<addData><data name="http://maker.example/layout" handleUnknown="discard"/></addData>'),
+                   "project/plc.xml")
+        (folder / "opcua_0@opcua").mkdir()
+        made, said = self.take(folder)
+        for text in (said, (made / "README.md").read_text(encoding="utf-8")):
+            self.assertIn("RTC_CLOCK", text)
+            self.assertIn("Main.told: a LOGGER does nothing here", text)
+            self.assertIn("http://maker.example/layout", text)
+            self.assertIn("opcua_0@opcua", text)
+        self.assertIn("main.xml:", said, "what does not compile has its place")
+        self.assertEqual(stepwright("check", cwd=made).returncode, 1)
+
+    def test_what_is_no_project_is_refused_and_nothing_is_written(self):
+        empty = self.root / "empty"
+        empty.mkdir()
+        for source, code in ((self.write('{"meta": {}}', "project.json"), "M0020"), (empty, "M0020"),
+                             (self.root / "absent.xml", "E0001"), (self.write("<a>", "half.xml"), "E0801"),
+                             (self.write("<svg/>", "other.xml"), "E0802")):
+            done = stepwright("new", "line", "--from", source, cwd=self.root)
+            self.assertEqual(done.returncode, 1, f"{source}: {done.stdout}")
+            self.assertIn(code, done.stderr)
+            self.assertFalse((self.root / "line").exists())
+        self.assertEqual(stepwright("new", "line", "--from", EXAMPLE, "--plant", "tanks", cwd=self.root).returncode, 2)
+
+    def test_a_project_of_several_devices_has_its_configuration_named(self):
+        two = project([("a", "", "<BOOL/>")], "a := TRUE;").replace(
+            "</configuration></configurations>", '</configuration><configuration name="other"><resource name="r"/></configuration></configurations>')
+        source = self.write(two)
+        done = stepwright("new", "line", "--from", source, cwd=self.root)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("other", done.stderr)
+        self.take(source, "--configuration", "c")
+
+    def test_projects_of_others(self):
+        """Files in the forms of other systems, where they are."""
+        found = sorted(FOREIGN.glob("*.xml"))
+        if not found:
+            self.skipTest(f"there are no projects in {FOREIGN}")
+        for number, source in enumerate(found):
+            with self.subTest(source.name):
+                folder, _ = self.take(source, "--dialect", "codesys" if "codesys" in source.name else "matiec", name=f"cell{number}")
+                stepwright("check", "--json", "checked.json", cwd=folder)
+                checked = json.loads((folder / "checked.json").read_text(encoding="utf-8"))
+                self.assertEqual([each for each in checked["diagnostics"] if each["code"].startswith("C")], [])
+
+
+if __name__ == "__main__":
+    unittest.main()
