@@ -50,6 +50,8 @@ async function blocksAndFrees(page) {
 }
 
 async function orders(page) {
+  const nowhere = await asksApi(page, '/api/fleet/order', { name: 'box', from: 'the moon', to: 'shelf 2', amount: 1 });
+  check(/^4\d\d [A-Z]\d{4}$/.test(nowhere), `an order from nowhere is refused by the supervisor (${nowhere})`);
   await page.getByRole('button', { name: 'New order' }).click();
   const place = (label) => dialog(page).getByLabel(label, { exact: true });
   await until('places are chosen from a list', async () => (await place('From').locator('option').allInnerTexts()).includes('dock B'));
