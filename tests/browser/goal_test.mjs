@@ -24,8 +24,7 @@ async function phaseIs(page, phase, what) {
 
 async function waitsForItsStart(page) {
   await phaseIs(page, 'ready', 'the plan is ready and waits for somebody');
-  await waitFor(page, 'it is shown', () => document.querySelectorAll('[data-action]').length === 17);
-  check((await page.locator('[data-state=pending]').count()) === 17, 'nothing of it has begun');
+  await waitFor(page, 'it is shown, and nothing of it has begun', () => document.querySelectorAll('[data-action][data-state=pending]').length === 17);
   check((await page.getByTestId('runtime-state').innerText()) === 'empty', 'and the runtime has no program yet');
   check(await page.getByRole('button', { name: 'Hold' }).isDisabled(), 'what does not run is not held');
 }

@@ -249,6 +249,7 @@ async function repeatsAFace(page) {
   const { json } = await asks(page, 'GET', '/api/screens/Many');
   check(json.svg.includes('data-text="Main.batches"') && json.svg.includes('data-text="Main.torn"'), 'each copy has its own name');
   await editor(page).getByRole('button', { name: 'Symbol Face', exact: true }).click();
+  await waitFor(page, 'the symbol is open', () => document.querySelector('[data-testid=screen-editor] input')?.value === 'Face');
   await item(page, 'p1').focus();
   await field(page, 'Label').fill('So many');
   await page.getByRole('button', { name: 'Save', exact: true }).click();
