@@ -27,8 +27,13 @@ const Field kComment{.name = "comment",
                      .required = false,
                      .most = static_cast<double>(screens::kLongestComment),
                      .description = "what is different"};
-const Field kStart{
-    .name = "screen", .least = 1, .most = screens::kLongestName, .description = "the name of a screen"};
+const Field kStart{.name = "screen",
+                   .most = screens::kLongestName,
+                   .description = "the name of a screen; empty: none any more"};
+const Field kStartRole{.name = "role",
+                       .required = false,
+                       .choices = {screens::kStartRoles.begin(), screens::kStartRoles.end()},
+                       .description = "whose start; without it: everybody's who has none of his own"};
 const Field kPart{.name = "part", .least = 1, .most = 40, .description = "data-key of the part"};
 const Field kValue{.name = "value",
                    .most = 64,
@@ -43,7 +48,7 @@ const Field kConfirmed{.name = "confirmed",
                        .description = "the question of the part was answered with yes"};
 
 constexpr const char* kScreens = R"({"type": "object", "required": ["screens", "start"], "properties": {
-  "start": {"type": "string"}, "screens": {"type": "array", "items": {"type": "object",
+  "start": {"type": "string"}, "starts": {"type": "object"}, "screens": {"type": "array", "items": {"type": "object",
     "required": ["name", "version", "saved_by", "saved_ms", "comment", "least", "symbol", "removed"]}}}})";
 constexpr const char* kScreen = R"({"type": "object", "required": ["name", "version", "svg"], "properties": {
   "name": {"type": "string"}, "version": {"type": "integer"}, "svg": {"type": "string"}}})";
@@ -80,6 +85,13 @@ json described(const Version& version) {
           {"symbol", version.is_symbol}, {"aside", version.aside},       {"removed", version.removed}};
 }
 
+// Who chooses them sees those of all roles; "everybody" is who has none of his own.
+json starts_of(const screens::ScreenStore& store) {
+  json starts = {{"everybody", store.start()}};
+  for (const char* role : screens::kStartRoles) starts[role] = store.start(role);
+  return starts;
+}
+
 Answer list_of(ScreenService& service, const Call& call) {
   json list = json::array();
   for (const Screen& screen : service.list(call.who.role)) {
@@ -90,7 +102,9 @@ Answer list_of(ScreenService& service, const Call& call) {
     list.push_back(std::move(entry));
   }
   // Other pages look whether something is new by asking.
-  return answer_of({{"screens", std::move(list)}, {"start", service.store().start()}});
+  json document = {{"screens", std::move(list)}, {"start", service.start_of(call.who.role)}};
+  if (call.who.role >= Role::Engineer) document["starts"] = starts_of(service.store());
+  return answer_of(document);
 }
 
 // Of the query; the newest without one. Nothing: it is no number.
@@ -187,10 +201,11 @@ Answer remove(ScreenService& service, const Call& call) {
 
 Answer set_start(ScreenService& service, const Call& call) {
   const std::string name = call.body.text("screen");
-  const std::string before = service.store().start();
-  const auto done = service.store().set_start(name);
+  const std::string role = call.body.text("role");
+  const std::string before = service.store().start(role);
+  const auto done = service.store().set_start(name, role);
   Answer answer = done ? answer_of({{"name", name}, {"version", 0}}) : refused(done.error());
-  answer.target = name;
+  answer.target = role.empty() ? "everybody" : role;
   answer.before = before;
   answer.after = name;
   return answer;
@@ -263,7 +278,7 @@ std::vector<Route> screen_routes(const Services& services) {
       with(std::move(removing), [](ScreenService& at, const Call& call) { return remove(at, call); }),
       with(engineers(acting_row("PUT", "/api/screen-start", "screen.start", "The screen that pages open with",
                                 kSaved),
-                     {"StartScreen", {kStart}}),
+                     {"StartScreen", {kStart, kStartRole}}),
            [](ScreenService& at, const Call& call) { return set_start(at, call); }),
       with(std::move(writing), [](ScreenService& at, const Call& call) { return write(at, call); }),
   };

@@ -98,6 +98,17 @@ std::optional<screens::Screen> ScreenService::find(const std::string& name, Role
   return screen;
 }
 
+std::string ScreenService::start_of(Role role) const {
+  const std::string own = access::to_string(std::min(role, Role::Engineer));
+  for (const std::string& each : {own, std::string()}) {
+    const std::string name = store_.start(each);
+    const auto screen = find(name, role);
+    const screens::Version* now = screen ? screen->current() : nullptr;
+    if (now != nullptr && !now->removed && !now->is_symbol) return name;
+  }
+  return {};
+}
+
 Result<PartWritten> ScreenService::write(const PartWrite& deed) {
   const std::lock_guard lock(mutex_);
   const auto found =

@@ -64,6 +64,10 @@ class ScreenService {
   // Nothing: there is none, or it is not for this role.
   std::optional<screens::Screen> find(const std::string& name, access::Role role) const;
 
+  // The screen that a page of the role opens with: its own, else that of everybody, of those that it may see.
+  // Empty: the first of all.
+  std::string start_of(access::Role role) const;
+
   [[nodiscard]] result::Result<PartWritten> write(const PartWrite& deed);
 
  private:

@@ -5,6 +5,7 @@
 //
 // Plain values. Invariant: the newest version that does not lie aside is the screen as it is shown.
 
+#include <array>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -17,6 +18,8 @@ inline constexpr std::size_t kMostScreens = 128;
 inline constexpr std::size_t kMostVersions = 50;  // of a screen; the oldest go
 inline constexpr std::size_t kLongestName = 64;
 inline constexpr std::size_t kLongestComment = 200;  // bytes
+// Whose pages can open with a screen of their own; administrators see that of engineers.
+inline constexpr std::array<const char*, 3> kStartRoles = {"viewer", "operator", "engineer"};
 
 struct Version {
   std::uint32_t number = 0;  // 0: a file that somebody has put beside the versions

@@ -15,7 +15,14 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kLargestHead = 4'096;
-constexpr const char* kStartFile = "start";
+
+// "start", "start-operator".
+std::string start_file(const std::string& role) {
+  return role.empty() ? "start" : "start-" + role;
+}
+bool has_start(const std::string& role) {
+  return role.empty() || std::find(kStartRoles.begin(), kStartRoles.end(), role) != kStartRoles.end();
+}
 
 bool is_letter_or_digit(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
@@ -68,8 +75,16 @@ void ScreenStore::look() {
   for (auto& [name, screen] : screens_)
     std::sort(screen.versions.begin(), screen.versions.end(),
               [](const Version& a, const Version& b) { return a.number < b.number; });
-  if (const auto text = access::read_bounded(folder_ / kStartFile, kLongestName); text && check_name(*text))
-    start_ = *text;
+  look_at_starts();
+}
+
+void ScreenStore::look_at_starts() {
+  std::vector<std::string> roles(kStartRoles.begin(), kStartRoles.end());
+  roles.emplace_back();
+  for (const std::string& role : roles) {
+    const auto text = access::read_bounded(folder_ / start_file(role), kLongestName);
+    if (text && check_name(*text)) starts_[role] = *text;
+  }
 }
 
 void ScreenStore::look_at_file(const fs::path& file) {
@@ -229,18 +244,28 @@ result::Result<Version> ScreenStore::remove(const std::string& name, std::uint32
   return write(name, *version, {});
 }
 
-std::string ScreenStore::start() const {
+std::string ScreenStore::start(const std::string& role) const {
   const std::lock_guard lock(mutex_);
-  return start_;
+  const auto found = starts_.find(role);
+  return found == starts_.end() ? std::string() : found->second;
 }
 
-result::Result<void> ScreenStore::set_start(const std::string& name) {
+result::Result<void> ScreenStore::set_start(const std::string& name, const std::string& role) {
+  if (!has_start(role))
+    return result::fail(kNoSuchScreen, {},
+                        "no page opens with a screen of the role '" + role.substr(0, 20) + "'",
+                        "viewer, operator, engineer, or nothing for everybody");
   const std::lock_guard lock(mutex_);
+  if (name.empty()) {
+    if (auto done = access::remove_durably(folder_ / start_file(role)); !done) return result::forward(done);
+    starts_.erase(role);
+    return {};
+  }
   const auto found = screens_.find(name);
   if (found == screens_.end() || found->second.current() == nullptr || found->second.current()->removed)
     return unknown(name);
-  if (auto done = access::replace_private_file(folder_ / kStartFile, name); !done) return done;
-  start_ = name;
+  if (auto done = access::replace_private_file(folder_ / start_file(role), name); !done) return done;
+  starts_[role] = name;
   return {};
 }
 

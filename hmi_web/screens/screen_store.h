@@ -61,13 +61,16 @@ class ScreenStore {
   [[nodiscard]] result::Result<Version> remove(const std::string& name, std::uint32_t based_on,
                                                const std::string& user, Time now);
 
-  // The screen that a page opens with; empty: none was chosen.
-  std::string start() const;
-  [[nodiscard]] result::Result<void> set_start(const std::string& name);
+  // The screen that a page of the role opens with (one of kStartRoles; "": of everybody who has none of his
+  // own); empty: none was chosen.
+  std::string start(const std::string& role = {}) const;
+  // An empty name: none any more. Fails with H0120 for a screen that is not there, and for another role.
+  [[nodiscard]] result::Result<void> set_start(const std::string& name, const std::string& role = {});
 
  private:
   explicit ScreenStore(std::filesystem::path folder) : folder_(std::move(folder)) {}
   void look();
+  void look_at_starts();
   void look_at_file(const std::filesystem::path& file);
   void look_at_folder(const std::filesystem::path& folder);
   std::filesystem::path file_of(const std::string& name, std::uint32_t version, const char* ending) const;
@@ -80,7 +83,7 @@ class ScreenStore {
   result::Diagnostics damaged_;
   mutable std::mutex mutex_;
   std::map<std::string, Screen> screens_;
-  std::string start_;
+  std::map<std::string, std::string> starts_;  // by role
 };
 
 }  // namespace stepwright::screens

@@ -21,7 +21,8 @@ class BenchHmi(unittest.TestCase):
             done = self.bench("--clients", "5", "--changes", "10", "--tags", "300", "--seconds", "1", "--no-historian", "--json", str(report))
             self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
             figures = json.loads(report.read_text(encoding="utf-8"))
-        for key in ("pixel_p50_ms", "pixel_p99_ms", "polling_p50_ms", "pushed_p50_ms", "core_share_5000_tags", "core_share_all_clients", "screen_500_symbols_fps"):
+        for key in ("pixel_p50_ms", "pixel_p99_ms", "polling_p50_ms", "pushed_p50_ms", "core_share_5000_tags", "core_share_all_clients", "screen_500_symbols_fps",
+                    "screen_500_symbols_update_ms", "bare_to_page_s", "up_to_page_s"):
             self.assertGreater(figures[key], 0.0, key)
         self.assertGreaterEqual(figures["pixel_p99_ms"], figures["pixel_p50_ms"])
         self.assertLess(figures["first_load_kb"], 150.0)

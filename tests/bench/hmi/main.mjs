@@ -13,6 +13,7 @@ import { percentile, pixelTimes } from './pixels.mjs';
 import { coreShare } from './process_time.mjs';
 import { screenFrames, screenText, SYMBOLS } from './screen.mjs';
 import { soak } from './soak.mjs';
+import { bareToPage, upToPage } from './up.mjs';
 import { openViewers } from './viewers.mjs';
 
 const INPUT_TAG = '[aria-label="tag values"] tbody tr:first-child td:last-child'; // the only one with an address
@@ -137,12 +138,20 @@ async function drawScreen() {
   progress(`a screen of ${SYMBOLS} symbols: ${given.seconds} s`);
   const cell = await startCell(given.program, SYMBOLS, screenText());
   try {
-    const { fps, p99_ms } = await screenFrames(browser.context, cell.url, given.seconds);
+    const { fps, p99_ms, update_ms, updates_per_s } = await screenFrames(browser.context, cell.url, given.seconds);
     report.screen_500_symbols_fps = fps;
     report.screen_500_symbols_p99_frame_ms = p99_ms;
+    report.screen_500_symbols_update_ms = update_ms;
+    report.screen_500_symbols_updates_per_s = updates_per_s;
   } finally {
     await cell.end();
   }
+}
+
+async function timeUp() {
+  progress('from a command to the page');
+  report.bare_to_page_s = await bareToPage(browser.context);
+  report.up_to_page_s = await upToPage(browser.context, given.program);
 }
 
 async function leaveOpen(minutes) {
@@ -177,6 +186,8 @@ function tell() {
     `  ${given.tags} tags at 10 Hz: ${report.core_share_5000_tags.toFixed(2)} of a core for one client, ${report.core_share_all_clients.toFixed(2)} for ${given.clients}`,
     `  ${given.clients} that show none of them: ${report.core_share_without_tags.toFixed(2)} of a core, ${(report.viewer_bytes_without_tags_per_s / 1_000).toFixed(1)} kB a second each instead of ${(report.viewer_bytes_per_s / 1_000).toFixed(0)}`,
     `  a screen of ${SYMBOLS} symbols at 10 Hz: ${report.screen_500_symbols_fps.toFixed(1)} frames a second, one of a hundred after ${report.screen_500_symbols_p99_frame_ms.toFixed(0)} ms`,
+    `    script, style and layout of an update: ${report.screen_500_symbols_update_ms.toFixed(1)} ms, ${report.screen_500_symbols_updates_per_s.toFixed(1)} updates a second; a browser without a display paints with the processor, which limits the frames`,
+    `  from “stepwright up” to live values: ${report.up_to_page_s.toFixed(1)} s (a bare server and page: ${report.bare_to_page_s.toFixed(1)} s)`,
     `  first load: ${report.first_load_kb.toFixed(1)} kB`,
   ];
   if ('historian_samples_per_s' in report) {
@@ -202,6 +213,7 @@ try {
   report.core_share_without_tags = none.share;
   report.viewer_bytes_without_tags_per_s = none.perViewer;
   await drawScreen();
+  await timeUp();
   if (given['soak-minutes'] > 0) await leaveOpen(given['soak-minutes']);
   if (!given['no-historian']) Object.assign(report, historian());
   tell();

@@ -1,26 +1,41 @@
-// The elements of a drawing in the page, and what is written into them. Touches only what has changed.
+// The elements of a drawing in the page, and what is written into them. What a value costs is paid when it changes: of a value
+// that did not, neither its words are made anew nor its element is looked at.
 
 import { fixed } from '../lib/format';
 import type { Value } from '../lib/protocol';
-import { numberOr } from '../lib/value';
+import { numberOr, type TagValue } from '../lib/value';
 import { bindingsOf, isTrue, namesOf, poseTransform, spokenOf, textOf, transformOf, type Binding, type Box, type Found, type PoseBinding, type RangeBinding } from './bindings';
 
-// A value of the cell by its name; null if there is no such thing.
-export type Look = (name: string) => Found | null;
+// Where values come from.
+export interface Source {
+  // By its name; null: not known, or there is no such thing.
+  value: (name: string) => TagValue;
+  // The same with what is said of it; null if there is no such thing.
+  found: (name: string) => Found | null;
+}
 
 interface Bound {
   element: SVGGraphicsElement;
   binding: Binding;
+  words: Text | null; // of a text: what it says
   ownTransform: string;
   box: Box;
   title: string;
   shown: string; // what was written last
 }
 
+// Of one name all that lives by it.
+interface Watched {
+  name: string;
+  value: TagValue | undefined; // undefined: to be looked at in any case
+  bound: Bound[];
+}
+
 const NOTHING: Box = { x: 0, y: 0, width: 0, height: 0 };
 
 export class DrawnPicture {
-  private readonly bound: Bound[] = [];
+  private readonly watched: Watched[] = [];
+  private readonly waiting = new Set<Bound>(); // whose value has changed
 
   // `root`: as the server sent it, not yet in the page. Throws an Error if it is none.
   static parse(text: string): SVGSVGElement {
@@ -30,67 +45,98 @@ export class DrawnPicture {
     return root;
   }
 
-  // `root` is in the page: boxes are measured.
+  // `root` is in the page: boxes are measured, all of them before anything is written.
   constructor(root: SVGSVGElement) {
-    for (const element of root.querySelectorAll<SVGGraphicsElement>('*')) {
-      const floor = element.closest('[data-floor-scale]');
-      const bindings = bindingsOf(
-        (attribute) => element.getAttribute(`data-${attribute}`),
-        (attribute) => floor?.getAttribute(`data-${attribute}`) ?? null,
-      );
-      const title = element.querySelector(':scope > title')?.textContent.trim() ?? '';
-      if (bindings.length > 0 && title !== '') {
-        element.setAttribute('tabindex', '0');
-        element.setAttribute('role', 'img');
+    const bound = [...root.querySelectorAll<SVGGraphicsElement>('*')].flatMap(boundOf);
+    const byName = new Map<string, Bound[]>();
+    for (const one of bound) for (const name of namesOf(one.binding)) byName.set(name, [...(byName.get(name) ?? []), one]);
+    for (const [name, all] of byName) this.watched.push({ name, value: undefined, bound: all });
+    for (const one of bound) {
+      if (one.title !== '') {
+        one.element.setAttribute('tabindex', '0');
+        one.element.setAttribute('role', 'img');
       }
-      for (const binding of bindings) {
-        const box = binding.kind === 'fill' || binding.kind === 'turn' ? element.getBBox() : NOTHING;
-        this.bound.push({ element, binding, ownTransform: element.getAttribute('transform') ?? '', box, title, shown: '?' });
-      }
+      if (one.binding.kind !== 'text') continue;
+      // One piece of text, which is written into: to put another one there would cost twice as much.
+      one.words = document.createTextNode('');
+      one.element.replaceChildren(one.words);
     }
   }
 
   // All that it is bound to.
   names(): string[] {
-    return [...new Set(this.bound.flatMap(({ binding }) => namesOf(binding)))];
+    return this.watched.map(({ name }) => name);
   }
 
-  show(look: Look): void {
-    for (const one of this.bound) {
-      if (one.binding.kind === 'pose') {
-        this.place(one, one.binding, namesOf(one.binding).map((name) => numberOr(look(name)?.value)));
-        continue;
-      }
-      const found = look(one.binding.name);
-      const value = found?.value ?? null;
-      const { binding } = one;
-      const words = binding.kind === 'text' ? textOf(found, binding.digits, binding.unit) : one.title === '' ? '' : spokenOf(found);
-      // More digits move an element than stand in its words.
-      const shown = binding.kind === 'text' ? words : `${String(value)} ${words}`;
-      if (shown === one.shown) continue;
-      one.shown = shown;
-      this.write(one, one.binding.kind === 'text' && typeof value === 'string', numberOr(value), words);
+  // What is said of values has changed, or the language: every one is to be looked at again.
+  forget(): void {
+    for (const one of this.watched) one.value = undefined;
+  }
+
+  // Writes into at most so many elements, those first that have waited longest; false: others wait for the next time.
+  show(source: Source, most = Infinity): boolean {
+    for (const one of this.watched) {
+      const value = source.value(one.name);
+      if (value === one.value) continue;
+      one.value = value;
+      for (const each of one.bound) this.waiting.add(each);
     }
+    let written = 0;
+    for (const one of this.waiting) {
+      if (written >= most) return false;
+      this.waiting.delete(one);
+      const { binding } = one;
+      const isNew = binding.kind === 'pose' ? place(one, binding, namesOf(binding).map((name) => numberOr(source.value(name)))) : show(one, binding, source.found(binding.name));
+      written += isNew ? 1 : 0;
+    }
+    return true;
   }
+}
 
-  // Where it is not known any more it stays where it was, pale.
-  private place(one: Bound, binding: PoseBinding, values: readonly Value[]): void {
-    const words = values.map((value) => fixed(value, 2)).join(', ');
-    if (words === one.shown) return;
-    one.shown = words;
-    const { element, title, ownTransform } = one;
-    const transform = poseTransform(binding, values);
-    element.classList.toggle('unknown', transform === null);
-    if (title !== '') element.setAttribute('aria-label', `${title}: ${words}`);
-    if (transform !== null) element.setAttribute('transform', `${transform} ${ownTransform}`.trim());
-  }
+function boundOf(element: SVGGraphicsElement): Bound[] {
+  const floor = element.closest('[data-floor-scale]');
+  const bindings = bindingsOf(
+    (attribute) => element.getAttribute(`data-${attribute}`),
+    (attribute) => floor?.getAttribute(`data-${attribute}`) ?? null,
+  );
+  const title = element.querySelector(':scope > title')?.textContent.trim() ?? '';
+  return bindings.map((binding) => {
+    const box = binding.kind === 'fill' || binding.kind === 'turn' ? element.getBBox() : NOTHING;
+    return { element, binding, words: null, ownTransform: element.getAttribute('transform') ?? '', box, title, shown: '?' };
+  });
+}
 
-  private write({ element, binding, ownTransform, box, title }: Bound, isText: boolean, value: Value, words: string): void {
-    element.classList.toggle('unknown', value === null && !isText);
-    if (title !== '') element.setAttribute('aria-label', `${title}: ${words}`);
-    if (binding.kind === 'text') element.textContent = words;
-    else if (binding.kind === 'show') element.classList.toggle('hidden', !isTrue(binding, value));
-    else if (binding.kind === 'on' || binding.kind === 'warn' || binding.kind === 'alarm') element.classList.toggle(binding.kind, isTrue(binding, value));
-    else element.setAttribute('transform', `${ownTransform} ${transformOf(binding as RangeBinding, value, box)}`.trim());
-  }
+// Whether there was something to write.
+function show(one: Bound, binding: Exclude<Binding, PoseBinding>, found: Found | null): boolean {
+  const value = found?.value ?? null;
+  const words = binding.kind === 'text' ? textOf(found, binding.digits, binding.unit) : one.title === '' ? '' : spokenOf(found);
+  // More digits move an element than stand in its words.
+  const shown = binding.kind === 'text' ? words : `${String(value)} ${words}`;
+  if (shown === one.shown) return false;
+  one.shown = shown;
+  write(one, binding.kind === 'text' && typeof value === 'string', numberOr(value), words);
+  return true;
+}
+
+// Where it is not known any more it stays where it was, pale.
+function place(one: Bound, binding: PoseBinding, values: readonly Value[]): boolean {
+  const words = values.map((value) => fixed(value, 2)).join(', ');
+  if (words === one.shown) return false;
+  one.shown = words;
+  const { element, title, ownTransform } = one;
+  const transform = poseTransform(binding, values);
+  element.classList.toggle('unknown', transform === null);
+  if (title !== '') element.setAttribute('aria-label', `${title}: ${words}`);
+  if (transform !== null) element.setAttribute('transform', `${transform} ${ownTransform}`.trim());
+  return true;
+}
+
+function write({ element, binding, words: text, ownTransform, box, title }: Bound, isText: boolean, value: Value, words: string): void {
+  element.classList.toggle('unknown', value === null && !isText);
+  if (title !== '') element.setAttribute('aria-label', `${title}: ${words}`);
+  if (binding.kind === 'text') {
+    if (text) text.data = words;
+  } else if (binding.kind === 'show') element.classList.toggle('hidden', !isTrue(binding, value));
+  else if (binding.kind === 'on' || binding.kind === 'warn' || binding.kind === 'alarm') element.classList.toggle(binding.kind, isTrue(binding, value));
+  else element.setAttribute('transform', `${ownTransform} ${transformOf(binding as RangeBinding, value, box)}`.trim());
 }

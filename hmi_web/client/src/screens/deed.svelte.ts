@@ -1,9 +1,10 @@
 // What somebody does with a part: one request, whatever is pressed meanwhile, with a name of its own, so that the server does it
 // once even where it is asked again.
 
-import { sentences } from '../access/api';
+import { own, sentences } from '../access/api';
 import type { Session } from '../access/session.svelte';
 import { pathOf } from './screens';
+import { t } from './texts';
 
 const TOLD_MS = 2_500; // how long "written" stands
 
@@ -26,7 +27,8 @@ export class Deed {
     this.problem = '';
     const once = [...crypto.getRandomValues(new Uint8Array(16))].map((byte) => byte.toString(16).padStart(2, '0')).join('');
     const reply = await this.session.ask<unknown>('POST', `${pathOf(this.screen)}/write`, { part: this.part, value, once, confirmed });
-    this.problem = reply.ok ? '' : sentences(reply.problems);
+    // Nobody has answered, and who has not may have obeyed.
+    this.problem = reply.ok ? '' : reply.status === 0 ? own(t('notKnown')) : sentences(reply.problems);
     this.state = reply.ok ? 'done' : 'refused';
     if (reply.ok) this.timer = window.setTimeout(() => (this.state = this.state === 'done' ? 'idle' : this.state), TOLD_MS);
     return this.problem;

@@ -20,7 +20,8 @@ export interface ScreenEntry extends ScreenVersion {
 
 export interface ScreenList {
   screens: ScreenEntry[];
-  start: string;
+  start: string; // of who asks
+  starts?: Record<string, string>; // for engineers: of each role, and of "everybody" who has none of his own
 }
 
 export interface Screen {
@@ -28,6 +29,10 @@ export interface Screen {
   version: number;
   svg: string;
 }
+
+// Of ASCII letters, digits, blanks and . _ -, the first and the last a letter or a digit, as the server has it: a name is a folder
+// and a part of an address, too.
+export const isScreenName = (name: string): boolean => /^[A-Za-z0-9]([A-Za-z0-9 ._-]{0,62}[A-Za-z0-9])?$/.test(name);
 
 export const LIST = '/api/screens';
 export const pathOf = (name: string) => `${LIST}/${encodeURIComponent(name)}`;

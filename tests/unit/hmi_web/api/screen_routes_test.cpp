@@ -154,6 +154,36 @@ TEST_F(ScreenRoutesTest, WhenAScreenIsExported_ThenItIsAFileThatCanBeSavedAgain)
   EXPECT_EQ(ask("GET", "/api/screens/Copy/export.svg").text, file.text) << "what is read again is the same";
 }
 
+TEST_F(ScreenRoutesTest, WhenARoleHasAStartOfItsOwn_ThenItsPagesOpenWithItIfItMaySeeIt) {
+  EXPECT_EQ(save("Service", R"(<svg viewBox="0 0 1 1" data-least="engineer"/>)", 0).status, 200u);
+  EXPECT_EQ(save("Face", R"(<svg viewBox="0 0 1 1" data-kind="symbol"/>)", 0).status, 200u);
+  const auto choose = [&](const json& body, Role role = Role::Engineer) {
+    return code(ask("PUT", "/api/screen-start", body.dump(), role));
+  };
+  const auto start = [&](Role role) {
+    return json::parse(ask("GET", "/api/screens", {}, role).text)["start"].get<std::string>();
+  };
+  EXPECT_EQ(choose({{"screen", "Mixer"}}), "200");
+  EXPECT_EQ(choose({{"screen", "Service"}, {"role", "engineer"}}), "200");
+  EXPECT_EQ(last_of_trail()["target"], "engineer");
+  EXPECT_EQ(start(Role::Engineer), "Service");
+  EXPECT_EQ(start(Role::Administrator), "Service");
+  EXPECT_EQ(start(Role::Operator), "Mixer");
+  EXPECT_EQ(choose({{"screen", "Service"}, {"role", "viewer"}}), "200");
+  EXPECT_EQ(start(Role::Viewer), "Mixer") << "what a role may not see it does not open with";
+  EXPECT_EQ(choose({{"screen", "Face"}, {"role", "operator"}}), "200");
+  EXPECT_EQ(start(Role::Operator), "Mixer") << "a face is none";
+  EXPECT_EQ(choose({{"screen", ""}, {"role", "engineer"}}), "200");
+  EXPECT_EQ(start(Role::Engineer), "Mixer");
+  const json known = json::parse(ask("GET", "/api/screens").text)["starts"];
+  EXPECT_EQ(known["everybody"], "Mixer");
+  EXPECT_EQ(known["viewer"], "Service");
+  EXPECT_FALSE(json::parse(ask("GET", "/api/screens", {}, Role::Viewer).text).contains("starts"));
+  EXPECT_EQ(choose({{"screen", "Nowhere"}}), "404 H0120");
+  EXPECT_EQ(choose({{"screen", "Mixer"}, {"role", "nobody"}}).substr(0, 3), "400");
+  EXPECT_EQ(choose({{"screen", "Mixer"}}, Role::Operator).substr(0, 3), "403");
+}
+
 TEST_F(ScreenRoutesTest, WhenAScreenIsChosenOrRemoved_ThenPagesBeginElsewhere) {
   EXPECT_EQ(ask("PUT", "/api/screen-start", R"({"screen": "Mixer"})").status, 200u);
   EXPECT_EQ(json::parse(ask("GET", "/api/screens").text)["start"], "Mixer");

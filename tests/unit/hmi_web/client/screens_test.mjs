@@ -9,6 +9,7 @@ import { load } from './load_modules.mjs';
 
 const arrange = await load(process.env.CLIENT, ['screens/editor/arrange']);
 const model = await load(process.env.CLIENT, ['screens/editor/model', 'screens/editor/symbols', 'screens/editor/part_symbols']);
+const sizes = await load(process.env.CLIENT, ['screens/editor/sizing', 'screens/editor/points']);
 const view = await load(process.env.CLIENT, ['screens/parts', 'screens/screens', 'screens/trend_lines', 'screens/editor/tag_search']);
 
 const item = (key, more = {}) => ({ key, symbol: 'pump', x: 0, y: 0, w: 60, h: 60, turn: 0, group: '', params: {}, markup: '', ...more });
@@ -51,6 +52,58 @@ test('Items_WhenTheyAreAlignedSpreadAndGrouped_ThenOnlyTheChosenOnesMove', () =>
   assert.deepEqual([...arrange.withGroups(grouped, new Set(['a']))].sort(), ['a', 'b', 'd']);
   assert.deepEqual([...arrange.withGroups(arrange.ungrouped(grouped, keys), new Set(['a']))], ['a']);
   assert.deepEqual(arrange.ordered(items, new Set(['b']), 'front').map(({ key }) => key), ['a', 'c', 'd', 'b']);
+});
+
+test('Items_WhenTheyGoOneStep_ThenTheyKeepTheirOrderAmongThemselves', () => {
+  const names = (list) => list.map(({ key }) => key).join('');
+  const items = ['a', 'b', 'c', 'd'].map((key) => item(key));
+  assert.equal(names(arrange.stepped(items, new Set(['a']), 1)), 'bacd');
+  assert.equal(names(arrange.stepped(items, new Set(['a', 'b']), 1)), 'cabd');
+  assert.equal(names(arrange.stepped(items, new Set(['c', 'd']), 1)), 'abcd', 'what is in front stays there');
+  assert.equal(names(arrange.stepped(items, new Set(['b', 'd']), -1)), 'badc');
+});
+
+test('Symbol_WhenAHandleIsDragged_ThenOnlyItsEdgesMoveAndComeToLieOnTheGrid', () => {
+  const box = ({ x, y, w, h }) => [x, y, w, h];
+  const pump = item('p1', { x: 100, y: 100, w: 60, h: 60 });
+  assert.deepEqual(box(sizes.sized(pump, 'se', 17, 4, 10)), [100, 100, 80, 60]);
+  assert.deepEqual(box(sizes.sized(pump, 'nw', -13, 22, 10)), [90, 120, 70, 40]);
+  assert.deepEqual(box(sizes.sized(pump, 'e', 5, 99, 0)), [100, 100, 65, 60]);
+  assert.deepEqual(box(sizes.sized(pump, 'w', 900, 0, 10)), [152, 100, 8, 60], 'it does not turn inside out');
+});
+
+test('Symbol_WhenItIsTurned_ThenItFillsTheBoxThatItThenHas', () => {
+  const pipe = item('p1', { symbol: 'pipe', x: 100, y: 100, w: 120, h: 12 });
+  const turned = sizes.turned(pipe);
+  assert.deepEqual([turned.x, turned.y, turned.w, turned.h, turned.turn], [154, 46, 12, 120, 90]);
+  assert.match(model.innerOf(turned, new Map()), /translate\(6 60\) rotate\(90\) translate\(-60 -6\)"><g><rect width="120" height="12"/);
+  const again = [1, 2, 3].reduce((one) => sizes.turned(one), turned);
+  assert.deepEqual({ ...again }, { ...pipe }, 'four quarters are none');
+});
+
+test('Line_WhenItGoesThroughPoints_ThenItIsMovedStretchedAndTurnedWithThem', () => {
+  const corner = [{ x: 300, y: 200 }, { x: 300, y: 90 }, { x: 420, y: 90 }];
+  const line = sizes.through(item('p1', { symbol: 'line', params: { arrow: 'both' } }), corner);
+  assert.deepEqual([line.x, line.y, line.w, line.h, line.params.points], [300, 90, 120, 110, '0,110 0,0 120,0']);
+  assert.deepEqual(sizes.pointsIn(line), corner);
+  assert.equal(sizes.resized(line, 240, 110).params.points, '0,110 0,0 240,0');
+  assert.equal(sizes.turned(line).params.points, '0,0 110,0 110,120');
+  const flat = sizes.through(line, [{ x: 0, y: 5 }, { x: 40, y: 5 }]);
+  assert.deepEqual([flat.h, sizes.resized(flat, 40, 30).params.points], [1, '0,0 40,0'], 'what lies flat stays flat');
+  const svg = svgOf(line);
+  assert.equal((svg.match(/<path /g) ?? []).length, 2, 'an arrow at both ends');
+  assert.match(svg, /<polyline points="0,110 0,0 120,0" fill="none"/);
+  assert.deepEqual(sizes.pointsOf('1,2 x 3 4,5'), [{ x: 1, y: 2 }, { x: 4, y: 5 }], 'what is no point is none');
+  assert.ok(svgOf(item('p1', { symbol: 'line', params: { points: '1,1' } })).includes('0,0 120,0'), 'one point is no line');
+});
+
+test('Name_WhenItCouldLeadElsewhereOrIsNotOfAscii_ThenItIsNone', () => {
+  assert.deepEqual(['Mixer 1', 'a', 'a.b_c-d', 'x'.repeat(64)].map(view.isScreenName), [true, true, true, true]);
+  assert.deepEqual(['', '..', 'a/b', '../a', 'a.', ' a', '🙂', 'Kälte', 'x'.repeat(65)].filter(view.isScreenName), []);
+});
+
+test('Role_WhenAScreenIsForHigherOnes_ThenItDoesNotSeeIt', () => {
+  assert.deepEqual(['viewer', 'operator', 'engineer'].map((role) => model.roleSees(role, 'operator')), [false, true, true]);
 });
 
 test('Copies_WhenTheyArePasted_ThenTheyHaveNamesAndGroupsOfTheirOwn', () => {

@@ -155,5 +155,18 @@ TEST_F(ScreenStoreTest, WhenAStartIsChosen_ThenItIsKept) {
   EXPECT_EQ(store_->start(), "Mixer");
 }
 
+TEST_F(ScreenStoreTest, WhenARoleHasAStartOfItsOwn_ThenItIsKeptBesideThatOfEverybody) {
+  ASSERT_TRUE(save(0, svg("")));
+  EXPECT_EQ(store_->set_start("Mixer", "../viewer").error()[0].code, "H0120");
+  ASSERT_TRUE(store_->set_start("Mixer", "operator"));
+  open_again();
+  EXPECT_EQ(store_->start("operator"), "Mixer");
+  EXPECT_EQ(store_->start(), "");
+  ASSERT_TRUE(store_->set_start("", "operator"));
+  ASSERT_TRUE(store_->set_start("", "operator")) << "there is none already";
+  open_again();
+  EXPECT_EQ(store_->start("operator"), "");
+}
+
 }  // namespace
 }  // namespace stepwright::screens

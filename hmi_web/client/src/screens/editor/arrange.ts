@@ -74,6 +74,16 @@ export const ordered = (items: Items, keys: Keys, to: 'front' | 'back'): Item[] 
   return to === 'front' ? [...rest, ...chosen] : [...chosen, ...rest];
 };
 
+// By one symbol towards the front (1) or the back (-1).
+export function stepped(items: Items, keys: Keys, by: 1 | -1): Item[] {
+  const result = by === 1 ? [...items].reverse() : [...items];
+  for (let at = 1; at < result.length; at++) {
+    const [before, here] = [result[at - 1] as Item, result[at] as Item];
+    if (keys.has(here.key) && !keys.has(before.key)) [result[at - 1], result[at]] = [here, before];
+  }
+  return by === 1 ? result.reverse() : result;
+}
+
 // Copies with names and groups of their own, a little beside.
 export function pasted(items: Items, copies: Items, offset: number): { items: Item[]; keys: Set<string> } {
   const result = [...items];

@@ -1,8 +1,10 @@
 // What is being drawn: its content, what is chosen of it, and the way back.
 
 import { recall, remember } from '../../lib/remembered';
-import { ownBox, pasted, withGroups, type Box, type Measure } from './arrange';
+import { ownBox, pasted, snapped, withGroups, type Box, type Measure } from './arrange';
 import { EMPTY, nextKey, type Content, type Faces, type Item, type Settings } from './model';
+import type { Point } from './points';
+import { isByPoints, through } from './sizing';
 import { templateOf, usualOf } from './symbols';
 import type { Params } from './template';
 
@@ -14,7 +16,10 @@ export class DrawingBoard {
   content = $state.raw<Content>(EMPTY);
   chosen = $state.raw<ReadonlySet<string>>(new Set());
   grid = $state(10);
+  several = $state(false); // what is pressed comes to what is chosen, as with Shift
   faces = $state.raw<Faces>(new Map());
+  // A line that is being drawn, point by point, and where the next one would be.
+  line = $state.raw<{ symbol: string; points: readonly Point[]; next: Point } | null>(null);
   private past = $state.raw<readonly Content[]>([]);
   private future = $state.raw<readonly Content[]>([]);
   private saved = $state.raw<Content>(EMPTY);
@@ -96,6 +101,13 @@ export class DrawingBoard {
     this.lastDeed = '';
   }
 
+  // Comes to what is chosen, or leaves it, with its group.
+  toggle(key: string): void {
+    const keys = new Set(this.chosen);
+    for (const each of withGroups(this.content.items, new Set([key]))) if (!keys.delete(each)) keys.add(each);
+    this.choose(keys);
+  }
+
   // A new symbol around a place, chosen.
   add(symbol: string, x: number, y: number, params: Params = {}): void {
     const face = symbol === 'face' ? this.faces.get(params.face ?? '') : undefined;
@@ -107,6 +119,38 @@ export class DrawingBoard {
     const item: Item = { key, symbol, x: place(x, size.width), y: place(y, size.height), w: size.width, h: size.height, turn: 0, group: '', params: said, markup: '' };
     this.setItems([...this.content.items, item]);
     this.choose([key]);
+  }
+  // The first point is where the pointer or the keys put it.
+  beginLine(symbol: string): void {
+    this.choose([]);
+    const { width, height } = this.content.settings;
+    this.line = { symbol, points: [], next: { x: snapped(width / 2, this.grid), y: snapped(height / 2, this.grid) } };
+  }
+  aimLine(next: Point): void {
+    if (this.line) this.line = { ...this.line, next };
+  }
+  addPoint(): void {
+    if (!this.line) return;
+    const { points, next } = this.line;
+    const last = points.at(-1);
+    if (last?.x !== next.x || last.y !== next.y) this.line = { ...this.line, points: [...points, next] };
+  }
+  takeBackPoint(): void {
+    if (this.line) this.line = { ...this.line, points: this.line.points.slice(0, -1) };
+  }
+  // With fewer than two points there is none.
+  endLine(): void {
+    const drawn = this.line;
+    this.line = null;
+    if (!drawn || drawn.points.length < 2) return;
+    const key = nextKey(this.content.items);
+    const item: Item = { key, symbol: drawn.symbol, x: 0, y: 0, w: 1, h: 1, turn: 0, group: '', params: usualOf(drawn.symbol), markup: '' };
+    this.setItems([...this.content.items, through(item, drawn.points)]);
+    this.choose([key]);
+  }
+  setPoints(key: string, points: readonly Point[], deed = ''): void {
+    if (points.length < 2) return;
+    this.setItems(this.content.items.map((item) => (item.key === key && isByPoints(item) ? through(item, points) : item)), deed);
   }
   remove(): void {
     this.setItems(this.content.items.filter(({ key }) => !this.chosen.has(key)));

@@ -4,6 +4,8 @@ import { attribute, escaped, type Params } from './template';
 import { templateOf } from './symbols';
 
 export type Least = 'viewer' | 'operator' | 'engineer';
+const LEASTS: readonly Least[] = ['viewer', 'operator', 'engineer'];
+export const roleSees = (role: Least, least: Least): boolean => LEASTS.indexOf(role) >= LEASTS.indexOf(least);
 
 export interface Settings {
   width: number;
@@ -22,7 +24,7 @@ export interface Item {
   y: number;
   w: number;
   h: number;
-  turn: number; // degrees
+  turn: number; // degrees: 0, 90, 180, 270
   group: string; // empty: none
   params: Params;
   markup: string; // of what is drawn
@@ -67,9 +69,14 @@ export function innerOf(item: Item, faces: Faces): string {
   }
   const template = templateOf(item.symbol);
   if (!template) return item.markup;
-  const drawn = template.draw(item.params, item.w, item.h);
-  const turned = item.turn === 0 ? drawn : `<g transform="rotate(${item.turn} ${item.w / 2} ${item.h / 2})">${drawn}</g>`;
-  return turned + (template.beside?.(item.params, item.w, item.h) ?? '');
+  return turnedInto(item, template.draw) + (template.beside?.(item.params, item.w, item.h) ?? '');
+}
+
+// What is turned by a quarter fills the same box: it is drawn as long as the box is high.
+function turnedInto({ params, w, h, turn }: Item, draw: (params: Params, width: number, height: number) => string): string {
+  if (turn === 0) return draw(params, w, h);
+  const [across, down] = turn % 180 === 0 ? [w, h] : [h, w];
+  return `<g transform="translate(${round(w / 2)} ${round(h / 2)}) rotate(${turn}) translate(${round(-across / 2)} ${round(-down / 2)})">${draw(params, across, down)}</g>`;
 }
 
 const round = (value: number) => Number(value.toFixed(3));
@@ -80,7 +87,7 @@ export const transformOf = (item: Pick<Item, 'x' | 'y'>): string => `translate($
 function kept({ key, w, h, turn, group, params }: Item): string {
   const { picture: _picture, ...rest } = params;
   const said = Object.fromEntries(Object.entries(rest).filter(([, value]) => value));
-  return JSON.stringify({ ...said, key, w: round(w), h: round(h), ...(turn ? { turn } : {}), ...(group ? { group } : {}) });
+  return JSON.stringify({ ...said, key, w: round(w), h: round(h), ...(turn ? { turned: turn } : {}), ...(group ? { group } : {}) });
 }
 
 function written(item: Item, faces: Faces): string {

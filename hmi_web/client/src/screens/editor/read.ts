@@ -41,21 +41,29 @@ function symbolOf(element: Element): Item | null {
   if (!found || (!template && symbol !== 'face' && symbol !== 'drawn')) return null;
   const [, x, y] = /^translate\(([-\d.]+) ([-\d.]+)\)$/.exec(element.getAttribute('transform') ?? '') ?? [];
   if (x === undefined) return null;
-  const { key, w, h, turn, group, ...rest } = found;
+  const { key, w, h, turn, turned, group, ...rest } = found;
   const params = Object.fromEntries(Object.entries(rest).filter((each): each is [string, string] => typeof each[1] === 'string'));
   const picture = symbol === 'picture' ? element.querySelector('image')?.getAttribute('href') : null;
-  return {
+  const item: Item = {
     key: typeof key === 'string' ? key : '',
     symbol,
     x: number(x, 0),
     y: number(y, 0),
     w: number(w, template?.width ?? 100),
     h: number(h, template?.height ?? 100),
-    turn: number(turn, 0),
+    turn: number(turned, 0),
     group: typeof group === 'string' ? group : '',
     params: picture ? { ...params, picture } : params,
     markup: symbol === 'drawn' || symbol === 'face' ? innerOf(element) : '',
   };
+  return turned === undefined && turn !== undefined ? turnedAsBefore(item, number(turn, 0)) : item;
+}
+
+// An earlier editor kept the box of what is not turned yet.
+function turnedAsBefore(item: Item, turn: number): Item {
+  if (turn % 180 === 0) return { ...item, turn };
+  const { x, y, w, h } = item;
+  return { ...item, turn, x: x + (w - h) / 2, y: y + (h - w) / 2, w: h, h: w };
 }
 
 // Throws an Error if it is no SVG.

@@ -1,16 +1,13 @@
 // The symbols that screens are put together from: templates with parameters, drawn after ISA-101 in the colours of the page. Each
 // makes plain SVG with the bindings of drawings (hmi_web/doc/drawings.md), so that any program shows it. Pure.
 
+import { LINE_SYMBOLS } from './line_symbols';
 import { partAttributes } from './part_symbols';
-import { attribute, escaped, type Params, type SymbolTemplate } from './template';
+import { alive, attribute, escaped, states, titled, type Params, type SymbolTemplate } from './template';
 
 const LINE = 'stroke="var(--line-strong)" stroke-width="2"';
 const BODY = `fill="var(--equipment)" ${LINE}`;
 
-const shown = (p: Params) => p.label || p.on || p.value || '';
-const titled = (p: Params) => (shown(p) ? `<title>${escaped(shown(p))}</title>` : '');
-const states = (p: Params) => attribute('data-on', p.on) + attribute('data-warn', p.warn) + attribute('data-alarm', p.alarm);
-const alive = (p: Params, inside: string) => `<g${states(p)}>${titled(p)}${inside}</g>`;
 const below = (p: Params, w: number, h: number) => (p.label ? `<text x="${w / 2}" y="${h + 15}" text-anchor="middle" font-size="13">${escaped(p.label)}</text>` : '');
 const range = (p: Params) => attribute('data-from', p.from) + attribute('data-to', p.to);
 const valueText = (p: Params, x: number, y: number, anchor: string, size: number) =>
@@ -44,6 +41,7 @@ const SHAPES: SymbolTemplate[] = [
     kind: 'pipe', family: 'equipment', width: 120, height: 12, fields: ['label', 'on'], turns: true,
     draw: (p, w, h) => alive(p, `<rect width="${w}" height="${h}" fill="var(--equipment-dark)" stroke="var(--line)"/>`),
   },
+  ...LINE_SYMBOLS,
   equipment('valve', 60, 40, (w, h) => `<path d="M0 0L${w} ${h}V0L0 ${h}Z" ${BODY}/>`),
   equipment('pump', 60, 60, (w, h) => `<ellipse cx="${w / 2}" cy="${h / 2}" rx="${w / 2}" ry="${h / 2}" ${BODY}/><path d="M${w / 2} 0L${w} ${h / 2}L${w / 2} ${h}" ${BODY}/>`),
   equipment('motor', 60, 60, (w, h) => `<ellipse cx="${w / 2}" cy="${h / 2}" rx="${w / 2}" ry="${h / 2}" ${BODY}/><text x="${w / 2}" y="${h / 2 + 7}" text-anchor="middle" font-size="20" font-weight="600">M</text>`),
@@ -135,7 +133,7 @@ export const FAMILIES = ['equipment', 'values', 'operator', 'lists'] as const;
 export const templateOf = (kind: string): SymbolTemplate | undefined => SYMBOLS.find((each) => each.kind === kind);
 
 // What a new one begins with.
-const USUAL: Params = { from: '0', to: '100', literal: 'TRUE', minutes: '5', size: '16' };
+const USUAL: Params = { from: '0', to: '100', literal: 'TRUE', minutes: '5', size: '16', arrow: 'end', points: '0,0 120,0' };
 export function usualOf(kind: string): Params {
   return Object.fromEntries((templateOf(kind)?.fields ?? []).flatMap((field) => (USUAL[field] ? [[field, USUAL[field]]] : [])));
 }

@@ -3,7 +3,7 @@
 // What can be said of a symbol, all as text; empty: nothing.
 export const FIELDS = [
   'label', 'text', 'size', 'value', 'on', 'warn', 'alarm', 'from', 'to', 'digits', 'unit', 'write', 'stop', 'literal', 'values',
-  'step', 'confirm', 'least', 'go', 'tags', 'minutes', 'picture', 'face',
+  'step', 'confirm', 'least', 'go', 'tags', 'minutes', 'picture', 'face', 'arrow', 'points',
 ] as const;
 export type FieldName = (typeof FIELDS)[number];
 export type Params = Partial<Record<FieldName, string>> & Record<string, string | undefined>;
@@ -19,6 +19,7 @@ export interface SymbolTemplate {
   height: number;
   fields: readonly FieldName[];
   turns?: boolean; // it can be turned
+  byPoints?: boolean; // it is drawn point by point, and turned with its points
   draw: (params: Params, width: number, height: number) => string;
   beside?: (params: Params, width: number, height: number) => string; // what is not turned with it
   attributes?: (params: Params, key: string) => string; // of the element around it
@@ -29,3 +30,9 @@ export const escaped = (text: string): string => text.replace(/[&<>"']/g, (sign)
 
 // Nothing where there is nothing to say.
 export const attribute = (name: string, value: string | undefined): string => (value ? ` ${name}="${escaped(value)}"` : '');
+
+// What a symbol shows by its colour, and is called by who does not see it.
+const shown = (p: Params): string => p.label || p.on || p.value || '';
+export const titled = (p: Params): string => (shown(p) ? `<title>${escaped(shown(p))}</title>` : '');
+export const states = (p: Params): string => attribute('data-on', p.on) + attribute('data-warn', p.warn) + attribute('data-alarm', p.alarm);
+export const alive = (p: Params, inside: string): string => `<g${states(p)}>${titled(p)}${inside}</g>`;
