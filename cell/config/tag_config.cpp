@@ -1,6 +1,7 @@
 #include "cell/config/tag_config.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "runtime/ground/naming/ascii_names.h"
 
@@ -14,7 +15,8 @@ constexpr double kMostDecimals = 9;
 std::optional<settings::Range> read_range(const TomlTable& table) {
   if (!table.has("range")) return std::nullopt;
   const std::vector<double> ends = table.numbers("range");
-  if (ends.size() == 2 && ends[0] < ends[1]) return settings::Range{ends[0], ends[1]};
+  const bool finite = std::ranges::all_of(ends, [](double each) { return std::isfinite(each); });
+  if (finite && ends.size() == 2 && ends[0] < ends[1]) return settings::Range{ends[0], ends[1]};
   table.report("range", "this range has nothing in it", "the least and the greatest normal value: [0, 200]",
                "0631");
   return std::nullopt;

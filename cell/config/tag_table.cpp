@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <utility>
 
 #include "runtime/ground/csv/csv_rows.h"
@@ -23,7 +25,9 @@ constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 class TagTable {
  public:
   TagTable(std::istream& in, std::string file, std::vector<TagConfig>& tags)
-      : rows_(in, file, kNoTable), file_(std::move(file)), tags_(tags) {}
+      : rows_(in, file, kNoTable), file_(std::move(file)), tags_(tags) {
+    for (std::size_t i = 0; i < tags_.size(); ++i) known_.emplace(naming::upper(tags_[i].name), i);
+  }
 
   result::Diagnostics read() {
     if (rows_.next()) {
@@ -66,7 +70,8 @@ class TagTable {
     if (text.empty()) return std::nullopt;
     double value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error == std::errc() && end == text.data() + text.size()) return value;
+    const bool whole = error == std::errc() && end == text.data() + text.size();
+    if (whole && std::isfinite(value)) return value;  // "nan" and "inf" are read, too
     report(where(column), kNoTable, "'" + std::string(text) + "' is no number",
            "with a point, without blanks: 12.5");
     return std::nullopt;
@@ -82,13 +87,14 @@ class TagTable {
     read_decimals(tag);
     read_range(tag);
     read_values(tag);
-    const auto same = [&](const TagConfig& other) { return naming::same_name(other.name, tag.name); };
     if (tag.name.empty()) {
       report(tag.where, "C0630", "this tag has no name", "the name that the program has for it");
-    } else if (const auto other = std::ranges::find_if(tags_, same); other != tags_.end()) {
+    } else if (const auto other = known_.find(naming::upper(tag.name)); other != known_.end()) {
+      const result::Location& first = tags_[other->second].where;
       report(tag.where, "C0630", "the tag '" + tag.name + "' is described twice",
-             "the first time in line " + std::to_string(other->where.line) + " of " + other->where.file);
+             "the first time in line " + std::to_string(first.line) + " of " + first.file);
     } else if (says_something(tag)) {
+      known_.emplace(naming::upper(tag.name), tags_.size());
       tags_.push_back(std::move(tag));
     }
   }
@@ -135,6 +141,7 @@ class TagTable {
   csv::CsvRows rows_;
   std::string file_;
   std::vector<TagConfig>& tags_;
+  std::unordered_map<std::string, std::size_t> known_;  // by the name in capitals, where in `tags_`
   std::map<std::string, std::size_t, std::less<>> columns_;
   result::Diagnostics problems_;
 };

@@ -3,6 +3,7 @@
 #include "hmi_web/protocol/floor_json.h"
 #include "hmi_web/protocol/json_text.h"
 #include "hmi_web/protocol/messages.h"
+#include "hmi_web/protocol/tag_note_json.h"
 
 namespace stepwright::protocol {
 namespace {
@@ -94,18 +95,6 @@ json to_json(const Box& box) {
           {"x", box.x_point},
           {"y", box.y_point},
           {"angle", box.angle_point}};
-}
-
-// What is not said is left out.
-json to_json(const TagNote& note) {
-  json object = {{"name", note.name}};
-  if (!note.unit.empty()) object["unit"] = note.unit;
-  if (!note.description.empty()) object["description"] = note.description;
-  if (!note.group.empty()) object["group"] = note.group;
-  if (note.decimals) object["decimals"] = *note.decimals;
-  if (note.normal) object["normal"] = {note.normal->first, note.normal->second};
-  if (!note.values.empty()) object["values"] = note.values;
-  return object;
 }
 
 template <typename T>

@@ -1,6 +1,7 @@
 #include "hmi_web/protocol/messages.h"
 
 #include "hmi_web/protocol/json_text.h"
+#include "hmi_web/protocol/tag_note_json.h"
 
 namespace stepwright::protocol {
 
@@ -27,6 +28,7 @@ std::string program_message(const Program& program, const PointTags& points) {
     tags.push_back({{"name", tag.name}, {"type", tag.type}, {"address", tag.address}});
     if (!tag.comment.empty()) tags.back()["comment"] = tag.comment;
     if (tag.enumeration) tags.back()["enumeration"] = *tag.enumeration;
+    if (!tag.note.says_nothing()) tags.back()["note"] = to_json(tag.note);
   }
   json enumerations = json::array();
   for (const auto& enumeration : program.enumerations) {

@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "hmi_web/protocol/tag_note.h"
+
 namespace stepwright::protocol {
 
 struct ProgramStep {
@@ -30,8 +32,9 @@ struct ProgramTag {
   std::string name;          // "PLAN.S1_FILTERED"
   std::string type;          // IEC type name: "BOOL", "INT", "REAL", "TIME" (a TIME value counts nanoseconds)
   std::string address;       // "%IX0.0", or empty if the tag is not located
-  std::string comment = {};  // of its declaration
+  std::string comment = {};  // of its declaration, or what a pragma there says instead
   std::optional<std::uint32_t> enumeration = std::nullopt;  // index into Program::enumerations
+  TagNote note = {};  // what else the declaration says, without name and description
 };
 
 // The names of an enumeration's values; several tags have the same one.

@@ -1,6 +1,7 @@
 #pragma once
 
-// What people want to know of a tag beside its value, as the cell says it (hmi_web/doc/tags.md).
+// What people want to know of a tag beside its value, as the cell or the declaration says it
+// (hmi_web/doc/tags.md).
 //
 // Plain values; any thread.
 
@@ -19,6 +20,10 @@ struct TagNote {
   std::optional<int> decimals;                      // shown behind the point
   std::optional<std::pair<double, double>> normal;  // least and greatest value
   std::vector<std::string> values;                  // names of 0, 1, 2, ...
+
+  bool says_nothing() const {
+    return unit.empty() && description.empty() && group.empty() && !decimals && !normal && values.empty();
+  }
 };
 
 }  // namespace stepwright::protocol

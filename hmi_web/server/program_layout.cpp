@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-#include "hmi_web/server/declared_comments.h"
+#include "hmi_web/server/declared_notes.h"
 #include "runtime/bytecode/reader/document_text.h"
 #include "runtime/bytecode/value_type.h"
 #include "runtime/ground/naming/ascii_names.h"
@@ -109,15 +109,17 @@ result::Result<ProgramLayout> read_layout(std::span<const std::byte> container, 
   for (const auto& transition : layout.transitions) {
     if (transition) drawn.insert(place_of(*transition));
   }
-  const DeclaredComments comments(info->instances(), layout.document);
+  const DeclaredNotes notes(info->instances(), layout.document);
   const auto arrays = array_sizes(info->tags());
   for (const auto& tag : info->tags()) {
     if (drawn.contains(place_of(tag.variable))) continue;
     const auto array = arrays.find(array_of(tag.name));
     if (array != arrays.end() && array->second > kMostOfAnArray) continue;
+    protocol::TagNote note = notes.of(tag.name);
+    const std::string comment = std::exchange(note.description, {});
     layout.program.tags.push_back({tag.name, bytecode::name_of(tag.variable.type),
-                                   address_of(tag.variable, info->sizes()), comments.of(tag.name),
-                                   enumeration_of(tag.variable, layout.program)});
+                                   address_of(tag.variable, info->sizes()), comment,
+                                   enumeration_of(tag.variable, layout.program), std::move(note)});
     layout.tags.push_back(tag.variable);
   }
   return layout;

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "ladder/driver/chart_conversion.h"
-#include "ladder/syntax/blank.h"
+#include "ladder/driver/declaration_notes.h"
 
 namespace stepwright::driver {
 
@@ -76,10 +76,10 @@ class TextSheets {
     for (const syntax::Configuration& each : unit.configurations) {
       add_section("CONFIGURATION", std::string(each.name.text), before(each.name.where.offset),
                   Keyword::EndConfiguration);
-      std::vector<graphic::Variable>& variables = sheets_.back().second.variables;
-      for (const syntax::VariableDeclaration& line : each.globals) add(line, variables);
+      Sheet& sheet = sheets_.back().second;
+      for (const syntax::VariableDeclaration& line : each.globals) add(line, sheet);
       for (const syntax::Resource& resource : each.resources)
-        for (const syntax::VariableDeclaration& line : resource.globals) add(line, variables);
+        for (const syntax::VariableDeclaration& line : resource.globals) add(line, sheet);
     }
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
       if (tokens_[i].is(Keyword::Type)) add_section("TYPE", "", i, Keyword::EndType);
@@ -112,7 +112,7 @@ class TextSheets {
   void add(const syntax::PouDeclaration& pou) {
     Sheet sheet{kind_word(pou.kind), std::string(pou.name.text)};
     if (pou.result) sheet.result_type = until(at(pou.result->where.offset), result_end(pou));
-    for (const syntax::VariableDeclaration& line : pou.variables) add(line, sheet.variables);
+    for (const syntax::VariableDeclaration& line : pou.variables) add(line, sheet);
     if (pou.chart) {
       auto chart = to_graphic(*pou.chart, Marks::None, context_.sources, context_.sink);
       result::Diagnostics diagnostics = graphic::check(chart);
@@ -162,7 +162,7 @@ class TextSheets {
     return collapsed(text_.substr(begin, end_of(tokens_[last - 1]) - begin));
   }
 
-  void add(const syntax::VariableDeclaration& line, std::vector<graphic::Variable>& variables) {
+  void add(const syntax::VariableDeclaration& line, Sheet& sheet) {
     if (line.names.empty() || !line.type) return;
     graphic::Variable variable;
     variable.section = section_of(line.section);
@@ -183,22 +183,29 @@ class TextSheets {
     if (tokens_[value].is(TokenKind::Assign)) variable.initial = until(value + 1, end);
     if (line.address || line.open_address)
       variable.address = std::string(tokens_[at(line.address_where.offset)].text);
-    variable.comment = comment_behind(end_of(tokens_[end]));
+    const DeclarationNotes notes = notes_of(at(line.names.front().where.offset), end);
+    variable.comment = collapsed(notes.comment());
     for (const syntax::Name& name : line.names) {
       variable.name = std::string(name.text);
-      variables.push_back(variable);
+      if (const auto note = notes.note()) sheet.notes[variable.name] = *note;
+      sheet.variables.push_back(variable);
     }
   }
 
-  // The comment that ends a line: "x : BOOL; (* start button *)", "x : BOOL; // start button".
-  std::string comment_behind(std::size_t offset) const {
-    std::size_t at = offset;
-    while (at < text_.size() && is_blank(text_[at]) && text_[at] != '\n') ++at;
-    const syntax::Blank blank = syntax::blank_at(text_, at);
-    if (blank.kind != syntax::BlankKind::Comment) return {};
-    const std::size_t begin = at + blank.open.size();
-    const std::size_t end = blank.closed ? blank.end - blank.close.size() : blank.end;
-    return collapsed(text_.substr(begin, end - begin));
+  // Of the declaration between two tokens; members of a structure in it say nothing of the variable.
+  DeclarationNotes notes_of(std::size_t first, std::size_t last) const {
+    DeclarationNotes notes(text_);
+    if (first > 0)
+      notes.before(end_of(tokens_[first - 1]), tokens_[first].where.offset,
+                   tokens_[first - 1].is(TokenKind::Semicolon));
+    int depth = 0;
+    for (std::size_t i = first; i < last; ++i) {
+      if (tokens_[i].is(Keyword::Struct)) ++depth;
+      if (tokens_[i].is(Keyword::EndStruct)) --depth;
+      if (depth == 0) notes.between(end_of(tokens_[i]), tokens_[i + 1].where.offset);
+    }
+    notes.behind(end_of(tokens_[last]));
+    return notes;
   }
 
   void add_section(const char* kind, std::string name, std::size_t first, Keyword last) {
@@ -212,7 +219,7 @@ class TextSheets {
   void add_globals(const std::vector<syntax::VariableDeclaration>& globals) {
     if (globals.empty() || globals.front().names.empty()) return;
     Sheet sheet{"VAR_GLOBAL", ""};
-    for (const syntax::VariableDeclaration& line : globals) add(line, sheet.variables);
+    for (const syntax::VariableDeclaration& line : globals) add(line, sheet);
     sheets_.emplace_back(globals.front().names.front().where.offset, std::move(sheet));
   }
 

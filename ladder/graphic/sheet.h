@@ -4,12 +4,14 @@
 // files. Texts are those of the author. Values; use from any thread.
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "ladder/graphic/project.h"
+#include "ladder/graphic/tag_note.h"
 
 namespace stepwright::graphic {
 
@@ -26,6 +28,7 @@ struct Sheet {
   std::string file{};
   std::string comment{};
   std::vector<Variable> variables{};
+  std::map<std::string, TagNote> notes{};  // by the name of the variable, as it is written
   std::variant<Listing, LadderProgram, SfcChart> body{};
   // Of function blocks that were drawn: the networks as they stand in the file. `body` has the same as rungs.
   std::optional<Diagram> drawn{};

@@ -13,12 +13,26 @@ namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json variable_json(const graphic::Variable& variable) {
+// What is not said is left out.
+ordered_json note_json(const graphic::TagNote& note) {
+  ordered_json json = ordered_json::object();
+  if (!note.unit.empty()) json["unit"] = note.unit;
+  if (!note.description.empty()) json["description"] = note.description;
+  if (!note.group.empty()) json["group"] = note.group;
+  if (note.decimals) json["decimals"] = *note.decimals;
+  if (note.range) json["range"] = {note.range->first, note.range->second};
+  if (!note.values.empty()) json["values"] = note.values;
+  return json;
+}
+
+ordered_json variable_json(const graphic::Variable& variable, const graphic::Sheet& sheet) {
   ordered_json json = {
       {"name", variable.name}, {"type", variable.type}, {"section", graphic::keyword_of(variable.section)}};
   if (!variable.address.empty()) json["address"] = variable.address;
   if (!variable.initial.empty()) json["initial"] = variable.initial;
   if (!variable.comment.empty()) json["comment"] = variable.comment;
+  if (const auto note = sheet.notes.find(variable.name); note != sheet.notes.end())
+    json["note"] = note_json(note->second);
   return json;
 }
 
@@ -68,7 +82,8 @@ ordered_json sheet_json(const graphic::Sheet& sheet, const std::set<std::string>
   if (!sheet.file.empty()) json["file"] = sheet.file;
   if (!sheet.comment.empty()) json["comment"] = sheet.comment;
   json["variables"] = ordered_json::array();
-  for (const graphic::Variable& each : sheet.variables) json["variables"].push_back(variable_json(each));
+  for (const graphic::Variable& each : sheet.variables)
+    json["variables"].push_back(variable_json(each, sheet));
   json["blocks"] = blocks_json(sheet);
   json["uses"] = uses_json(sheet, globals);
   return json;

@@ -17,6 +17,7 @@ inline constexpr const char* kTooDeep = "E0106";
 inline constexpr const char* kNotSupported = "E0107";
 inline constexpr const char* kLiteralRange = "E0108";
 inline constexpr const char* kLongName = "E0109";
+inline constexpr const char* kBadTagPragma = "E0110";
 
 inline constexpr const char* kUndeclared = "E0201";
 inline constexpr const char* kDuplicate = "E0202";
@@ -99,5 +100,6 @@ inline constexpr const char* kOverlap = "W0016";
 inline constexpr const char* kForeignCode = "W0017";
 inline constexpr const char* kAccessPath = "W0018";
 inline constexpr const char* kInputWritten = "W0019";
+inline constexpr const char* kLoneTagPragma = "W0020";
 
 }  // namespace stepwright::source::code

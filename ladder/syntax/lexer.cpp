@@ -3,10 +3,12 @@
 #include <optional>
 #include <string>
 
+#include "ladder/source/suggestion.h"
 #include "ladder/syntax/blank.h"
 #include "ladder/syntax/date_literal.h"
 #include "ladder/syntax/number.h"
 #include "ladder/syntax/soft_words.h"
+#include "ladder/syntax/tag_pragma.h"
 
 namespace stepwright::syntax {
 
@@ -168,6 +170,8 @@ class Lexer {
   void pragma(const Blank& blank) {
     const bool doubled = blank.open.size() > 1;
     const std::string_view inside = text_.substr(start_ + 1, at_ - blank.close.size() - start_ - 1);
+    if (is_tag_pragma(inside)) return tag_pragma(inside);
+    if (declares() && misses_a_tag_key(inside)) return;
     if (doubled || is_foreign_code(inside))
       sink_.warning(code::kForeignCode, place(start_),
                     "this pragma holds code of another language, which is skipped",
@@ -176,6 +180,28 @@ class Lexer {
       map_source(inside.substr(1));
     if (source::upper(text_.substr(start_, at_ - start_)) == to_string(Keyword::FinalScan))
       push(TokenKind::Keyword).keyword = Keyword::FinalScan;
+  }
+
+  // What is said of a tag is read where the declaration is printed; that it can be read is checked here.
+  void tag_pragma(std::string_view inside) {
+    TagPragma said;
+    TagPragmaMistake mistake;
+    if (!read_tag_pragma(inside, said, mistake)) {
+      sink_.error(code::kBadTagPragma, place(start_ + 1 + mistake.offset), mistake.message, mistake.hint);
+    } else if (!declares()) {
+      sink_.warning(code::kLoneTagPragma, place(start_), "what this pragma says belongs to no variable",
+                    "it stands in VAR ... END_VAR, at the declaration; [tags] of the cell describes members");
+    }
+  }
+
+  // Another pragma in all likelihood, which is nobody's mistake: said, and skipped.
+  bool misses_a_tag_key(std::string_view inside) {
+    const std::string_view key = first_key(inside);
+    const std::string near = key.empty() ? std::string() : source::did_you_mean(key, tag_pragma_keys());
+    if (near.empty()) return false;
+    sink_.warning(code::kLoneTagPragma, place(start_), "'" + std::string(key) + "' says nothing of a tag",
+                  near);
+    return true;
   }
 
   void map_source(std::string_view target) {
@@ -223,7 +249,21 @@ class Lexer {
     Token& token = push(keyword == Keyword::None ? TokenKind::Identifier : TokenKind::Keyword);
     token.keyword = keyword;
     token.name = name;
+    follow_sections(keyword);
   }
+
+  void follow_sections(Keyword keyword) {
+    const bool opens = keyword >= Keyword::Var && keyword <= Keyword::VarGlobal;
+    if (opens || keyword == Keyword::EndVar) {
+      in_section_ = opens;
+      structures_ = 0;
+    }
+    if (keyword == Keyword::Struct) ++structures_;
+    if (keyword == Keyword::EndStruct) --structures_;
+  }
+
+  // Declarations of variables stand in VAR ... END_VAR; members of a structure there are no variables.
+  bool declares() const { return in_section_ && structures_ == 0; }
 
   void prefixed(source::NameId name) {
     const std::string& folded = names_.folded(name);
@@ -387,6 +427,8 @@ class Lexer {
   std::size_t map_from_ = 0;
   std::size_t map_to_ = 0;
   bool map_fixed_ = false;
+  bool in_section_ = false;  // of variables
+  int structures_ = 0;       // STRUCTs around
 };
 
 }  // namespace

@@ -79,8 +79,8 @@ export class Cell {
     const ids = (this.hello?.synoptic.points ?? []).map(({ id }) => id);
     return new Set(ids.filter((_, index) => program.points[index]?.some((tag) => forced.has(program.tags[tag]?.name ?? ''))));
   });
-  // What the cell says of tags beside their values.
-  readonly notes: TagNotes = $derived.by(() => new TagNotes(this.hello?.tags));
+  // What the cell and the declarations say of tags beside their values.
+  readonly notes: TagNotes = $derived.by(() => new TagNotes(this.hello?.tags, this.program?.tags));
   scanOpen = $state(false); // the scan in detail is asked for
   programOpen = $state(false); // so are the sources of the program
   changeOpen = $state(false); // so is what changes it

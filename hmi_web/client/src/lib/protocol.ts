@@ -161,14 +161,17 @@ export interface SynopticDescription {
 }
 
 // What is not said is missing.
-export interface TagNote {
-  name: string; // of a tag, or of an array for all its elements
+export interface TagWords {
   unit?: string;
   description?: string;
   group?: string;
   decimals?: number;
   normal?: [least: number, greatest: number];
   values?: string[]; // names of 0, 1, 2, ...
+}
+
+export interface TagNote extends TagWords {
+  name: string; // of a tag, or of an array for all its elements
 }
 
 export interface HelloMessage {
@@ -201,6 +204,7 @@ export interface Tag {
   type: string;
   address: string;
   comment?: string; // of its declaration
+  note?: TagWords; // what else the declaration says
   enumeration?: number; // index into ProgramMessage.enumerations
 }
 

@@ -1,7 +1,7 @@
 // What the cell and the program say of a tag beside its value: hmi_web/doc/tags.md.
 
 import { fixed, short, tagValue } from './format';
-import type { ProgramMessage, TagNote } from './protocol';
+import type { ProgramMessage, Tag, TagNote } from './protocol';
 import type { TagValue, Value } from './value';
 
 // IEC 61131-3 does not tell upper and lower case apart.
@@ -15,8 +15,12 @@ const MOST = 1e9; // beyond it the power of ten says more than digits
 export class TagNotes {
   private readonly byName: Map<string, TagNote>;
 
-  constructor(notes: readonly TagNote[] = []) {
+  // `tags`: those of the program, whose declarations say what the cell leaves open.
+  constructor(notes: readonly TagNote[] = [], tags: readonly Tag[] = []) {
     this.byName = new Map(notes.map((note) => [fold(note.name), note]));
+    for (const { name, note } of tags) {
+      if (note) this.byName.set(fold(name), { name: withoutIndices(name), ...note, ...this.of(name) });
+    }
   }
 
   // By its whole name; of an element of an array also by that of the array.

@@ -10,7 +10,7 @@ const field = (text: string) => (/[",\r\n]/.test(text) ? `"${text.replaceAll('"'
 // Every tag of the program in its order, then what else is described: points of the plant, tags of other programs. What is said of
 // an array stands at the array's own name, once.
 export function tagTable(tags: readonly Tag[], said: readonly TagNote[]): string {
-  const notes = new TagNotes(said);
+  const notes = new TagNotes(said, tags);
   const rows = [COLUMNS];
   const told = new Set<string>();
   const add = (name: string, note: TagNote | undefined, tag?: Tag) => {

@@ -63,6 +63,7 @@ TEST(TagConfig, WhenItIsWrong_ThenTheKeyIsNamed) {
   EXPECT_EQ(problem("[tags.x]\ndecimals = 10\n"), "C0004 2");
   EXPECT_EQ(problem("[tags.x]\nrange = [5, 5]\n"), "C0631 2");
   EXPECT_EQ(problem("[tags.x]\nrange = [5]\n"), "C0631 2");
+  EXPECT_EQ(problem("[tags.x]\nrange = [0, inf]\n"), "C0631 2");
   EXPECT_EQ(problem("[tags.x]\nvalues = [1, 2]\n"), "C0003 2");
   EXPECT_EQ(problem("[tags.\"\"]\nunit = \"l\"\n"), "C0630 1");
   EXPECT_EQ(problem("[tags.\"Main.x\"]\nunit = \"l\"\n[tags.\"MAIN.X\"]\nunit = \"m\"\n"), "C0630 3");
@@ -112,6 +113,9 @@ TEST(TagTable, WhenItIsWrong_ThenTheLineIsNamedAndTheNextOnesAreReadAllTheSame) 
   EXPECT_EQ(problem(head + "x,l,1,,\ny,l,10,,\n"), "C0633 3");
   EXPECT_EQ(problem(head + "x,l,1.5,,\n"), "C0633 2");
   EXPECT_EQ(problem(head + "x,l,one,,\n"), "C0633 2");
+  EXPECT_EQ(problem(head + "x,l,nan,,\n"), "C0633 2");
+  EXPECT_EQ(problem(head + "x,l,,nan,5\n"), "C0633 2");
+  EXPECT_EQ(problem(head + "x,l,,0,inf\n"), "C0633 2");
   EXPECT_EQ(problem(head + "x,l,,5,5\n"), "C0631 2");
   EXPECT_EQ(problem(head + "x,l,,5,\n"), "C0631 2");
   EXPECT_EQ(problem(head + ",l,,,\n"), "C0630 2");

@@ -24,6 +24,24 @@ test('Notes_WhenATagIsLookedUp_ThenCaseDoesNotMatterAndAnArrayIsMeantWithAllItsE
   assert.equal(new TagNotes().of('Main.level'), undefined);
 });
 
+test('Notes_WhenTheDeclarationSaysSomething_ThenTheCellWinsKeyByKey', () => {
+  const tags = [
+    { name: 'Main.level', type: 'REAL', address: '', note: { unit: 'm3', group: 'buffer', decimals: 3 } },
+    { name: 'Main.levels[1]', type: 'INT', address: '', note: { unit: 'mm', group: 'tanks' } },
+    { name: 'Main.levels[2]', type: 'INT', address: '', note: { unit: 'mm', group: 'tanks' } },
+    { name: 'Main.bare', type: 'INT', address: '' },
+  ];
+  const notes = new TagNotes([level, { name: 'Main.levels', unit: 'cm' }], tags);
+  assert.deepEqual(notes.of('main.level'), { ...level, group: 'buffer' });
+  assert.deepEqual(notes.of('Main.levels[2]'), { name: 'Main.levels', unit: 'cm', group: 'tanks' });
+  assert.equal(notes.of('Main.bare'), undefined);
+  assert.equal(new TagNotes([], tags).of('Main.levels[1]').unit, 'mm');
+  const table = tagTable(tags, [level]).split('\r\n');
+  assert.equal(table[1], 'Main.level,REAL,,l,level of the buffer,buffer,1,0,200,');
+  assert.equal(table[2], 'Main.levels,INT,,mm,,tanks,,,,');
+  assert.equal(table.length, 5, 'one row for the array');
+});
+
 test('Value_WhenItHasAUnitAndDecimals_ThenBothAreShown', () => {
   assert.equal(told(12.46, 'REAL', level), '12.5 l');
   assert.equal(told(12.46, 'REAL'), '12.460', 'without a note as ever');

@@ -68,6 +68,18 @@ TEST(ProgramMessage, WhenATagIsAnEnumeration_ThenTheNamesOfItsValuesAreSentOnce)
   EXPECT_FALSE(message["tags"][0].contains("comment"));
 }
 
+TEST(ProgramMessage, WhenADeclarationSaysMore_ThenTheTagHasItWithoutAName) {
+  Program program;
+  program.tags = {{"level", "REAL", ""}, {"n", "INT", ""}};
+  program.tags[0].note.unit = "l";
+  program.tags[0].note.normal = {0.0, 200.0};
+
+  const json message = json::parse(program_message(program));
+
+  EXPECT_EQ(message["tags"][0]["note"], json::parse(R"({"unit": "l", "normal": [0.0, 200.0]})"));
+  EXPECT_FALSE(message["tags"][1].contains("note"));
+}
+
 TEST(HelloMessage, WhenThePlantIsAFloor_ThenItsMapAndVehiclesAreInIt) {
   Synoptic synoptic;
   synoptic.floor.maps = {{-1, 2.5, 0.0125, 10, 5, {{3, 1, 2, 2, -2}}}};

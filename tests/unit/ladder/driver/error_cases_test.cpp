@@ -19,6 +19,8 @@ Diagnostics diagnostics_of(const std::string& text) {
   return output ? output->warnings : output.error();
 }
 
+#define TAGGED(pragma) "PROGRAM main\nVAR x : INT;" pragma " END_VAR\nx := x + 1;\nEND_PROGRAM"
+
 const ErrorCase kCases[] = {
     {"BadCharacter", "E0101", 3, 8, BODY("i := i ? 1;")},
     {"UnterminatedComment", "E0102", 3, 9, BODY("i := 1; (* never")},
@@ -157,6 +159,27 @@ const ErrorCase kCases[] = {
     {"ForeignCode", "W0017", 3, 9, BODY("i := 1; {j = 2;}")},
     {"ForeignCall", "W0017", 3, 1, BODY("{SetFbVar(I, 2)} i := 1;")},
     {"ForeignBlock", "W0017", 3, 1, BODY("{{ if (x) { y(); } }} i := 1;"), "in ST"},
+    {"TagPragmaSemicolon", "E0110", 2, 25, TAGGED("{unit := 'l'; decimals := 1}"), "commas"},
+    {"TagPragmaKey", "E0110", 2, 27, TAGGED("{unit := 'l', decimal := 1}"), "'decimals'"},
+    {"TagPragmaTwice", "E0110", 2, 27, TAGGED("{unit := 'l', unit := 'm'}")},
+    {"TagPragmaDecimals", "E0110", 2, 26, TAGGED("{decimals := 10}")},
+    {"TagPragmaHalfDecimals", "E0110", 2, 26, TAGGED("{decimals := 1.5}")},
+    {"TagPragmaRange", "E0110", 2, 23, TAGGED("{range := 5..5}"), "0..200"},
+    {"TagPragmaOneEnd", "E0110", 2, 24, TAGGED("{range := 5}"), "0..200"},
+    {"TagPragmaNumber", "E0110", 2, 23, TAGGED("{range := a..5}")},
+    {"TagPragmaNoText", "E0110", 2, 22, TAGGED("{unit := l}"), "'l'"},
+    {"TagPragmaOpenText", "E0110", 2, 22, TAGGED("{unit := 'l}"), "close"},
+    {"TagPragmaEscape", "E0110", 2, 24, TAGGED("{unit := 'l$x'}"), "dollar"},
+    {"TagPragmaList", "E0110", 2, 24, TAGGED("{values := 'low'}"), "['closed'"},
+    {"TagPragmaInBody", "W0020", 3, 9, BODY("i := 1; {unit := 'l'}"), "VAR"},
+    {"TagPragmaOfMember", "W0020", 2, 21,
+     "TYPE\ns : STRUCT a : INT; {unit := 'l'} END_STRUCT;\nEND_TYPE\nPROGRAM main\nVAR x : s; END_VAR\nx.a "
+     ":= 1;\nEND_PROGRAM"},
+    {"TagPragmaOfInnerMember", "W0020", 2, 57,
+     "PROGRAM main\nVAR x : STRUCT s : STRUCT a : INT; END_STRUCT; b : INT; {unit := 'l'} END_STRUCT; "
+     "END_VAR\n"
+     "x.b := x.s.a;\nEND_PROGRAM"},
+    {"TagPragmaNearly", "W0020", 2, 13, TAGGED("{units := 'l'}"), "'unit'"},
     {"ForeignBlockOpen", "E0102", 3, 9, BODY("i := 1; {{ if (x) { y(); }"), "}}"},
 };
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// The two arms of tests/cells/robot_cell (supervisor/doc/two_arms.md) for ARM_DISTANCE, six capsules each, as
-// texts of ST.
+// The two arms of tests/cells/robot_cell (supervisor/doc/two_arms.md) for ARM_DISTANCE, as texts of ST. Seven
+// capsules each contain all bodies, wherever the fingers are (tests/unit/supervisor/tamp/program).
 
 namespace stepwright::driver_test {
 
@@ -15,11 +15,12 @@ inline constexpr const char* kTwoArms = R"(
       (R := [1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, -1.0, 0.0], Y := 0.19),
       (R := [1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, -1.0, 0.0], Z := 0.19),
       (R := [1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 1.0, 0.0])],
-    Capsules := 6, Capsule := [
+    Capsules := 7, Capsule := [
+      (Joint := 1, Z2 := 0.14, Radius := 0.071),
       (Joint := 3, Z1 := -0.2, Z2 := 0.2, Radius := 0.08), (Joint := 5, Z1 := -0.19, Z2 := 0.19, Radius := 0.07),
-      (Joint := 7, Z2 := 0.1, Radius := 0.055), (Joint := 7, Y1 := -0.08, Y2 := 0.08, Z1 := 0.1, Z2 := 0.1, Radius := 0.045),
-      (Joint := 7, Y1 := 0.045, Y2 := 0.045, Z1 := 0.1, Z2 := 0.18, Radius := 0.015),
-      (Joint := 7, Y1 := -0.045, Y2 := -0.045, Z1 := 0.1, Z2 := 0.18, Radius := 0.015)]);
+      (Joint := 7, Z2 := 0.1, Radius := 0.055), (Joint := 7, Y1 := -0.066, Y2 := 0.066, Z1 := 0.13, Z2 := 0.13, Radius := 0.045),
+      (Joint := 7, Y1 := 0.0285, Y2 := 0.0285, Z1 := 0.176, Z2 := 0.224, Radius := 0.035),
+      (Joint := 7, Y1 := -0.0285, Y2 := -0.0285, Z1 := 0.176, Z2 := 0.224, Radius := 0.035)]);
   rightArm : ARM_MODEL;
 )";
 

@@ -48,6 +48,25 @@ TEST(ProgramDocument, WhenABodyIsText_ThenItsLinesAndTheUsesInThemAreThere) {
             "n write 0/1:1; n read 0/1:10; a[1][2] read 0/1:15; t call 0/2:3; n read 0/2:11; ");
 }
 
+TEST(ProgramDocument, WhenADeclarationHasPragmas_ThenWhatTheySayIsWithItsVariables) {
+  const json variables = document_of(
+      "PROGRAM main\nVAR\n"
+      "  {group := 'buffer'}\n"
+      "  level, other : REAL {decimals := 1}; {unit := '°C', range := -5..1_00.5} // how full {unit := 'x'}\n"
+      "  open : BOOL; (* of the\n valve *) {Values := ['shut', 'it$'s']} {no_warning}\n"
+      "  {description := 'pieces $$5', unit := 'pcs'} n : INT; bare : INT;\n"
+      "  s : STRUCT a : INT; {unit := 'm'} END_STRUCT; t : STRING := '{unit := $'q$'}';\n"
+      "END_VAR\nlevel := other;\nEND_PROGRAM\n")["sheets"][0]["variables"];
+  const json buffer = {{"unit", "°C"}, {"group", "buffer"}, {"decimals", 1}, {"range", {-5.0, 100.5}}};
+  EXPECT_EQ(variables[0]["note"], buffer);
+  EXPECT_EQ(variables[1]["note"], buffer);
+  EXPECT_EQ(variables[0]["comment"], "how full {unit := 'x'}");
+  EXPECT_EQ(variables[2]["note"], json({{"values", {"shut", "it's"}}}));
+  EXPECT_EQ(variables[2]["comment"], "of the valve");
+  EXPECT_EQ(variables[3]["note"], json({{"unit", "pcs"}, {"description", "pieces $5"}}));
+  for (int i = 4; i < 7; ++i) EXPECT_FALSE(variables[i].contains("note")) << variables[i];
+}
+
 TEST(ProgramDocument, WhenABodyIsAChart_ThenStepsTransitionsAndActionsAreBlocks) {
   const json sheet = document_of(
       "PROGRAM main\nVAR go, lamp : BOOL; END_VAR\nINITIAL_STEP a: END_STEP\nSTEP b: lamp(N); count(P1); "
