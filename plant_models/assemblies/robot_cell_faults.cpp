@@ -10,6 +10,14 @@ constexpr double kMPerMm = 1e-3;
 
 }  // namespace
 
+// Things that fall or are moved may touch others; arms touch neither each other nor what is fixed.
+std::string RobotCell::violation() const {
+  for (const Incident& incident : judge().incidents())
+    if (incident.kind == IncidentKind::ArmArm || incident.kind == IncidentKind::ArmFixed)
+      return judge().text(incident);
+  return {};
+}
+
 result::Result<void> RobotCell::inject_fault(std::string_view name, double value) {
   auto fault = find_fault(kRobotCellPlant, ports_.faults, name);
   if (!fault) return result::forward(fault);

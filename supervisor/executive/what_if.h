@@ -7,19 +7,19 @@
 //   what_if.ask({"7f", "(= (level a1) 4)", executive.outlook()});
 //   what_if.answer()     // JSON, the same as long as what_if.revision() is
 //
-// Threads: every function from any. The search has a thread of its own, of lower priority than the one that
-// plans for the plant; there is one at a time. The service must outlive it; its end cancels and waits.
+// Threads: every function from any. The search has a thread of its own (supervisor/run/what_if_thread.h). The
+// service must outlive it; its end cancels and waits.
 
 #include <atomic>
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
-#include <mutex>
 #include <string>
-#include <thread>
 
 #include "runtime/ground/result/result.h"
 #include "supervisor/executive/outlook.h"
 #include "supervisor/executive/planning_service.h"
+#include "supervisor/run/what_if_thread.h"
 
 namespace stepwright::executive {
 
@@ -29,46 +29,31 @@ struct WhatIfOptions {
 };
 
 struct WhatIfQuestion {
-  std::string id;    // of whoever asks, comes back with the answer; up to kMaxWhatIfId bytes
+  std::string id;    // of whoever asks (run::WhatIfAsked)
   std::string goal;  // PDDL; empty: the goal that there is
   Outlook outlook;
 };
 
-inline constexpr std::size_t kMaxWhatIfId = 64;
-// Of a longer plan the answer has the first ones.
-inline constexpr std::size_t kMostListedActions = 1'000;
-
 class WhatIf {
  public:
-  WhatIf(const PlanningService& service, const WhatIfOptions& options);
-  ~WhatIf();
-  WhatIf(const WhatIf&) = delete;
-  WhatIf& operator=(const WhatIf&) = delete;
+  WhatIf(const PlanningService& service, const WhatIfOptions& options)
+      : service_(service), options_(options) {}
 
-  // Begins to plan. Fails with X0005 for an id that is too long, X0008 while another question is planned for,
-  // and as a goal in a file would (P0xxx).
+  // Begins to plan. Fails as run::WhatIfThread does, and as a goal in a file would (P0xxx).
   [[nodiscard]] result::Result<void> ask(WhatIfQuestion question);
   // Ends the search for the question with this id (empty: any). X0008 where there is none.
-  [[nodiscard]] result::Result<void> cancel(const std::string& id);
+  [[nodiscard]] result::Result<void> cancel(const std::string& id) { return thread_.cancel(id); }
 
   // The newest question and what has come of it, as supervisor/doc/goals.md says; "null" before the first.
-  std::string answer() const;
-  std::uint64_t revision() const;
+  std::string answer() const { return thread_.answer(); }
+  std::uint64_t revision() const { return thread_.revision(); }
 
  private:
-  void plan(const WhatIfQuestion& question);
-  void publish(std::string answer);
+  std::string plan(const WhatIfQuestion& question, const std::atomic<bool>& cancel) const;
 
   const PlanningService& service_;
   const WhatIfOptions options_;
-  std::mutex turn_;  // one that asks at a time
-  mutable std::mutex mutex_;
-  std::string answer_ = "null";  // guarded by mutex_, as the next two
-  std::uint64_t revision_ = 0;
-  std::string id_;
-  std::atomic<bool> planning_{false};
-  std::atomic<bool> cancel_{false};
-  std::thread thread_;  // last: it uses all of the above
+  run::WhatIfThread thread_;  // last: it uses all of the above
 };
 
 }  // namespace stepwright::executive

@@ -102,6 +102,11 @@ struct ArmsPicture {
     PicturePoint from_m{}, to_m{};
     double radius_m = 0.0;
   };
+  // The same of a thing, while the arm's progress is at least `from` and below `until`.
+  struct Held {
+    Capsule body{};
+    double from = 0.0, until = 0.0;
+  };
   struct Joint {
     std::string name{};
     int frame = 0;  // that it moves; the frame has its variable
@@ -112,6 +117,7 @@ struct ArmsPicture {
     int tool = 0;                 // frame
     PictureValue opening{};       // m, between the fingers
     std::vector<Capsule> capsules{};
+    std::vector<Held> held{};
     std::vector<Step> steps{};    // of the schedule: progress n.x is in steps[n]
     std::vector<WayPoint> way{};  // of the tool, as planned
     // Variables; empty: there is none.

@@ -126,6 +126,13 @@ json capsule_json(const ArmsPicture::Capsule& capsule) {
           {"radius_m", length_of(capsule.radius_m)}};
 }
 
+json held_json(const ArmsPicture::Held& held) {
+  json one = capsule_json(held.body);
+  one["from"] = held.from;
+  one["until"] = held.until;
+  return one;
+}
+
 json joint_json(const ArmsPicture::Joint& joint) {
   return {{"name", joint.name}, {"frame", joint.frame}};
 }
@@ -136,6 +143,7 @@ json arm_json(const ArmsPicture::Arm& arm) {
           {"tool", arm.tool},
           {"opening", value_json(arm.opening)},
           {"capsules", list_json(arm.capsules, capsule_json)},
+          {"held", list_json(arm.held, held_json)},
           {"steps", list_json(arm.steps, step_json)},
           {"progress", arm.progress},
           {"waiting", arm.waiting},

@@ -53,6 +53,7 @@ void ArmsMission::forget_run() {
   reader_.reset();
   tries_.clear();
   fault_.reset();
+  met_.reset();
   hold_.forget();
 }
 
@@ -116,7 +117,8 @@ bool ArmsMission::recover_runtime() {
 
 // The camera has the last word.
 bool ArmsMission::finish() {
-  set_phase(Phase::Observing, "the camera looks whether it is done");
+  set_phase(Phase::Observing, driven_ && driven_->retreats ? "the camera looks at what the arm has met"
+                                                           : "the camera looks whether it is done");
   return look_and_plan();
 }
 

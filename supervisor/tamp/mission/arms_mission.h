@@ -5,8 +5,9 @@
 // thing that slips or falls, one that is not where it was, arms too near to each other, another order. Then
 // the arms come to rest on their paths, the camera looks, and a new plan begins there, with what hands hold
 // put down first. A drive that has tripped, or a joint that does not follow, ends the run in the safe state,
-// unless the camera shows what the arm has met: that is planned around, as what is put into the way before
-// an arm meets it. A thing that fails again and again ends the run, too. An emergency stop holds.
+// unless the camera shows what the arm has met: then it goes back by the way that it came, and a plan goes
+// around, as for what is put into the way before an arm meets it. A thing that fails again and again ends the
+// run, too. An emergency stop holds.
 //
 // Threads: `run` belongs to one; requests may come from any. In simulated time the clock stands still while a
 // plan is made. The same order, faults and requests at the same scan times give the same run.
@@ -26,6 +27,8 @@
 #include "supervisor/run/due_requests.h"
 #include "supervisor/run/mission.h"
 #include "supervisor/run/operator_hold.h"
+#include "supervisor/run/what_if_thread.h"
+#include "supervisor/tamp/mission/arms_outlook.h"
 #include "supervisor/tamp/mission/arms_planning.h"
 #include "supervisor/tamp/mission/arms_reading.h"
 #include "supervisor/tamp/mission/arms_request.h"
@@ -78,7 +81,6 @@ class ArmsMission final : public run::Mission {
   void publish(bool now) override;
   void write_journal() const;
   void take_order(ArmsOrder order);
-  void note_outlook();
 
   // arms_mission_pictures.cpp: what the page draws.
   void show_plan();
@@ -98,6 +100,7 @@ class ArmsMission final : public run::Mission {
   std::optional<Seen> new_obstacle() const;
   std::optional<Seen> met_by(std::size_t arm) const;
   bool judge_fault();
+  std::optional<PreparedArms> retreat() const;
   std::string obstacles() const;
   std::vector<motion::JointPath> ways_back() const;
   motion::JointPath way_back(std::size_t arm) const;
@@ -105,6 +108,7 @@ class ArmsMission final : public run::Mission {
   // arms_surprise.cpp: what has stopped the arms.
   Surprise surprise() const;
   Surprise drive_fault(std::size_t arm, const std::string& who) const;
+  std::optional<Surprise> short_of_end() const;
   run::Decision answer(Surprise what);
 
   // arms_mission_rest.cpp: to rest, and there.
@@ -120,15 +124,24 @@ class ArmsMission final : public run::Mission {
   bool replan(const run::Cause& cause) override;
   bool look_and_plan();
   bool at_home() const;
+  bool judge_end();
+  bool plan_because(const run::Cause& cause);
   bool plan_rest();
   bool stay(const std::string& reason);
-  bool launch(PreparedArms prepared);
+  bool launch(PreparedArms prepared, const std::string& message);
   void launch_record();
   bool install(const PreparedArms& prepared, Kind kind);
+
+  // arms_mission_what_if.cpp: plans for other orders, which nobody drives.
+  ArmsOutlook outlook() const;
+  void note_outlook();
+  [[nodiscard]] result::Result<void> ask_what_if(const std::string& id, std::string goal);
+  std::string sketch(const ArmsOrder& order, const ArmsOutlook& from, const std::atomic<bool>& cancel) const;
 
   // arms_mission_requests.cpp: what people ask for.
   result::Result<void> take(const run::Request& request) override;
   result::Result<void> request_start(const run::Request& request);
+  result::Result<void> request_what_if(const run::Request& request);
   std::optional<run::Cause> due(double time_s) override;
   bool apply(const GoalChange& goal, run::Cause& cause);
   bool apply(const HoldChange& hold, run::Cause& cause);
@@ -152,14 +165,18 @@ class ArmsMission final : public run::Mission {
   std::vector<Report> newest_;          // while arms work, the last two reports
   std::vector<double> came_;            // progress of each arm in the plan that was driven last
   std::optional<Surprise> fault_;       // of a drive, until the camera has looked at what is there
+  std::optional<std::size_t> met_;      // the arm that has met something, until it has gone back
   int seen_reports_ = 0;
   run::OperatorHold hold_{"the arms are"};  // or an emergency stop holds them
   bool changed_ = false;                    // since the journal was written
   bool ran_ = false;                        // this is not the first run
 
   std::mutex outlook_mutex_;
-  std::optional<std::string> outlook_;  // that nobody has fetched yet; guarded by the mutex
+  ArmsOutlook outlook_;             // guarded by the mutex, as the next two
+  bool outlook_is_new_ = false;     // nobody has fetched it yet
+  std::uint64_t told_what_if_ = 0;  // revision of the answer that was told last
   run::DueRequests<TimedArmsRequest> requests_;
+  run::WhatIfThread what_if_;  // last: it plans with the above
 };
 
 }  // namespace stepwright::tamp::mission

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -86,7 +87,16 @@ bool ArmsMission::judge_fault() {
     record_.incidents.back().evidence = fault.cause.evidence;
   }
   if (!record_.replans.empty()) record_.replans.back().cause = run::sentence_of(fault.cause.evidence);
+  met_ = at(fault.arm);
   return true;
+}
+
+// Back from what an arm has met, before anything else is planned: nothing, if there is no need or no way.
+std::optional<PreparedArms> ArmsMission::retreat() const {
+  auto prepared = planning_.retreat(
+      {.arm = *met_, .state = observed_.state, .strangers = sight_.strangers, .back = way_back(*met_)});
+  if (!prepared) return std::nullopt;
+  return *std::move(prepared);
 }
 
 // "; obstacles are in the way, at 0.55 0.10 m"
@@ -125,11 +135,12 @@ motion::JointPath ArmsMission::way_back(std::size_t arm) const {
     if (k == 0) break;
   }
   if (came.empty()) return {};
-  // Set points are ahead of the arm: it is where it comes nearest to its path.
+  // Set points are ahead of the arm: it is where it comes nearest to its path. That place may be a little
+  // ahead of it, where it has met something: the way back begins behind it.
   const auto nearest = std::ranges::min_element(
       came, {}, [&](const motion::Configuration& each) { return motion::joint_distance(each, here); });
   motion::JointPath back{here};
-  for (auto each = nearest; each != came.end() && back.size() < kMostBack; ++each)
+  for (auto each = std::next(nearest); each != came.end() && back.size() < kMostBack; ++each)
     if (motion::joint_distance(*each, back.back()) > 1e-3) back.push_back(*each);
   return back;
 }

@@ -101,6 +101,7 @@ int ArmsMission::held_by(std::size_t arm) const {
 void ArmsMission::note_progress() {
   if (kind_ != Kind::Follow || !driven_) return;
   auto& actions = record_.episodes.back().actions;
+  const bool changed_before = std::exchange(changed_, false);
   const schedule::CellSchedule& schedule = driven_->schedule;
   for (std::size_t arm = 0; arm < schedule.arms.size(); ++arm) {
     const auto& steps = schedule.arms[arm].steps;
@@ -128,6 +129,8 @@ void ArmsMission::note_progress() {
       if (done.what.kind == scene::ActionKind::Place) believed_[at(done.what.thing)] = done.pose;
     }
   }
+  if (changed_) note_outlook();
+  changed_ = changed_ || changed_before;
 }
 
 // Where each thing stands by the plan; nothing: a hand has it, or is about to.

@@ -2,10 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <limits>
 #include <utility>
 
+#include "supervisor/tamp/mission/arms_episode.h"
 #include "supervisor/tamp/mission/arms_mission.h"
 
 namespace stepwright::tamp::mission {
@@ -27,20 +26,40 @@ bool ArmsMission::replan(const run::Cause& cause) {
 
 // An order that is done is the end; one that is not is planned for from what is seen.
 bool ArmsMission::look_and_plan() {
-  const bool after_a_plan = kind_ == Kind::Follow && reading_.stage == CellStage::Done;
+  const bool retreated = driven_ && driven_->retreats;
+  const bool after_a_plan = kind_ == Kind::Follow && reading_.stage == CellStage::Done && !retreated;
   if (!look() || !judge_fault()) return false;
   for (std::size_t k = 0; k < believed_.size(); ++k)
     if (observed_.state.things[k].holder < 0) believed_[k] = observed_.state.things[k].pose;
   for (std::size_t arm = 0; arm < held_.size(); ++arm) held_[arm] = observed_.state.arms[arm].holds;
   note_outlook();
+  if (met_) {
+    auto prepared = retreat();
+    const std::string arm = planning_.cell().arms[*std::exchange(met_, std::nullopt)].name;
+    if (prepared)
+      return launch(*std::move(prepared), "the " + arm + " arm goes back by the way that it came");
+  }
+  return after_a_plan ? judge_end() : plan_rest();
+}
+
+// A plan has come to its end: the joints and the camera say whether that is the end of the order.
+bool ArmsMission::judge_end() {
+  if (auto behind = short_of_end()) {
+    if (++tries_[behind->about] == 1) return plan_because(behind->cause);
+    behind->cause.evidence.push_back("it does not move, that is the 2. time: it is stuck");
+    return give_up(behind->cause);
+  }
   std::string missing = not_yet(planning_.cell(), observed_.state, order_);
   if (missing.empty() && !at_home()) missing = "all arms at home, with empty hands";
-  if (!after_a_plan || missing.empty()) return plan_rest();
-  // The plan has come to its end, and the camera does not agree.
-  const std::string why = "the plan has ended, and not yet is " + missing;
-  if (++tries_[missing] > options_.retries) return give_up(why, IncidentKind::Position);
+  if (missing.empty()) return plan_rest();
+  const run::Cause why{IncidentKind::Position, {"the plan has ended, and not yet is " + missing}};
+  return ++tries_[missing] > options_.retries ? give_up(why) : plan_because(why);
+}
+
+bool ArmsMission::plan_because(const run::Cause& cause) {
+  const std::string why = run::sentence_of(cause.evidence);
   record_.replans.push_back({clock_.now_s(), why, {}, false});
-  open_incident({IncidentKind::Position, {why}});
+  open_incident(cause);
   set_phase(Phase::Replanning, why);
   return plan_rest();
 }
@@ -74,7 +93,7 @@ bool ArmsMission::plan_rest() {
     if (abort_) return give_up_aborted();
     if (prepared) {
       if (!record_.incidents.empty()) record_.incidents.back().replan_ms = prepared->spent_ms;
-      return launch(*std::move(prepared));
+      return launch(*std::move(prepared), "the arms work: " + order_.name);
     }
     if (!stay(result::to_string(prepared.error()) + obstacles()) || !look()) return false;
   }
@@ -94,7 +113,7 @@ bool ArmsMission::stay(const std::string& reason) {
   return true;
 }
 
-bool ArmsMission::launch(PreparedArms prepared) {
+bool ArmsMission::launch(PreparedArms prepared, const std::string& message) {
   driven_ = std::move(prepared);
   newest_.clear();
   came_.clear();
@@ -103,42 +122,16 @@ bool ArmsMission::launch(PreparedArms prepared) {
   if (!bring_to_run([&] { return install(*driven_, Kind::Follow); })) return false;
   launch_record();
   show_plan();
-  set_phase(Phase::Executing, fmt::format("the arms work: {}", order_.name));
+  set_phase(Phase::Executing, message);
+  note_outlook();
   return true;
 }
 
 void ArmsMission::launch_record() {
-  run::Episode episode;
+  run::Episode episode = episode_of(*driven_);
   episode.digest = digest_;
   episode.started_s = clock_.now_s();
   episode.origin = record_.episodes.empty() ? "planned" : "replanned";
-  episode.first_plan_ms = driven_->spent_ms;
-  episode.planned_makespan_s = driven_->schedule.makespan_s;
-  episode.planned_sequential_makespan_s = driven_->schedule.sequential_s;
-  episode.cost = driven_->schedule.makespan_s;
-  for (const scene::PlannedAction& each : driven_->plan.actions) {
-    run::ActionRecord action;
-    action.text = text_of(*driven_->cell, each.what);
-    action.planned_start_s = std::numeric_limits<double>::max();
-    episode.actions.push_back(std::move(action));
-  }
-  for (std::size_t arm = 0; arm < driven_->schedule.arms.size(); ++arm)
-    for (const schedule::ScheduledStep& step : driven_->schedule.arms[arm].steps) {
-      run::ActionRecord& action = episode.actions[step.action];
-      action.planned_start_s = std::min(action.planned_start_s, step.start_s);
-      action.planned_finish_s = std::max(action.planned_finish_s, step.finish_s);
-      action.planned_cost += step.duration_s;
-    }
-  for (const program::ArmsStep& step : driven_->program.steps)
-    if (step.arm >= 0 && step.kind != program::ArmsStepKind::Start &&
-        step.kind != program::ArmsStepKind::Done && step.action < episode.actions.size() &&
-        episode.actions[step.action].step.empty())
-      episode.actions[step.action].step = step.name;
-  for (run::ActionRecord& action : episode.actions)  // without a motion of its own
-    if (action.planned_start_s == std::numeric_limits<double>::max()) {
-      action.planned_start_s = action.planned_finish_s = 0.0;
-      action.state = run::ActionState::Done;
-    }
   if (record_.episodes.empty()) record_.started_s = episode.started_s;
   record_.episodes.push_back(std::move(episode));
 }

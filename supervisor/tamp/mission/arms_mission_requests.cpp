@@ -57,42 +57,12 @@ std::string ArmsMission::goal_form() const {
                                  {"orders", std::move(orders)}});
 }
 
-// The goal, and where things are believed to stand.
-void ArmsMission::note_outlook() {
-  const scene::RobotCell& cell = planning_.cell();
-  scene::GeometricState state = initial_state(cell);
-  for (std::size_t k = 0; k < believed_.size(); ++k) state.things[k].pose = believed_[k];
-  json facts = json::array();
-  const auto add = [&](const Wanted& each) {
-    if (!is_met(cell, state, each)) return;
-    const std::string& place = each.surface >= 0 ? cell.surfaces[static_cast<std::size_t>(each.surface)].name
-                                                 : cell.things[static_cast<std::size_t>(each.on)].name;
-    facts.push_back("(in " + cell.things[static_cast<std::size_t>(each.thing)].name + " " + place + ")");
-  };
-  for (int thing = 0; thing < static_cast<int>(cell.things.size()); ++thing) {
-    for (int surface = 0; surface < static_cast<int>(cell.surfaces.size()); ++surface)
-      add({thing, surface, -1});
-    for (int on = 0; on < static_cast<int>(cell.things.size()); ++on)
-      if (on != thing && cell.things[static_cast<std::size_t>(on)].carries) add({thing, -1, on});
-  }
-  std::string text = run::internal::text_of({{"goal", order_.goal},
-                                             {"facts", std::move(facts)},
-                                             {"fluents", json::object()},
-                                             {"what_if", nullptr}});
-  const std::lock_guard lock(outlook_mutex_);
-  outlook_ = std::move(text);
-}
-
-std::optional<std::string> ArmsMission::new_outlook() {
-  const std::lock_guard lock(outlook_mutex_);
-  return std::exchange(outlook_, std::nullopt);
-}
-
 result::Result<void> ArmsMission::take(const run::Request& request) {
   const std::string& word = request.word();
   if (word == "start") return request_start(request);
+  if (word == "what_if" || word == "cancel_what_if") return request_what_if(request);
   if (word != "hold" && word != "resume" && word != "goal")
-    return run::not_of_this_mission("start, goal, hold, resume, abort");
+    return run::not_of_this_mission("start, goal, what_if, cancel_what_if, hold, resume, abort");
   auto change = change_of(request);
   if (!change) return result::forward(change);
   return over() ? run_is_over() : this->request(*change);
@@ -107,6 +77,14 @@ result::Result<void> ArmsMission::request_start(const run::Request& request) {
   return accept_start([&] {
     if (!order->empty()) requests_.add({0.0, GoalChange{*order}});
   });
+}
+
+// A question may come before a run and after it, too.
+result::Result<void> ArmsMission::request_what_if(const run::Request& request) {
+  const auto id = request.text_or("id", "");
+  const auto goal = request.text_or("goal", "");
+  if (!id || !goal) return run::no_request(kExampleOfAGoal);
+  return request.word() == "what_if" ? ask_what_if(*id, *goal) : what_if_.cancel(*id);
 }
 
 result::Result<void> ArmsMission::request(const ArmsChange& change) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "ladder/driver/compile.h"
+#include "supervisor/tamp/mission/retreat.h"
 #include "supervisor/tamp/mission/way_home.h"
 #include "supervisor/tamp/planner/skeleton_planner.h"
 #include "supervisor/tamp/schedule/schedule_plan.h"
@@ -80,13 +81,13 @@ result::Result<ArmsOrder> ArmsPlanning::order(const std::string& text) const {
 }
 
 // Things stand where they do now, and what nobody has a name for stands there for good.
-scene::RobotCell ArmsPlanning::cell_with(const ArmsPlanRequest& request,
+scene::RobotCell ArmsPlanning::cell_with(const std::vector<Seen>& strangers,
                                          const scene::GeometricState& state) const {
   scene::RobotCell cell = options_.cell;
   for (std::size_t k = 0; k < cell.things.size(); ++k) cell.things[k].start = state.things[k].pose;
-  for (std::size_t k = 0; k < request.strangers.size(); ++k)
-    cell.furniture.push_back({"stranger " + std::to_string(k + 1), form_of(cell, request.strangers[k].kind),
-                              request.strangers[k].pose});
+  for (std::size_t k = 0; k < strangers.size(); ++k)
+    cell.furniture.push_back(
+        {"stranger " + std::to_string(k + 1), form_of(cell, strangers[k].kind), strangers[k].pose});
   return cell;
 }
 
@@ -130,13 +131,13 @@ result::Result<PreparedArms> ArmsPlanning::plan(const ArmsPlanRequest& request) 
     PreparedArms prepared;
     prepared.start = request.state;
     prepared.strangers = request.strangers;
-    auto first = way_home(cell_with(request, request.state), request.state, request.order->wanted,
+    auto first = way_home(cell_with(request.strangers, request.state), request.state, request.order->wanted,
                           {.seed = seed, .leaves = true, .back = request.back, .known = &options_.cell});
     if (!first) {
       why = first.error();
       continue;
     }
-    scene::RobotCell cell = cell_with(request, first->after);
+    scene::RobotCell cell = cell_with(request.strangers, first->after);
     auto actions = actions_for(request, cell, first->after, seed);
     if (!actions) return result::forward(actions);
     auto last = way_home(cell, state_after(cell, first->after, *actions), {}, {.seed = seed});
@@ -153,14 +154,44 @@ result::Result<PreparedArms> ArmsPlanning::plan(const ArmsPlanRequest& request) 
     }
     prepared.schedule = *std::move(schedule);
     prepared.cell = std::make_shared<const scene::RobotCell>(std::move(cell));
-    if (auto made = compile(program::ArmsProgramKind::Follow, 0, prepared); !made) {
-      why = made.error();
-      continue;
-    }
+    if (!request.only_looked_at)
+      if (auto made = compile(program::ArmsProgramKind::Follow, 0, prepared); !made) {
+        why = made.error();
+        continue;
+      }
     prepared.spent_ms = std::chrono::duration<double, std::milli>(steady_clock::now() - began).count();
     return prepared;
   }
   return tl::unexpected(std::move(why));
+}
+
+result::Result<PreparedArms> ArmsPlanning::retreat(const ArmsRetreatRequest& request) const {
+  const auto began = steady_clock::now();
+  const scene::RobotCell there = cell_with(request.strangers, request.state);
+  scene::RobotCell known = cell_with({}, request.state);
+  const motion::JointPath way =
+      mission::retreat({known, there, request.state, options_.seed}, request.arm, request.back);
+  if (way.empty())
+    return result::fail(kNoWayHome, {}, "the " + known.arms[request.arm].name + " arm cannot go back");
+  PreparedArms prepared;
+  prepared.retreats = true;
+  prepared.start = request.state;
+  prepared.strangers = request.strangers;
+  const scene::ArmState& arm = request.state.arms[request.arm];
+  scene::PlannedAction action{
+      {scene::ActionKind::MoveAway, static_cast<int>(request.arm), std::max(0, arm.near)}, 0.0, {}, {}};
+  action.motions.push_back({scene::Phase::Transfer, arm.half_open_m, way});
+  prepared.plan.actions.push_back(std::move(action));
+  // The same way, not another one that keeps farther from the other arm.
+  constexpr double kSameWay_rad = 0.01;
+  auto schedule = schedule::schedule_plan(known, request.state, prepared.plan,
+                                          {.blend_rad = kSameWay_rad, .clear_m = 0.0, .seed = options_.seed});
+  if (!schedule) return result::forward(schedule);
+  prepared.schedule = *std::move(schedule);
+  prepared.cell = std::make_shared<const scene::RobotCell>(std::move(known));
+  if (auto made = compile(program::ArmsProgramKind::Follow, 0, prepared); !made) return result::forward(made);
+  prepared.spent_ms = std::chrono::duration<double, std::milli>(steady_clock::now() - began).count();
+  return prepared;
 }
 
 result::Result<PreparedArms> ArmsPlanning::halt(const PreparedArms& driven) const {

@@ -3,7 +3,7 @@
 // Plans of a cell's arms as programs: from where arms and things are to an order's goal and back home, as a
 // container that the runtime runs; the one that brings the arms to rest; the one that only looks.
 //
-// Threads: one at a time. Example:
+// Threads: any, of an object that does not change. Example:
 //   auto planning = ArmsPlanning::open(options);
 //   auto prepared = planning->plan({.order = &planning->first_order(), .state = state});
 //   controller.download(prepared->container);
@@ -53,7 +53,15 @@ struct ArmsPlanRequest {
   std::vector<Seen> strangers{};  // stand on the table as well
   // Of each arm: from where it is along the way that it came, for one that touches something there.
   std::vector<motion::JointPath> back{};
+  bool only_looked_at = false;  // no program is made of it
   const std::atomic<bool>* cancel = nullptr;
+};
+
+struct ArmsRetreatRequest {
+  std::size_t arm = 0;  // that has met something
+  scene::GeometricState state{};
+  std::vector<Seen> strangers{};
+  motion::JointPath back{};  // from where it is along the way that it came
 };
 
 struct PreparedArms {
@@ -64,6 +72,7 @@ struct PreparedArms {
   std::vector<Seen> strangers{};  // that were known
   scene::TampPlan plan;
   schedule::CellSchedule schedule;
+  bool retreats = false;  // it does nothing for an order
   double spent_ms = 0.0;
 };
 
@@ -80,6 +89,9 @@ class ArmsPlanning {
 
   // G0404 to G0406, those of schedule_plan() and arms_program().
   [[nodiscard]] result::Result<PreparedArms> plan(const ArmsPlanRequest& request) const;
+  // Back along the way that an arm came, until it is clear of what it has met (retreat.h); G0406: it is
+  // clear, or cannot go back; those of schedule_plan() and arms_program().
+  [[nodiscard]] result::Result<PreparedArms> retreat(const ArmsRetreatRequest& request) const;
   // Along the paths of what is driven, until both arms stand.
   [[nodiscard]] result::Result<PreparedArms> halt(const PreparedArms& driven) const;
   // Nothing moves, brakes on: the camera reports. `reset`: another number each time.
@@ -87,7 +99,7 @@ class ArmsPlanning {
 
  private:
   explicit ArmsPlanning(ArmsPlanningOptions options) : options_(std::move(options)) {}
-  scene::RobotCell cell_with(const ArmsPlanRequest& request, const scene::GeometricState& state) const;
+  scene::RobotCell cell_with(const std::vector<Seen>& strangers, const scene::GeometricState& state) const;
   [[nodiscard]] result::Result<std::vector<scene::PlannedAction>> actions_for(
       const ArmsPlanRequest& request, const scene::RobotCell& cell, const scene::GeometricState& state,
       std::uint64_t seed) const;

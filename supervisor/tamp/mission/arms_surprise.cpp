@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "supervisor/tamp/mission/arms_mission.h"
@@ -16,9 +17,10 @@ using run::IncidentKind;
 
 namespace {
 
-constexpr double kBehind_rad = 0.15;  // a joint that does not follow is so far from its path
-constexpr double kMoves_rad = 0.005;  // between two news
-constexpr double kFingers_m = 0.004;  // fingers that move do it by more
+constexpr double kBehind_rad = 0.15;    // a joint that does not follow is so far from its path
+constexpr double kMoves_rad = 0.005;    // between two news
+constexpr double kFingers_m = 0.004;    // fingers that move do it by more
+constexpr double kArrived_rad = 0.015;  // a joint that is where a plan has ended is so near to it
 
 }  // namespace
 
@@ -92,6 +94,32 @@ ArmsMission::Surprise ArmsMission::drive_fault(std::size_t arm, const std::strin
     made.cause.devices = {fmt::format("{} joint {}", who, j + 1)};
   }
   return made;
+}
+
+// The joint that is farthest from where the plan that has ended has it. One that is stuck near the end of its
+// path is never far enough from it for its drive to trip.
+std::optional<ArmsMission::Surprise> ArmsMission::short_of_end() const {
+  if (!driven_) return std::nullopt;
+  std::optional<Surprise> found;
+  double worst_rad = kArrived_rad;
+  for (std::size_t arm = 0; arm < driven_->schedule.arms.size(); ++arm) {
+    const schedule::ArmSchedule& all = driven_->schedule.arms[arm];
+    motion::Configuration end = all.start;
+    for (const schedule::ScheduledStep& each : all.steps)
+      if (each.motion) end = each.motion->path.points().back();
+    for (std::size_t j = 0; j < end.size(); ++j) {
+      const double off_rad = std::abs(end[j] - reading_.arms[arm].joints[j]);
+      if (off_rad <= worst_rad) continue;
+      worst_rad = off_rad;
+      const std::string joint = fmt::format("joint {} of the {} arm", j + 1, planning_.cell().arms[arm].name);
+      found = Surprise{{IncidentKind::FailedActuator,
+                        {fmt::format("the plan has ended, and {} is {:.2f} rad short of the end of its path",
+                                     joint, off_rad)}},
+                       joint};
+      found->cause.devices = {fmt::format("{} joint {}", planning_.cell().arms[arm].name, j + 1)};
+    }
+  }
+  return found;
 }
 
 Decision ArmsMission::answer(Surprise what) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "supervisor/tamp/mission/observed_state.h"
+#include "supervisor/tamp/mission/retreat.h"
 #include "supervisor/tamp/predicates/certify.h"
 #include "supervisor/tamp/predicates/samples.h"
 #include "supervisor/tamp/predicates/workspace.h"
@@ -22,8 +23,6 @@ using scene::ActionSpec;
 constexpr std::size_t kMostPlaces = 60;  // of a region that are tried
 constexpr std::size_t kMostWays = 3;     // of the arm, of each place
 constexpr int kTurns = 8;
-constexpr std::size_t kFarther = 4;  // places of the way back
-constexpr double kBackStep_rad = 0.03;
 
 class HomeFinder {
  public:
@@ -75,20 +74,13 @@ class HomeFinder {
     return false;
   }
 
-  // To the first place of the way that it came which is free, and a little farther, if nothing but what it
-  // leaves is in the way.
+  // Along the way that it came until it is clear, if it touches something where it is.
   void draw_back(std::size_t arm) {
-    if (arm >= options_.back.size() || options_.back[arm].size() < 2) return;
-    const motion::JointPath& back = options_.back[arm];
-    const motion::CollisionChecker& checker = workspace_.path_checker(state_, static_cast<int>(arm));
-    std::size_t end = 0;
-    while (end < back.size() && !checker.is_free(back[end])) ++end;
-    if (end == 0 || end == back.size()) return;
-    for (std::size_t more = 0; more < kFarther && end + 1 < back.size() && checker.is_free(back[end + 1]);
-         ++more)
-      ++end;
-    const motion::JointPath path(back.begin(), back.begin() + static_cast<std::ptrdiff_t>(end) + 1);
-    if (options_.known != nullptr && !is_free_without_strangers(arm, path)) return;
+    if (arm >= options_.back.size()) return;
+    const motion::JointPath path =
+        retreat({options_.known != nullptr ? *options_.known : cell_, cell_, state_, options_.seed}, arm,
+                options_.back[arm]);
+    if (path.empty()) return;
     scene::ArmState& here = state_.arms[arm];
     const int near = std::max(0, here.near);
     std::copy(path.back().begin(), path.back().end(), here.at.begin());
@@ -97,16 +89,6 @@ class HomeFinder {
     scene::PlannedAction action{{ActionKind::MoveAway, static_cast<int>(arm), near}, 0.0, {}, {}};
     action.motions.push_back({scene::Phase::Lift, here.half_open_m, path});
     settled_.push_back({state_, std::move(action)});
-  }
-
-  bool is_free_without_strangers(std::size_t arm, const motion::JointPath& path) const {
-    scene::RobotCell cell = *options_.known;
-    for (std::size_t k = 0; k < cell.things.size(); ++k) cell.things[k].start = state_.things[k].pose;
-    predicates::Workspace known(cell, options_.seed);
-    const motion::CollisionChecker& checker = known.path_checker(state_, static_cast<int>(arm));
-    for (std::size_t k = 1; k < path.size(); ++k)
-      if (!checker.motion_is_free(path[k - 1], path[k], kBackStep_rad)) return false;
-    return true;
   }
 
   // Where it is wanted first, then near by.

@@ -163,25 +163,45 @@ class ArmsPictureWriter {
     arm.error = named.error;
     if (input_.schedule != nullptr) {
       arm.progress = named.progress;
+      arm.held = held(number);
       add_steps(input_.schedule->arms[number], model, arm);
     }
     made_.arms.push_back(std::move(arm));
   }
 
+  std::vector<ArmsPicture::Capsule> capsules(std::size_t arm) const {
+    std::vector<ArmsPicture::Capsule> all;
+    const schedule::ArmCapsules model = schedule::arm_capsules(cell_, arm);
+    for (const schedule::Capsule& each : model.capsules) all.push_back(drawn_capsule(arm, model, each));
+    return all;
+  }
+
   // Those of the interlock are in frames of its own, whose axes are all z: where they are at 0 tells where
   // they are in the links.
-  std::vector<ArmsPicture::Capsule> capsules(std::size_t arm) const {
+  ArmsPicture::Capsule drawn_capsule(std::size_t arm, schedule::ArmCapsules model,
+                                     const schedule::Capsule& capsule) const {
     const std::vector<double> zeros(cell_.robot.coordinates.size(), 0.0);
     std::vector<Transform> frames(cell_.robot.links.size());
     motion::LinkFrames(cell_.robot).place(zeros, frames);
+    model.capsules = {capsule};
+    const schedule::Capsule there =
+        schedule::capsules_at(model, std::vector<double>(model.joints.size(), 0.0)).front();
+    const int link = link_of(arm, static_cast<std::size_t>(capsule.joint - 1));
+    const Transform back = inverse(frames[static_cast<std::size_t>(link)]);
+    return {link, point_of(back * there.from), point_of(back * there.to), there.radius_m};
+  }
+
+  // From when the fingers close until they open.
+  std::vector<ArmsPicture::Held> held(std::size_t arm) const {
+    const schedule::ArmSchedule& planned = input_.schedule->arms[arm];
     const schedule::ArmCapsules model = schedule::arm_capsules(cell_, arm);
-    const std::vector<schedule::Capsule> there =
-        schedule::capsules_at(model, std::vector<double>(model.joints.size(), 0.0));
-    std::vector<ArmsPicture::Capsule> all;
-    for (std::size_t k = 0; k < there.size(); ++k) {
-      const int link = link_of(arm, static_cast<std::size_t>(model.capsules[k].joint - 1));
-      const Transform back = inverse(frames[static_cast<std::size_t>(link)]);
-      all.push_back({link, point_of(back * there[k].from), point_of(back * there[k].to), there[k].radius_m});
+    const auto end = static_cast<double>(planned.steps.size()) + 1.0;
+    std::vector<ArmsPicture::Held> all;
+    if (planned.held) all.push_back({drawn_capsule(arm, model, *planned.held), 0.0, end});
+    for (std::size_t k = 0; k < planned.steps.size(); ++k) {
+      const schedule::ScheduledStep& step = planned.steps[k];
+      if (step.held) all.push_back({drawn_capsule(arm, model, *step.held), static_cast<double>(k), end});
+      if (step.kind == schedule::StepKind::Release && !all.empty()) all.back().until = static_cast<double>(k);
     }
     return all;
   }

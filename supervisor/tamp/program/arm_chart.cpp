@@ -161,7 +161,9 @@ class ArmChartWriter {
     body += fmt::format("path_{} := {};\n", name_, what.motion ? k + 1 : 0);
     if (what.kind == StepKind::Grip)
       body += fmt::format("wanted_{0} := {1};\nholds_{0} := {2};\n", name_, closing(context_, what.thing),
-                          width_of(context_, what.thing));
+                          width_of(context_, what.thing)) +
+              held_text(context_, arm_, what.held);
+    if (what.kind == StepKind::Release) body += held_text(context_, arm_, std::nullopt);
     if (what.kind == StepKind::Fingers || what.kind == StepKind::Release)
       body += fmt::format("wanted_{0} := {1};\nholds_{0} := 0;\n", name_, tenths_mm(2.0 * what.half_open_m));
     chart_.action(name + "_DO", body);

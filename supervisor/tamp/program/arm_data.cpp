@@ -106,6 +106,24 @@ std::string arm_model_literal(const schedule::ArmCapsules& arm) {
                      joints, arm.capsules.size(), capsules);
 }
 
+std::string with_held_text(const std::string& model, std::size_t own, const schedule::Capsule& held) {
+  const std::string place = fmt::format("{}.Capsule[{}].", model, own + 1);
+  std::string text = fmt::format("{}Joint := {};\n", place, held.joint);
+  for (const auto& [name, value] : {std::pair("X1", held.from.x),
+                                    {"Y1", held.from.y},
+                                    {"Z1", held.from.z},
+                                    {"X2", held.to.x},
+                                    {"Y2", held.to.y},
+                                    {"Z2", held.to.z},
+                                    {"Radius", held.radius_m}})
+    text += fmt::format("{}{} := {};\n", place, name, lreal_literal(value));
+  return text + without_held_text(model, own + 1);
+}
+
+std::string without_held_text(const std::string& model, std::size_t own) {
+  return fmt::format("{}.Capsules := {};\n", model, own);
+}
+
 std::string group_literal(const GroupFigures& figures) {
   const std::vector<double> following(figures.lower.size(), figures.following_rad);
   Members members;

@@ -22,6 +22,11 @@ std::string lreal_literal(double value);
 
 // "(Joints := 7, Joint := [...], Capsules := 7, Capsule := [...])"
 std::string arm_model_literal(const schedule::ArmCapsules& arm);
+// Statements: from now on the model has that body as its last capsule, behind `own` ones of the arm; or those
+// alone.
+std::string with_held_text(const std::string& model, std::size_t own, const schedule::Capsule& held);
+std::string without_held_text(const std::string& model, std::size_t own);
+inline constexpr std::size_t kMostCapsules = 12;  // of ARM_MODEL
 
 // The limits of an arm; of its motions by themselves those of stops.
 struct GroupFigures {

@@ -216,6 +216,14 @@ int closing(const ProgramContext& context, int thing) {
   return std::max(0, width_of(context, thing) - tenths_mm(context.options.squeeze_m));
 }
 
+std::string held_text(const ProgramContext& context, std::size_t arm,
+                      const std::optional<schedule::Capsule>& held) {
+  if (context.bodies.empty()) return {};
+  const std::string model = "model_" + context.names[arm];
+  const std::size_t own = context.bodies[arm].capsules.size();
+  return held ? with_held_text(model, own, *held) : without_held_text(model, own);
+}
+
 std::string progress_literal(double progress) {
   return lreal_literal(std::round(1e6 * progress) / 1e6);
 }
@@ -241,6 +249,14 @@ result::Result<ArmsProgram> arms_program(const ArmsProgramInput& input, const Ce
           "G0303", {},
           fmt::format("the plan brings the arms to {:.0f} mm of each other", 1e3 * input.schedule->nearest_m),
           "another plan, or an arm that moves away first");
+  }
+  for (std::size_t arm = 0; context.arms() == 2 && arm < 2; ++arm) {
+    context.bodies.push_back(schedule::arm_capsules(*input.cell, arm));
+    if (context.bodies.back().capsules.size() >= kMostCapsules)
+      return result::fail(
+          "G0302", {},
+          fmt::format("the interlock has {} capsules for an arm and what it holds: the {} arm alone has {}",
+                      kMostCapsules, input.cell->arms[arm].name, context.bodies.back().capsules.size()));
   }
   graphic::NameSet taken;
   for (const scene::ArmModel& arm : input.cell->arms)

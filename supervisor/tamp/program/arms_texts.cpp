@@ -127,9 +127,8 @@ void add_arm_globals(const ProgramContext& context, std::size_t arm, std::vector
   add("grip", "INT", "wanted opening, 0.1 mm", terminals.grip);
   add("enable", "BOOL", "brakes off", terminals.enable);
   add("group", "AXES_GROUP", "the joints", {}, group_figures(context, arm));
-  if (context.arms() == 2)
-    add("model", "ARM_MODEL", "bodies, for the interlock", {},
-        arm_model_literal(schedule::arm_capsules(context.cell(), arm)));
+  if (!context.bodies.empty())
+    add("model", "ARM_MODEL", "bodies, for the interlock", {}, arm_model_literal(context.bodies[arm]));
   add("begin", "MC_JOINTS", "where the schedule begins");
   add("opening", "LREAL", "of the hand as measured, m");
   add("progress", "LREAL", "steps that are finished, and the share of the one that is not");

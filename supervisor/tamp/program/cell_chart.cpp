@@ -92,9 +92,11 @@ class CellChartWriter {
     for (const char* what : {"carrying", "gripping", "fingering", "align"})
       text += fmt::format("{}_{} := FALSE;\n", what, name);
     if (context_.observes()) {
-      return text + keeping(name) + fmt::format("holds_{0} := SEL(grasp_{0}, 0, width_{0});\n", name);
+      return text + keeping(name) + fmt::format("holds_{0} := SEL(grasp_{0}, 0, width_{0});\n", name) +
+             held_text(context_, arm, std::nullopt);
     }
     const schedule::ArmSchedule& plan = context_.arm(arm);
+    text += held_text(context_, arm, plan.held);
     if (plan.holds >= 0) {
       text += fmt::format("wanted_{0} := {1};\nholds_{0} := {2};\n", name, closing(context_, plan.holds),
                           width_of(context_, plan.holds));

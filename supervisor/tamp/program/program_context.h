@@ -3,6 +3,7 @@
 // What the parts of a program are written from. Detail of this folder; values.
 
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,7 @@ struct ProgramContext {
   const ArmsProgramOptions& options;
   std::vector<std::string> names = {};             // of the arms, as identifiers
   std::vector<std::vector<PathNames>> paths = {};  // by arm and step; empty where nothing moves
+  std::vector<schedule::ArmCapsules> bodies = {};  // of each arm, for the interlock; none with one arm
   double min_distance_m = 0.0;
 
   const scene::RobotCell& cell() const { return *input.cell; }
@@ -41,6 +43,10 @@ inline int tenths_mm(double metres) {
 // What fingers are told to hold a thing, and what its width is.
 int closing(const ProgramContext& context, int thing);
 int width_of(const ProgramContext& context, int thing);
+
+// Statements by which the interlock knows what an arm holds (nothing: its hand is empty); empty with one arm.
+std::string held_text(const ProgramContext& context, std::size_t arm,
+                      const std::optional<schedule::Capsule>& held);
 
 // A place in a schedule, to the sixth digit.
 std::string progress_literal(double progress);

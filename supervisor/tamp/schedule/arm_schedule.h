@@ -22,6 +22,7 @@
 #include "supervisor/motion/timing/time_law.h"
 #include "supervisor/tamp/scene/geometric_state.h"
 #include "supervisor/tamp/scene/tamp_plan.h"
+#include "supervisor/tamp/schedule/arm_capsules.h"
 
 namespace stepwright::tamp::schedule {
 
@@ -65,6 +66,7 @@ struct ScheduledStep {
   std::size_t action = 0;    // of the plan
   int thing = -1;            // that is held, grasped or let go
   double half_open_m = 0.0;  // half the way between the fingers: during a motion, or at the end of the others
+  std::optional<Capsule> held;  // of a grip: the thing in the hand
   std::optional<TimedMotion> motion;
   double duration_s = 0.0;  // as planned, without waiting
   std::vector<Wait> waits;  // `at` and `progress` grow
@@ -73,9 +75,10 @@ struct ScheduledStep {
 };
 
 struct ArmSchedule {
-  motion::Configuration start;  // where it stands at the beginning
-  double half_open_m = 0.0;     // of its fingers then
-  int holds = -1;               // a thing
+  motion::Configuration start;    // where it stands at the beginning
+  double half_open_m = 0.0;       // of its fingers then
+  int holds = -1;                 // a thing
+  std::optional<Capsule> held{};  // that thing
   std::vector<ScheduledStep> steps;
 };
 
@@ -85,7 +88,7 @@ struct CellSchedule {
   double sequential_s = 0.0;      // one action after the other
   // The nearest that the arms come to each other in the plan, action after action, where they are and where
   // they would be if they braked there: what MC_WatchDistance looks at. By the capsules of arm_capsules.h
-  // without what they hold; infinite with one arm.
+  // with what they hold; infinite with one arm.
   double nearest_m = 0.0;
   motion::JointLimits limits;  // of each arm, as planned
   motion::StopLimits stop;     // while the override changes

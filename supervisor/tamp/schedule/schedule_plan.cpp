@@ -54,7 +54,7 @@ class Scheduler {
     for (std::size_t arm = 0; arm < cell.arms.size(); ++arm) {
       bare_.push_back(arm_capsules(cell, arm));
       const scene::ArmState& at = start.arms[arm];
-      made_.arms.push_back({{at.at.begin(), at.at.end()}, at.half_open_m, at.holds, {}});
+      made_.arms.push_back({{at.at.begin(), at.at.end()}, at.half_open_m, at.holds, held_by(arm), {}});
       // Nobody knows how far empty fingers are open before they were told.
       opening_m_.push_back(at.holds >= 0 ? at.half_open_m : -1.0);
     }
@@ -143,6 +143,7 @@ class Scheduler {
       thing.holder = static_cast<int>(arm);
       thing.hand_rad = action.hand_rad;
       add_still(arm, StepKind::Grip, number, action.what.thing, at.half_open_m, options_.grip_s);
+      made_.arms[arm].steps.back().held = held_by(arm);
     } else {
       at.holds = -1;
       at.half_open_m = cell_.open_m(action.what.thing);
@@ -162,17 +163,14 @@ class Scheduler {
                                                   cell_.arms[arm].coordinates, values_of(cell_, state_),
                                                   &cell_.spheres, around.held);
     if (!exact) return wrong("G0201", text(number), exact.error());
-    ArmCapsules capsules = bare_[arm];
-    if (at.holds >= 0)
-      capsules.capsules.push_back(
-          held_capsule(cell_, arm, index(at.holds), state_.things[index(at.holds)].hand_rad));
+    ArmCapsules capsules = with_held(arm);
     const std::vector<Capsule> rest = resting(arm);
     if (planned.phase == scene::Phase::Transfer && !rest.empty())
       points =
           kept_clear(cell_, state_, arm, capsules, rest, *exact, points, {options_.clear_m, options_.seed});
     auto timed = time(points, planned.phase, cell_.arms[arm].chain, *exact);
     if (!timed) return wrong("G0201", text(number) + ", " + name_of(planned.phase), timed.error());
-    if (auto slower = slow_down(*timed, bare_[arm], rest); !slower)
+    if (auto slower = slow_down(*timed, capsules, rest); !slower)
       return wrong("G0201", text(number) + ", " + name_of(planned.phase), slower.error());
     ScheduledStep step;
     step.kind = kind_of(planned.phase, at.holds >= 0);
@@ -224,31 +222,43 @@ class Scheduler {
     return true;
   }
 
-  // Where the others are meanwhile, without what they hold.
+  std::optional<Capsule> held_by(std::size_t arm) const {
+    const int thing = state_.arms[arm].holds;
+    if (thing < 0) return std::nullopt;
+    return held_capsule(cell_, arm, index(thing), state_.things[index(thing)].hand_rad);
+  }
+
+  ArmCapsules with_held(std::size_t arm) const {
+    ArmCapsules all = bare_[arm];
+    if (const auto held = held_by(arm)) all.capsules.push_back(*held);
+    return all;
+  }
+
+  // Where the others are meanwhile, with what they hold.
   std::vector<Capsule> resting(std::size_t arm) const {
     std::vector<Capsule> all;
     for (std::size_t other = 0; other < cell_.arms.size(); ++other) {
       if (other == arm) continue;
-      const std::vector<Capsule> there = capsules_at(bare_[other], state_.arms[other].at);
+      const std::vector<Capsule> there = capsules_at(with_held(other), state_.arms[other].at);
       all.insert(all.end(), there.begin(), there.end());
     }
     return all;
   }
 
   // As fast as limits allow, or slower where the interlock would take it for an accident.
-  result::Result<void> slow_down(TimedMotion& timed, const ArmCapsules& bare,
+  result::Result<void> slow_down(TimedMotion& timed, const ArmCapsules& bodies,
                                  const std::vector<Capsule>& rest) {
     if (rest.empty()) return {};
-    double room = room_of(bare, timed.path, timed.law, made_.stop, rest);
+    double room = room_of(bodies, timed.path, timed.law, made_.stop, rest);
     // No motion leaves more than there is where it begins and ends.
     const motion::JointPath& points = timed.path.points();
-    const double ends = std::min(distance_of(capsules_at(bare, points.front()), rest),
-                                 distance_of(capsules_at(bare, points.back()), rest));
+    const double ends = std::min(distance_of(capsules_at(bodies, points.front()), rest),
+                                 distance_of(capsules_at(bodies, points.back()), rest));
     for (const double share : {0.6, 0.35}) {
       if (room >= std::min(options_.room_m, ends - 2.0 * kWorthIt_m)) break;
       auto slower = with_law(timed.path, motion::scaled(made_.limits, share, share, share));
       if (!slower) return result::forward(slower);
-      const double more = room_of(bare, slower->path, slower->law, made_.stop, rest);
+      const double more = room_of(bodies, slower->path, slower->law, made_.stop, rest);
       if (more < room + kWorthIt_m || slower->table.rows() > options_.most_rows) break;
       timed = *std::move(slower);
       room = more;

@@ -8,11 +8,11 @@
 #include <stdexcept>
 #include <utility>
 
+#include "cell/campaign/spread.h"
 #include "cell/missions/tamp/arms_cell.h"
 #include "cell/runtime/robot_cell_plant.h"
 #include "plant_models/assemblies/robot_cell.h"
 #include "plant_models/core/counter_random.h"
-#include "tests/bench/campaign/spread.h"
 
 namespace stepwright::campaign {
 namespace {
@@ -132,16 +132,9 @@ void judge(const ArmsOrderCell& cell, const SimulatedController& controller,
   const bool done = run.record.phase == Phase::Done;
   // Things that fall or that somebody moves may touch others; arms never do.
   run.why = touched(run, plant, stands_s);
+  if (run.why.empty()) run.why = wrong_end(run.record, controller);
   if (!run.why.empty()) return;
-  if (controller.any_output()) {
-    run.why = "an output is on after the end";
-  } else if (done) {
-    run.why = not_there(cell, controller);
-  } else if (run.record.phase != Phase::Safe) {
-    run.why = fmt::format("ended while {}", to_string(run.record.phase));
-  } else {
-    run.why = wrong_stop(run);
-  }
+  run.why = done ? not_there(cell, controller) : wrong_stop(run);
   if (run.why.empty()) run.verdict = done ? Verdict::GoalReached : Verdict::SafeStop;
 }
 

@@ -119,12 +119,13 @@ export interface Distance {
   metres: number; // below zero where they overlap
 }
 
-// Of two arms by their capsules; null: there are none.
-export function distanceOf(one: Arm, other: Arm, places: Place[]): Distance | null {
+// Of two arms by their capsules, with what they hold where their progress is known; null: there are none.
+export function distanceOf(one: Arm, other: Arm, places: Place[], progress: number[] | null): Distance | null {
+  const bodies = (arm: Arm, come: number | undefined) => [...arm.capsules, ...arm.held.filter(({ begins, until }) => come !== undefined && come >= begins && come < until)];
   const ends = ({ frame, from, to }: Capsule): [Vector, Vector] => [moved(places[frame]!, from), moved(places[frame]!, to)];
-  const theirs = other.capsules.map((capsule) => ({ radius: capsule.radius, ends: ends(capsule) }));
+  const theirs = bodies(other, progress?.[1]).map((capsule) => ({ radius: capsule.radius, ends: ends(capsule) }));
   let best: Distance | null = null;
-  for (const mine of one.capsules) {
+  for (const mine of bodies(one, progress?.[0])) {
     const line = ends(mine);
     for (const { radius, ends: there } of theirs) {
       const [p, q] = nearest(line, there);

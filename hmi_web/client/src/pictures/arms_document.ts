@@ -59,6 +59,12 @@ export interface Capsule {
   radius: number;
 }
 
+// Of a thing, while the arm's progress is at least `from` and below `until`.
+export interface Held extends Capsule {
+  begins: number;
+  until: number;
+}
+
 export interface WayPoint {
   at: Vector;
   progress: number;
@@ -70,6 +76,7 @@ export interface Arm {
   tool: number; // frame
   opening: Reading;
   capsules: Capsule[];
+  held: Held[];
   steps: Step[];
   way: WayPoint[];
   progress: string; // variables
@@ -188,6 +195,11 @@ function step(from: Fields): Step {
   return { kind: textOf(from.kind), thing: textOf(from.thing), waits };
 }
 
+function capsule(from: Fields, known: (frame: unknown) => boolean): Capsule[] {
+  const [start, end] = [vector(from.from_m), vector(from.to_m)];
+  return start && end && known(from.frame) ? [{ frame: number(from.frame), from: start, to: end, radius: Math.max(0, number(from.radius_m)) }] : [];
+}
+
 function way(value: unknown): WayPoint[] {
   return listOf(value).flatMap((point) => {
     const at = vector(point);
@@ -205,10 +217,8 @@ function arm(from: Fields, frames: number, planned: unknown): Arm[] {
       joints: recordsOf(from.joints).filter((joint) => known(joint.frame)).map((joint) => ({ name: textOf(joint.name), frame: number(joint.frame) })),
       tool: number(from.tool),
       opening: reading(from.opening),
-      capsules: some(recordsOf(from.capsules)).flatMap((one) => {
-        const [start, end] = [vector(one.from_m), vector(one.to_m)];
-        return start && end && known(one.frame) ? [{ frame: number(one.frame), from: start, to: end, radius: Math.max(0, number(one.radius_m)) }] : [];
-      }),
+      capsules: some(recordsOf(from.capsules)).flatMap((one) => capsule(one, known)),
+      held: some(recordsOf(from.held)).flatMap((one) => capsule(one, known).map((body) => ({ ...body, begins: number(one.from), until: number(one.until) }))),
       steps: recordsOf(from.steps).map(step),
       way: way(planned),
       progress: textOf(from.progress),

@@ -37,6 +37,7 @@ const document = (more = {}) => ({
     {
       name: 'left', joints: [{ name: 'j1', frame: 1 }, { name: 'j2', frame: 2 }], tool: 3, opening: value('width'), progress: 'p', waiting: 'waits', standing: 'stands', grasped: 'felt', error: '',
       capsules: [{ frame: 2, from_m: [0, 0, 0], to_m: [1, 0, 0], radius_m: 0.1 }],
+      held: [{ frame: 3, from_m: [0, 0, 0], to_m: [0.5, 0, 0], radius_m: 0.2, from: 1, until: 2.5 }],
       steps: [{ kind: 'approach', thing: '', waits: [] }, { kind: 'grip', thing: 'cup', waits: [{ at: 0, other: 1, progress: 2 }] }, { kind: 'transfer', thing: 'cup', waits: [{ at: 0.5, other: 1, progress: 3 }] }],
     },
     { name: 'right', joints: [{ name: 'k1', frame: 5 }], tool: 5, opening: value(''), progress: 'p2', waiting: '', standing: '', grasped: '', error: '', capsules: [{ frame: 5, from_m: [0, 0, 0], to_m: [0, 0, 1], radius_m: 0.2 }], steps: [{ kind: 'lift', thing: '', waits: [] }] },
@@ -112,10 +113,15 @@ test('Progress_WhenAnotherProgramRuns_ThenTheLastThatWasKnown', () => {
 test('Distance_WhenArmsAreSomewhere_ThenItIsThatOfTheNearestPointsOfTheirBodies', () => {
   const picture = armsOf();
   const places = page.framePlaces(picture, knows({ q1: 0, q2: 0 }));
-  const found = page.distanceOf(picture.arms[0], picture.arms[1], places);
+  const found = page.distanceOf(picture.arms[0], picture.arms[1], places, null);
   assert.ok(Math.abs(found.metres - (5 - 2 - 0.3)) < 1e-9);
   assertNear(found.from, [2.1, 0, 0]);
   assertNear(found.to, [4.8, 0, 0]);
+  // With what is held, while it is.
+  for (const [come, metres] of [[0.9, 2.7], [1, 2.1], [2.4, 2.1], [2.5, 2.7]]) {
+    const here = page.distanceOf(picture.arms[0], picture.arms[1], places, [come, 0]);
+    assert.ok(Math.abs(here.metres - metres) < 1e-9, `${come}: ${here.metres}`);
+  }
   // Against looking at many points of both lines.
   let seed = 7;
   const random = () => ((seed = (seed * 16_807) % 2_147_483_647) / 2_147_483_647) * 2 - 1;

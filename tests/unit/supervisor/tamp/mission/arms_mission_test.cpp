@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <thread>
 #include <utility>
 
 #include "supervisor/tamp/mission/arms_journal.h"
@@ -74,7 +77,7 @@ TEST(ArmsMission, WhenTheSameIsRunTwice_ThenItIsTheSameRun) {
 }
 
 TEST(ArmsMission, WhenAThingFallsOutOfAHand_ThenItIsPickedUpAgain) {
-  ArmsCell cell(kUp, {{7.5, "drop_right", 1.0}, {9.0, "drop_right", 0.0, true}});
+  ArmsCell cell(kUp, {{6.6, "drop_right", 1.0}, {8.1, "drop_right", 0.0, true}});
   const run::RunRecord record = cell.run(cell.options());
   expect_done(cell, record);
   expect_on_the_box(cell);
@@ -159,7 +162,25 @@ TEST(ArmsMission, WhenSomethingIsPutIntoTheWay_ThenItIsSeenAndPlannedAround) {
   EXPECT_EQ(cell.contacts(), 0.0);
 }
 
-// Its way home is blocked as well: it stays where it has met the post.
+// It goes back without touching the post again, and the camera looks once more. By then the post is gone.
+TEST(ArmsMission, WhenAnArmMeetsWhatNobodyHasSeen_ThenItGoesBackAndTheOrderIsDoneOnceThereIsAWay) {
+  ArmsCell cell(kUp,
+                {{1.6, "camera_dead", 1.0},
+                 {2.0, "block_1", 1.0},
+                 {12.0, "camera_dead", 0.0, true},
+                 {14.0, "block_1", 0.0, true}},
+                1, {post(0.5, -0.45)});
+  const run::RunRecord record = cell.run(cell.options());
+  expect_done(cell, record);
+  expect_on_the_box(cell);
+  EXPECT_TRUE(tells(record, "the way of the right arm is blocked: something stands there, at 0.50 -0.45"))
+      << story(record);
+  EXPECT_EQ(record.replans.size(), 1u) << story(record);
+  ASSERT_EQ(record.episodes.size(), 3u) << story(record) << "the order, the way back, the way home";
+  EXPECT_EQ(cell.truth("contacts_arm_fixed"), 1.0) << story(record);
+}
+
+// Its way home is blocked as well: it goes back, and stays there.
 TEST(ArmsMission, WhenAnArmMeetsWhatNobodyHasSeen_ThenTheRunEndsSafeAndSaysWhatStandsThere) {
   ArmsCell cell(kUp, {{1.6, "camera_dead", 1.0}, {2.0, "block_1", 1.0}, {12.0, "camera_dead", 0.0, true}}, 1,
                 {post(0.5, -0.45)});
@@ -223,6 +244,68 @@ TEST(ArmsMission, WhenTheRuntimeIsLost_ThenTheRunGoesOnFromWhereTheArmsStand) {
   expect_done(cell, record);
   expect_on_the_box(cell);
   EXPECT_EQ(record.incidents[0].kind, IncidentKind::LostRuntime) << story(record);
+}
+
+// What has come of the newest question once it is no longer being planned; null: nobody has asked.
+nlohmann::json answer_of(ArmsMission& mission) {
+  nlohmann::json told;
+  for (int k = 0; k < 12'000; ++k) {
+    if (const auto outlook = mission.new_outlook()) told = nlohmann::json::parse(*outlook)["what_if"];
+    if (told.is_object() && told["state"] != "planning") break;
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  return told;
+}
+
+TEST(ArmsMission, WhenAnOrderIsOnlyLookedAtBeforeTheRun_ThenItsPlanIsToldAndNothingMoves) {
+  ArmsCell cell(kUp);
+  ArmsMission mission(cell.planning(), cell.controller(), cell.options(), {});
+  const auto code = [&](const char* text) { return run::refusal(mission, text); };
+  EXPECT_EQ(code(R"({"request": "what_if", "goal": "acros"})"), "G0401");
+  EXPECT_EQ(code(R"({"request": "what_if", "goal": 4})"), "X0005");
+  EXPECT_EQ(code(R"({"request": "cancel_what_if"})"), "X0008");
+  EXPECT_EQ(code(R"({"request": "what_if", "id": "7f", "goal": "across"})"), "");
+  const nlohmann::json told = answer_of(mission);
+  ASSERT_EQ(told["state"], "planned") << told;
+  EXPECT_EQ(told["id"], "7f");
+  EXPECT_EQ(told["goal"], "across");
+  EXPECT_EQ(told["ahead"], false);
+  EXPECT_TRUE(told["running"].is_null());
+  const nlohmann::json& plan = told["plan"];
+  EXPECT_GE(plan["steps"], 5);
+  EXPECT_EQ(plan["actions"][0]["text"], "right picks cup1");
+  EXPECT_GT(plan["makespan_s"], 5.0);
+  EXPECT_LT(plan["makespan_s"], 100.0);
+  EXPECT_EQ(cell.controller().stops(), 0);
+  EXPECT_FALSE(cell.controller().any_output());
+  // Without a goal it is the order that there is.
+  EXPECT_EQ(code(R"({"request": "what_if", "id": "80"})"), "");
+  EXPECT_EQ(answer_of(mission)["goal"], kUp);
+}
+
+TEST(ArmsMission, WhenAnOrderIsOnlyLookedAtMeanwhile_ThenItBeginsWhereTheActionsLeadAndTheRunIsTheSame) {
+  ArmsCell undisturbed(kUp), cell(kUp);
+  const run::RunRecord same = undisturbed.run(undisturbed.options());
+  ArmsMission* asked = nullptr;
+  std::string code = "nobody has asked";
+  ArmsMission mission(cell.planning(), cell.controller(), cell.options(), [&](const run::RunRecord& now) {
+    if (asked == nullptr || now.phase != Phase::Executing) return;
+    if (now.episodes.back().actions[0].state != run::ActionState::Done) return;
+    code = run::refusal(*std::exchange(asked, nullptr),
+                        R"({"request": "what_if", "id": "7f", "goal": "across"})");
+  });
+  asked = &mission;
+  const run::RunRecord record = mission.run();
+  EXPECT_EQ(code, "");
+  expect_done(cell, record);
+  EXPECT_EQ(record.finished_s, same.finished_s);
+  const nlohmann::json told = answer_of(mission);
+  ASSERT_EQ(told["state"], "planned") << told;
+  EXPECT_GT(told["running"]["steps"], 0);
+  EXPECT_LT(told["running"]["steps"], record.episodes[0].actions.size());
+  EXPECT_GT(told["running"]["makespan_s"], 0.0);
+  // The cup is in the hand by then, and will stand on the box.
+  EXPECT_EQ(told["plan"]["actions"][0]["text"], "left picks cup1") << told;
 }
 
 TEST(ArmsMission, WhenRequestsMeanNothing_ThenTheyAreRefusedAtOnce) {

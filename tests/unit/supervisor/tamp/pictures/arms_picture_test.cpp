@@ -157,6 +157,33 @@ TEST(ArmsPicture, WhenJointsAreAnywhere_ThenCapsulesAreThoseOfTheInterlock) {
   }
 }
 
+TEST(ArmsPicture, WhenAHandHoldsAThing_ThenItsCapsuleIsThatOfTheInterlockFromGripToRelease) {
+  const ArmsPicture picture = pictured();
+  motion::Random random(5);
+  const Drawn drawn = draw(random);
+  const std::vector<Transform> frames = frames_of(picture, drawn.known);
+  std::size_t grips = 0;
+  for (std::size_t arm = 0; arm < 2; ++arm) {
+    const auto& steps = planned().schedule.arms[arm].steps;
+    std::size_t k = 0;
+    for (const ArmsPicture::Held& each : picture.arms[arm].held) {
+      while (k < steps.size() && steps[k].kind != schedule::StepKind::Grip) ++k;
+      ASSERT_LT(k, steps.size());
+      EXPECT_EQ(each.from, static_cast<double>(k));
+      schedule::ArmCapsules model = schedule::arm_capsules(planned().cell, arm);
+      model.capsules = {steps[k].held.value()};
+      const schedule::Capsule wanted = schedule::capsules_at(model, drawn.joints[arm]).front();
+      const Transform& frame = frames[static_cast<std::size_t>(each.body.frame)];
+      EXPECT_LT(distance(frame * vector(each.body.from_m), wanted.from), 1e-9);
+      EXPECT_LT(distance(frame * vector(each.body.to_m), wanted.to), 1e-9);
+      while (steps[k].kind != schedule::StepKind::Release) ++k;
+      EXPECT_EQ(each.until, static_cast<double>(k));
+      ++grips;
+    }
+  }
+  EXPECT_GE(grips, 2u) << "there are two cups";
+}
+
 TEST(ArmsPicture, WhenThereIsABody_ThenItIsThatOfTheRobotAndOfItsArm) {
   const ArmsPicture picture = pictured();
   const scene::RobotCell& cell = planned().cell;

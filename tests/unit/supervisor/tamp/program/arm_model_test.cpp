@@ -8,6 +8,7 @@
 #include "supervisor/motion/spatial/random.h"
 #include "supervisor/tamp/program/arm_data.h"
 #include "tests/support/compiled_program.h"
+#include "tests/support/tamp_cells/arm_points.h"
 #include "tests/support/tamp_cells/paper_cells.h"
 #include "tests/unit/ladder/driver/two_arms.h"
 
@@ -16,6 +17,24 @@ namespace {
 
 double real(const support::CompiledProgram& program, const std::string& path) {
   return std::get<double>(program.value(path));
+}
+
+// As the controller has it.
+schedule::ArmCapsules model_of(const support::CompiledProgram& program, const std::string& name,
+                               schedule::ArmCapsules joints) {
+  joints.capsules.clear();
+  const auto count = program.get("main." + name + ".Capsules");
+  for (std::int64_t k = 1; k <= count; ++k) {
+    const std::string at = fmt::format("main.{}.Capsule[{}].", name, k);
+    const auto point = [&](int end) {
+      return motion::Vector3{real(program, fmt::format("{}X{}", at, end)),
+                             real(program, fmt::format("{}Y{}", at, end)),
+                             real(program, fmt::format("{}Z{}", at, end))};
+    };
+    joints.capsules.push_back(
+        {static_cast<int>(program.get(at + "Joint")), point(1), point(2), real(program, at + "Radius")});
+  }
+  return joints;
 }
 
 TEST(ArmModel, WhenItIsExported_ThenJointsAreThoseWrittenByHandAndDistancesThoseOfThePlanner) {
@@ -44,6 +63,12 @@ TEST(ArmModel, WhenItIsExported_ThenJointsAreThoseWrittenByHandAndDistancesThose
                     real(program, fmt::format("main.{}.Joint[{}].{}", by_hand, k, axis)), 1e-12);
     }
   motion::Random random(9);
+  for (std::size_t arm = 0; arm < 2; ++arm) {
+    const schedule::ArmCapsules by_hand = model_of(program, arm == 0 ? "leftArm" : "rightArm", arms[arm]);
+    EXPECT_EQ(by_hand.capsules.size(), 7u);
+    EXPECT_LE(test::farthest_outside(problem->cell, arm, by_hand, random, {.places = 40, .points = 100}),
+              1e-9);
+  }
   for (int round = 0; round < 20; ++round) {
     std::vector<double> q[2];
     for (int arm = 0; arm < 2; ++arm)

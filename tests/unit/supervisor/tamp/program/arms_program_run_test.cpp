@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -83,6 +84,40 @@ TEST(ArmsProgramRun, WhenACupChangesHands_ThenItStandsWhereThePlanSaysAndNothing
   EXPECT_TRUE(grasped);
   EXPECT_LT(rig.time_s(), 1.2 * p1.schedule.makespan_s + 3.0);
   expect_done(p1, rig);
+}
+
+// The interlock measures with the cup from when the fingers close on it until they open.
+TEST(ArmsProgramRun, WhenAHandHoldsAThing_ThenTheInterlockKnowsItsBody) {
+  const test::PlannedArms& p1 = test::planned_once("p1");
+  test::ArmsRig rig(p1.cell, {});
+  rig.load(following("p1"));
+  schedule::ArmCapsules left = schedule::arm_capsules(p1.cell, 0), right = schedule::arm_capsules(p1.cell, 1);
+  const auto own = static_cast<double>(right.capsules.size());
+  const auto& steps = p1.schedule.arms[1].steps;
+  const auto grip = std::ranges::find(steps, schedule::StepKind::Grip, &schedule::ScheduledStep::kind);
+  ASSERT_NE(grip, steps.end());
+  ASSERT_TRUE(grip->held);
+  const auto joints = [&](const std::string& arm) {
+    std::vector<double> all;
+    for (int k = 1; k <= 7; ++k) all.push_back(rig.number("joint_" + arm + "_" + std::to_string(k)));
+    return all;
+  };
+  const schedule::ArmCapsules empty = right;
+  right.capsules.push_back(*grip->held);
+  run_to(rig, "GRIP");
+  int nearer = 0;
+  while (rig.step("arm_right").find("APPROACH") == std::string::npos && at_work(rig)) {
+    const bool holds = rig.number("model_right.Capsules") == own + 1.0;
+    const auto there = schedule::capsules_at(left, joints("left"));
+    const double bare_m = schedule::distance_of(there, schedule::capsules_at(empty, joints("right")));
+    const double held_m = schedule::distance_of(there, schedule::capsules_at(right, joints("right")));
+    EXPECT_NEAR(rig.number("arms_distance"), holds ? held_m : bare_m, 1e-9) << where(rig);
+    if (holds && held_m < bare_m - 0.005) ++nearer;
+    rig.scan();
+  }
+  EXPECT_GT(nearer, 0) << "the cup is never the nearest";
+  EXPECT_TRUE(rig.run(100.0)) << where(rig);
+  EXPECT_EQ(rig.number("model_right.Capsules"), own);
 }
 
 TEST(ArmsProgramRun, WhenBothArmsHaveWork_ThenTheyWorkAtTheSameTimeAndDoNotMeet) {

@@ -28,5 +28,25 @@ TEST(ArmsCampaign, WhenTheCameraSeesGhosts_ThenNothingCountsAsMoved) {
   EXPECT_TRUE(run.record.replans.empty()) << run.record.replans.front().cause;
 }
 
+// So near to the end of its path that its drive does not trip: the arm is not at home, and the joint is
+// named.
+TEST(ArmsCampaign, WhenAJointSticksJustBeforeTheEnd_ThenTheRunEndsWithThatJoint) {
+  const ArmsRun run = run_arms(28);
+  EXPECT_EQ(run.kind, "stuck");
+  EXPECT_EQ(run.verdict, Verdict::SafeStop) << run.story << ": " << run.why;
+  EXPECT_NE(run.record.message.find("joint 3 of the right arm is 0."), std::string::npos)
+      << run.record.message;
+  EXPECT_NE(run.record.message.find("it is stuck"), std::string::npos) << run.record.message;
+}
+
+// It goes back by the way that it came, and around.
+TEST(ArmsCampaign, WhenAPostIsPutIntoTheWay_ThenTheOrderIsDoneAllTheSame) {
+  for (const std::uint64_t seed : {7U, 15U, 23U}) {
+    const ArmsRun run = run_arms(seed);
+    EXPECT_EQ(run.kind, "block");
+    EXPECT_EQ(run.verdict, Verdict::GoalReached) << run.story << ": " << run.why << run.record.message;
+  }
+}
+
 }  // namespace
 }  // namespace stepwright::campaign
