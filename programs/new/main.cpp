@@ -1,5 +1,5 @@
-// `stepwright new NAME [--plant none|tanks|conveyor|modbus] [--from PROJECT.xml]`: the folder of a new cell,
-// which runs as it is.
+// `stepwright new NAME [--plant none|tanks|conveyor|modbus] [--plan] [--from PROJECT.xml]`: the folder of a
+// new cell, which runs as it is.
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -19,11 +19,15 @@ int main(int argc, char** argv) {
       app.add_option("--plant", options.plant,
                      "none: a program of its own; tanks, conveyor: a simulated plant; modbus: devices")
           ->check(CLI::IsMember({"none", "tanks", "conveyor", "modbus"}));
+  auto* const plan = app.add_flag("--plan", options.plan,
+                                  "a batch cell that plans: a plant of components, domain, problem, binding")
+                         ->excludes(plant);
   auto* const from =
       app.add_option("--from", options.from,
                      "take the programs, tasks and I/O of a PLCopen project (Beremiz, OpenPLC Editor, "
                      "CODESYS): its file, or the folder with its plc.xml")
-          ->excludes(plant);
+          ->excludes(plant)
+          ->excludes(plan);
   std::vector<std::string> dialects;
   for (const source::Dialect& each : source::dialects()) dialects.emplace_back(each.name);
   app.add_option("--dialect", options.dialect, "the system that the project comes from (default matiec)")

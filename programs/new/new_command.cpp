@@ -21,7 +21,9 @@ namespace {
 
 constexpr std::size_t kLongestName = 48;  // leaves room for "-device"
 
-std::span<const TemplateText> texts_of(const std::string& plant) {
+std::span<const TemplateText> texts_of(const NewOptions& options) {
+  const std::string& plant = options.plant;
+  if (options.plan) return plan_texts();
   if (plant == "tanks") return tanks_texts();
   if (plant == "conveyor") return conveyor_texts();
   return plant == "modbus" ? modbus_texts() : none_texts();
@@ -68,7 +70,7 @@ result::Result<void> write_all(const std::filesystem::path& folder, const NewOpt
                                const std::string& name, const std::optional<TakenProject>& project) {
   Fillings fillings = project ? fillings_of(*project) : Fillings{};
   fillings.emplace_back("name", name);
-  for (const TemplateText& each : project ? plcopen_texts() : texts_of(options.plant)) {
+  for (const TemplateText& each : project ? plcopen_texts() : texts_of(options)) {
     auto unwritten = process::write_file((folder / each.name).string(), filled_in(each.text, fillings));
     if (!unwritten.empty()) return tl::unexpected(std::move(unwritten));
   }

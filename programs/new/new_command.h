@@ -13,6 +13,7 @@ namespace stepwright::new_cell {
 struct NewOptions {
   std::string folder;          // its last part is the cell's name
   std::string plant = "none";  // or "tanks", "conveyor", "modbus"
+  bool plan = false;           // a batch cell that plans, in place of a plant
   std::string from{};          // a PLCopen project in place of a plant: a file, or the folder of an editor
   std::string dialect = "matiec";  // then: of its sources
   std::string configuration{};     // then: of those that it has; empty: it has one

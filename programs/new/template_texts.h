@@ -17,6 +17,7 @@ std::span<const TemplateText> none_texts();
 std::span<const TemplateText> tanks_texts();
 std::span<const TemplateText> conveyor_texts();
 std::span<const TemplateText> modbus_texts();
+std::span<const TemplateText> plan_texts();
 std::span<const TemplateText> plcopen_texts();  // with main.xml beside them, and more placeholders
 
 }  // namespace stepwright::new_cell

@@ -41,6 +41,7 @@ struct Tag {
   std::string omron;    // the terminal on the paper's controller, "I0.00"; may be empty
   std::string comment;
   bool output = false;  // in the output area
+  result::Location where{};
 };
 
 // Where a fluent can be read.
@@ -60,6 +61,7 @@ struct Sensor {
   std::string unit;                // for people: "l"; may be empty
   std::optional<std::pair<double, double>> range;  // lowest and highest value that a goal may ask for
   std::string omron;  // memory word of the filtered counts (the paper's Table 3), "D100"
+  result::Location where{};
 };
 
 // Where a fact can be read.
@@ -111,6 +113,7 @@ struct Completion {
 struct ActionBinding {
   Pattern pattern;
   std::vector<std::string> outputs;  // driven while the step is active
+  bool names_outputs = false;        // the entry has them, and be it an empty list: it waits for others
   Completion completion;
   std::vector<Pattern> hold;  // facts that must stay true while it runs; else it is stopped and has failed
   milliseconds timeout{0};
@@ -139,6 +142,8 @@ struct Binding {
   std::vector<std::vector<std::string>> exclusive;  // outputs of which one at most is ever on
   std::vector<ActionBinding> actions;
   std::vector<Device> devices;
+  // Facts and fluents that no sensor shows and that are taken to be as actions leave them.
+  std::vector<Pattern> believed;
 
   const Tag* tag(std::string_view name) const;
   const Sensor* sensor_of(std::string_view fluent) const;

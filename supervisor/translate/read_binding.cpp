@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "supervisor/translate/binding.h"
 #include "supervisor/translate/internal/binding_reader.h"
+#include "supervisor/translate/read_binding.h"
 
 namespace stepwright::translate {
 
@@ -13,9 +13,16 @@ using Document = result::Result<std::unique_ptr<settings::TomlDocument>>;
 result::Result<Binding> read_document(Document document, std::string file,
                                       const model::Vocabulary* vocabulary) {
   if (!document) return result::forward(document);
+  return read_binding(**document, std::move(file), vocabulary);
+}
+
+}  // namespace
+
+result::Result<Binding> read_binding(settings::TomlDocument& document, std::string file,
+                                     const model::Vocabulary* vocabulary) {
   internal::BindingReader reader(std::move(file), vocabulary);
-  reader.read((*document)->root());
-  result::Diagnostics problems = (*document)->finish();
+  reader.read(document.root());
+  result::Diagnostics problems = document.finish();
   for (result::Diagnostic& problem : reader.take_problems()) problems.push_back(std::move(problem));
   if (problems.empty()) return reader.take_binding();
   std::stable_sort(problems.begin(), problems.end(), [](const auto& a, const auto& b) {
@@ -23,8 +30,6 @@ result::Result<Binding> read_document(Document document, std::string file,
   });
   return tl::unexpected(std::move(problems));
 }
-
-}  // namespace
 
 result::Result<Binding> read_binding(std::string_view text, std::string file,
                                      const model::Vocabulary* vocabulary) {

@@ -51,6 +51,7 @@ void BindingReader::read(const TomlTable& root) {
   check_names(root);
   for (const TomlTable& entry : root.tables("actions")) read_action(entry);
   for (const TomlTable& entry : root.tables("devices")) read_device(entry);
+  read_believed(root);
   check_every_action_is_bound(root);
 }
 
@@ -59,6 +60,7 @@ void BindingReader::read_tags(const TomlTable& tags) {
     const TomlTable table = tags.table(name);
     Tag tag;
     tag.name = name;
+    tag.where = table.where();
     tag.type = table.text("type", "BOOL");
     tag.address = table.required_text("address");
     tag.omron = table.text("omron", "");
@@ -107,6 +109,7 @@ void BindingReader::read_sensors(const TomlTable& sensors) {
     const TomlTable table = sensors.table(name);
     Sensor sensor;
     sensor.name = name;
+    sensor.where = table.where();
     if (!graphic::is_identifier(name)) sensors.report(name, "'" + name + "' cannot name a variable");
     sensor.tag = table.required_text("tag");
     const Tag* tag = sensor.tag.empty() ? nullptr : atoms_.tag(table, "tag", sensor.tag);
@@ -233,6 +236,7 @@ void BindingReader::read_action(const TomlTable& entry) {
   const auto pattern = atoms_.atom(entry, "action", AtomKind::Action, nullptr);
   if (pattern) action.pattern = *pattern;
   action.outputs = entry.texts("outputs");
+  action.names_outputs = entry.has("outputs");
   check_outputs(entry, action);
   action.timeout = to_ms(entry.required_number("timeout_s", kPositiveDuration));
   action.rest = to_ms(entry.number("rest_s", 0.0, kDuration));
@@ -273,6 +277,17 @@ void BindingReader::read_device(const TomlTable& entry) {
     }
   }
   binding_.devices.push_back(std::move(device));
+}
+
+void BindingReader::read_believed(const TomlTable& root) {
+  for (const std::string& text : root.texts("believed")) {
+    const auto scope = parse_pattern(text);
+    const auto is_function = [&](const model::Symbol& symbol) { return scope && symbol.name == scope->name; };
+    const bool fluent = vocabulary_ != nullptr && std::ranges::any_of(vocabulary_->functions, is_function);
+    const AtomKind kind = fluent ? AtomKind::Fluent : AtomKind::Fact;
+    const auto atom = atoms_.parse(root, "believed", text, kind, scope ? &*scope : nullptr);
+    if (atom) binding_.believed.push_back(*atom);
+  }
 }
 
 void BindingReader::check_outputs(const TomlTable& entry, const ActionBinding& action) {

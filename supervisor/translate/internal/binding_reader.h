@@ -26,6 +26,7 @@ class BindingReader {
   void read_groups(const TomlTable& root);
   void read_action(const TomlTable& entry);
   void read_device(const TomlTable& entry);
+  void read_believed(const TomlTable& root);
   void read_completion(const TomlTable& entry, ActionBinding& action);
   void read_transfers(const TomlTable& entry, ActionBinding& action);
   void read_duration(const TomlTable& entry, ActionBinding& action);

@@ -1,0 +1,339 @@
+#include "cell/trial/judge.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+
+#include "supervisor/translate/change.h"
+
+namespace stepwright::trial {
+namespace {
+
+using result::Diagnostic;
+using result::Diagnostics;
+using translate::ActionBinding;
+using translate::Binding;
+
+// A timeout leaves room for what a plant does on a bad day.
+constexpr double kRoom = 1.5;
+
+std::string number(double value) {
+  return fmt::format("{:.4g}", std::abs(value) < 1e-9 ? 0.0 : value);
+}
+
+// "4.2 (4.1 to 4.3)" or "4.2".
+std::string range_of(std::vector<double> values) {
+  const auto [low, high] = std::ranges::minmax(values);
+  double sum = 0.0;
+  for (const double value : values) sum += value;
+  const std::string mean = number(sum / static_cast<double>(values.size()));
+  return number(low) == number(high) ? mean : mean + " (" + number(low) + " to " + number(high) + ")";
+}
+
+double value_of(const Reading& reading, const std::string& atom) {
+  const auto found = reading.find(atom);
+  return found == reading.end() ? 0.0 : found->second;
+}
+
+class Judge {
+ public:
+  Judge(const Binding& binding, std::span<const ActionRun> runs)
+      : binding_(binding),
+        runs_(runs),
+        planned_(runs.front().planned),
+        entry_(*binding.action_for(planned_.action, assignment_)),
+        who_(model::to_string(planned_.action)),
+        claimed_(translate::changed_atoms(planned_)),
+        until_(translate::instantiate(entry_.completion.atom, assignment_)) {}
+
+  Diagnostics take() {
+    if (runs_.front().end == RunEnd::NotBound) return runs_.front().problems;  // the same of every seed
+    for (const RunEnd end : {RunEnd::NotBegun, RunEnd::NotReached, RunEnd::Refused, RunEnd::HoldLost,
+                             RunEnd::TimedOut, RunEnd::WrongWay, RunEnd::Trapped}) {
+      std::vector<const ActionRun*> ended;
+      for (const ActionRun& run : runs_)
+        if (run.end == end) ended.push_back(&run);
+      if (!ended.empty()) judge_end(end, ended);
+    }
+    std::vector<const ActionRun*> done;
+    for (const ActionRun& run : runs_)
+      if (run.end == RunEnd::Done) done.push_back(&run);
+    if (!done.empty()) judge_done(done);
+    return std::move(found_);
+  }
+
+ private:
+  using Runs = std::vector<const ActionRun*>;
+
+  void add(const char* code, std::string message, std::string hint,
+           result::Severity severity = result::Severity::Error) {
+    found_.push_back({code, severity, entry_.where, std::move(message), std::move(hint)});
+  }
+
+  std::string times(const Runs& runs) const {
+    if (runs.size() == runs_.size()) return {};
+    return fmt::format(" in {} of {} runs", runs.size(), runs_.size());
+  }
+
+  std::string label(const std::string& atom) const {
+    if (const translate::Sensor* sensor = binding_.sensor_of(atom)) return sensor->label;
+    return atom;
+  }
+
+  void judge_end(RunEnd end, const Runs& runs) {
+    const ActionRun& first = *runs.front();
+    switch (end) {
+      case RunEnd::NotBegun:
+        return add(kNotBegunCode, "the plant does not begin where the problem's :init says: " + first.detail,
+                   "change :init, or the start values of the plant");
+      case RunEnd::NotReached:
+        return add("B0021",
+                   who_ + " was not tried" + times(runs) + ": on the way there, " + first.detail + " fails",
+                   "what is wrong with that action is said of itself", result::Severity::Warning);
+      case RunEnd::Refused:
+        return add("B0022", who_ + " may not start" + times(runs) + ": sensors do not show " + unmet(first),
+                   "an effect of an action before it, or the tolerance of a sensor, is not as the plant is");
+      case RunEnd::HoldLost:
+        return add(
+            "B0023",
+            fmt::format("{} loses {} after {} s{}", who_, lost(first), number(first.active_s), times(runs)),
+            "hold only what stays while its outputs are on");
+      case RunEnd::WrongWay:
+        return wrong_way(runs);
+      case RunEnd::TimedOut:
+        return timed_out(runs);
+      default:
+        return add("B0031", "the program or the plant fails while " + who_ + " runs" + times(runs),
+                   "`stepwright plant` runs the plant without a program");
+    }
+  }
+
+  // The conjuncts of the precondition that do not hold as observed.
+  std::string unmet(const ActionRun& run) const {
+    model::NamedState state = run.planned.before;
+    for (const auto& [atom, value] : run.before) {
+      if (binding_.observed(atom) == nullptr) {
+        state.fluents[atom] = value;
+      } else if (value > 0.5) {
+        state.facts.insert(atom);
+      } else {
+        state.facts.erase(atom);
+      }
+    }
+    std::string text;
+    const auto note = [&](const model::Condition& part) {
+      if (model::holds(part, state)) return;
+      text += (text.empty() ? "" : " and ") + model::to_string(part);
+    };
+    if (planned_.precondition.kind == model::ConditionKind::All) {
+      for (const model::Condition& part : planned_.precondition.children) note(part);
+    } else {
+      note(planned_.precondition);
+    }
+    return text.empty() ? std::string("what it needs") : text;
+  }
+
+  std::string lost(const ActionRun& run) const {
+    std::string text;
+    for (const translate::Pattern& pattern : entry_.hold) {
+      const std::string atom = translate::instantiate(pattern, assignment_);
+      if (value_of(run.after, atom) < 0.5) text += (text.empty() ? "" : " and ") + atom;
+    }
+    return text.empty() ? std::string("what it must hold") : text;
+  }
+
+  // What sensors show of the run: "level of t2 from 3 to 4.1, (closed v1) false".
+  std::string changes(const ActionRun& run, const std::string& but) const {
+    std::string text;
+    for (const auto& [atom, after] : run.after) {
+      const double before = value_of(run.before, atom);
+      if (atom == but) continue;
+      const translate::Sensor* const sensor = binding_.sensor_of(atom);
+      if (std::abs(after - before) <= (sensor != nullptr ? sensor->tolerance : 0.5)) continue;
+      text += (text.empty() ? "" : ", ") + label(atom) +
+              (sensor != nullptr ? " from " + number(before) + " to " + number(after)
+               : after > 0.5     ? " true"
+                                 : " false");
+    }
+    return text;
+  }
+
+  void wrong_way(const Runs& runs) {
+    const ActionRun& first = *runs.front();
+    const double claimed = planned_.after.fluents.at(until_) - planned_.before.fluents.at(until_);
+    const double change = value_of(first.after, until_) - value_of(first.before, until_);
+    const double rate = change / std::max(first.active_s, 1e-3);
+    add("B0025",
+        fmt::format("{} {} {} by the domain, and the plant {} it: {} units a second{}", who_,
+                    claimed > 0.0 ? "raises" : "lowers", label(until_), change > 0.0 ? "raises" : "lowers",
+                    number(rate), times(runs)),
+        fmt::format("({} {} ...) in the domain; or other outputs, or a calibration that rises the other way",
+                    change > 0.0 ? "increase" : "decrease", until_));
+  }
+
+  void timed_out(const Runs& runs) {
+    const ActionRun& first = *runs.front();
+    const std::string others = changes(first, until_);
+    const std::string instead = others.empty() ? "" : "; what changes is " + others;
+    if (entry_.completion.kind == translate::CompletionKind::Fact) {
+      if (others.empty()) return no_change(runs, first);
+      return add("B0027",
+                 fmt::format("{} ends with {}, which no sensor shows within {} s{}{}", who_, until_,
+                             number(first.given_s), times(runs), instead),
+                 "another fact in 'until', other outputs, or the switch of that fact is another one");
+    }
+    const double change = value_of(first.after, until_) - value_of(first.before, until_);
+    if (std::abs(change) <= binding_.sensor_of(until_)->tolerance) return no_change(runs, first);
+    const double claimed = planned_.after.fluents.at(until_) - planned_.before.fluents.at(until_);
+    const double rate = change / std::max(first.active_s, 1e-3);
+    add("B0026",
+        fmt::format("{} moves {} by {} of {} in {} s{}: too slow, or it ends before", who_, label(until_),
+                    number(change), number(claimed), number(first.active_s), times(runs)),
+        fmt::format("timeout_s = {} at {} units a second, if it gets there at all",
+                    number(std::ceil(kRoom * claimed / rate)), number(rate)));
+  }
+
+  void no_change(const Runs& runs, const ActionRun& first) {
+    std::string outputs;
+    for (const std::string& output : entry_.outputs) outputs += (outputs.empty() ? "" : ", ") + output;
+    const std::string others = changes(first, until_);
+    add("B0024",
+        fmt::format("{} changes nothing of {} in {} s with {} on{}", who_, label(until_),
+                    number(first.active_s), outputs.empty() ? "no output" : outputs, times(runs)),
+        others.empty() ? "outputs = [...]: these move nothing that a sensor shows"
+                       : "what changes is " + others + ": other outputs, or another 'until'");
+  }
+
+  void judge_done(const Runs& runs) {
+    const Spread spread = spread_of(runs_);
+    const double timeout_s = std::chrono::duration<double>(entry_.timeout).count();
+    if (spread.longest_s > timeout_s) {
+      add("B0026",
+          fmt::format("{} takes {} s (longest of {}), and counts as failed after {} s", who_,
+                      number(spread.longest_s), spread.runs, number(timeout_s)),
+          "timeout_s = " + number(std::ceil(kRoom * spread.longest_s)));
+    }
+    for (const auto& [atom, expected] : runs.front()->expected) {
+      if (binding_.observed(atom) != nullptr) {
+        judge_fact(atom, runs);
+      } else {
+        judge_level(atom, runs);
+      }
+    }
+  }
+
+  void judge_fact(const std::string& atom, const Runs& runs) {
+    Runs other;
+    for (const ActionRun* run : runs)
+      if ((value_of(run->after, atom) > 0.5) != (value_of(run->expected, atom) > 0.5)) other.push_back(run);
+    if (other.empty()) return;
+    const bool wanted = value_of(other.front()->expected, atom) > 0.5;
+    if (claimed_.contains(atom)) {
+      return add("B0027",
+                 fmt::format("after {} the domain says that {} is {}, and its sensor does not show that{}",
+                             who_, atom, wanted ? "true" : "false", times(other)),
+                 wanted ? "(not " + atom + ") in the effect, or nothing of it; or another tag for the fact"
+                        : atom + " in the effect, or nothing of it; or inverted = true for the fact");
+    }
+    add("B0029",
+        fmt::format("{} makes {} {}, of which the domain says nothing{}", who_, atom,
+                    wanted ? "false" : "true", times(other)),
+        wanted ? "(not " + atom + ") in the effect" : atom + " in the effect");
+  }
+
+  void judge_level(const std::string& atom, const Runs& runs) {
+    const double tolerance = binding_.sensor_of(atom)->tolerance;
+    std::vector<double> after, off, change;
+    for (const ActionRun* run : runs) {
+      after.push_back(value_of(run->after, atom));
+      off.push_back(after.back() - value_of(run->expected, atom));
+      change.push_back(after.back() - value_of(run->before, atom));
+    }
+    double mean = 0.0;
+    double moved = 0.0;
+    for (std::size_t i = 0; i < off.size(); ++i) {
+      mean += off[i] / static_cast<double>(off.size());
+      moved += change[i] / static_cast<double>(off.size());
+    }
+    if (std::abs(mean) <= tolerance) return;
+    if (!claimed_.contains(atom)) {
+      return add("B0029",
+                 fmt::format("{} changes {} by {}, of which the domain says nothing", who_, label(atom),
+                             range_of(change)),
+                 fmt::format("({} {} {}) in the effect", moved > 0.0 ? "increase" : "decrease", atom,
+                             number(std::abs(moved))));
+    }
+    const double claimed = planned_.after.fluents.at(atom) - planned_.before.fluents.at(atom);
+    if (std::abs(moved) <= tolerance) {
+      return add("B0024",
+                 fmt::format("{} changes {} by {} in the domain, and the plant leaves it", who_, label(atom),
+                             number(claimed)),
+                 "leave it out of the effect, or look at the sensor's tag");
+    }
+    if (moved * claimed < 0.0) {
+      return add("B0025",
+                 fmt::format("{} changes {} by {} in the domain, and the plant by {}", who_, label(atom),
+                             number(claimed), range_of(change)),
+                 fmt::format("({} {} ...) in the effect", moved > 0.0 ? "increase" : "decrease", atom));
+    }
+    judge_end_level(atom, mean, claimed, after, change);
+  }
+
+  void judge_end_level(const std::string& atom, double mean, double claimed, const std::vector<double>& after,
+                       const std::vector<double>& change) {
+    if (atom != until_) {
+      return add("B0028",
+                 fmt::format("{} changes {} by {} in the domain, and the plant by {}", who_, label(atom),
+                             number(claimed), range_of(change)),
+                 "amounts of the effect in the plant's own proportion, or a wider tolerance");
+    }
+    const double beyond = mean * std::copysign(1.0, claimed);
+    const double pre_act = std::max(0.0, entry_.completion.pre_act + beyond);
+    add("B0028",
+        fmt::format("{} ends with {} at {} instead of {}", who_, label(atom), range_of(after),
+                    number(planned_.after.fluents.at(atom))),
+        beyond > 0.0 || entry_.completion.pre_act > 0.0
+            ? fmt::format("until = {{ fluent = \"{}\", pre_act = {} }}",
+                          translate::to_string(entry_.completion.atom), number(pre_act))
+            : std::string("a longer rest_s, until what runs out has arrived"));
+  }
+
+  const Binding& binding_;
+  std::span<const ActionRun> runs_;
+  const model::PlannedAction& planned_;
+  translate::Assignment assignment_;
+  const ActionBinding& entry_;
+  std::string who_;
+  std::set<std::string> claimed_;
+  std::string until_;
+  Diagnostics found_;
+};
+
+}  // namespace
+
+Diagnostics judge_runs(const Binding& binding, std::span<const ActionRun> runs) {
+  return runs.empty() ? Diagnostics() : Judge(binding, runs).take();
+}
+
+Spread spread_of(std::span<const ActionRun> runs) {
+  Spread spread;
+  double sum = 0.0;
+  double squares = 0.0;
+  for (const ActionRun& run : runs) {
+    if (run.end != RunEnd::Done) continue;
+    ++spread.runs;
+    sum += run.active_s;
+    squares += run.active_s * run.active_s;
+    spread.longest_s = std::max(spread.longest_s, run.active_s);
+  }
+  if (spread.runs == 0) return spread;
+  const auto count = static_cast<double>(spread.runs);
+  spread.mean_s = sum / count;
+  spread.spread_s = std::sqrt(std::max(0.0, squares / count - spread.mean_s * spread.mean_s));
+  return spread;
+}
+
+}  // namespace stepwright::trial

@@ -1,0 +1,43 @@
+#pragma once
+
+// What the runs of an action say about the domain and the binding: each difference with its figures, and with
+// the line to write instead.
+//
+//   B0020  the plant does not begin where :init says      B0025  its level goes the other way
+//   B0021  an action that leads there fails (a warning)   B0026  it takes longer than its timeout
+//   B0022  its precondition is not observed               B0027  a fact that it should bring about is not
+//   shown B0023  a fact that must hold is lost                  B0028  a level ends elsewhere B0024  nothing
+//   changes                                B0029  something changes of which the domain is silent B0030  its
+//   duration is far off                        B0031  the program or the plant has failed
+//
+// Pure functions.
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "cell/trial/action_run.h"
+#include "runtime/ground/result/diagnostic.h"
+
+namespace stepwright::trial {
+
+// The codes of what no action is to blame for.
+inline constexpr const char* kNotBegunCode = "B0020";
+
+// Of one ground action, with any seeds and starts; the hint of each is what to write.
+result::Diagnostics judge_runs(const translate::Binding& binding, std::span<const ActionRun> runs);
+
+// Of all actions of one entry of the binding: its `duration`. Only runs that ended count.
+result::Diagnostics judge_duration(const translate::Binding& binding, const translate::ActionBinding& entry,
+                                   std::span<const ActionRun> runs);
+
+// Mean and spread (standard deviation) of the time for which the outputs were on, over the runs that ended.
+struct Spread {
+  std::size_t runs = 0;
+  double mean_s = 0.0;
+  double spread_s = 0.0;
+  double longest_s = 0.0;
+};
+Spread spread_of(std::span<const ActionRun> runs);
+
+}  // namespace stepwright::trial

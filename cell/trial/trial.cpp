@@ -1,0 +1,163 @@
+#include "cell/trial/trial.h"
+
+#include <algorithm>
+#include <chrono>
+#include <iterator>
+#include <map>
+#include <utility>
+
+#include "cell/binding/ground_actions.h"
+#include "cell/trial/starts.h"
+#include "supervisor/translate/schedule.h"
+
+namespace stepwright::trial {
+namespace {
+
+constexpr std::size_t kMostCombinations = 20'000;
+
+using Told = std::function<void(const TrialProgress&)>;
+using translate::ActionBinding;
+
+class Trial {
+ public:
+  Trial(const TrialCell& cell, const TrialOptions& options, const Told& told)
+      : cell_(cell), options_(options), told_(told), starts_(cell.task, options.search) {}
+
+  result::Result<TrialReport> run() {
+    const auto begin = std::chrono::steady_clock::now();
+    std::vector<pddl::GroundActionInfo> wanted = wanted_actions();
+    if (wanted.empty() && options_.only)
+      return result::fail("M0031", {},
+                          "no action of the domain matches " + translate::to_string(*options_.only),
+                          "an action as the domain has it, such as --action \"(load ?v ?f ?l)\"");
+    for (std::size_t i = 0; i < wanted.size() && !cancelled(); ++i) {
+      if (told_) told_({i, wanted.size(), model::to_string(wanted[i].action)});
+      if (auto tried = try_action(wanted[i]); !tried) return result::forward(tried);
+    }
+    judge_durations();
+    merge_problems();
+    report_.cancelled = cancelled();
+    report_.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return std::move(report_);
+  }
+
+ private:
+  bool cancelled() const { return options_.cancel != nullptr && *options_.cancel; }
+
+  std::vector<pddl::GroundActionInfo> wanted_actions() {
+    cell_binding::GroundActions all = cell_binding::ground_actions(cell_.task, kMostCombinations);
+    report_.complete = all.complete;
+    std::vector<pddl::GroundActionInfo> wanted;
+    for (pddl::GroundActionInfo& info : all.actions)
+      if (!options_.only || translate::match(*options_.only, info.action)) wanted.push_back(std::move(info));
+    return wanted;
+  }
+
+  const ActionBinding* entry_of(const model::GroundAction& action) const {
+    translate::Assignment assignment;
+    return cell_.binding.action_for(action, assignment);
+  }
+
+  result::Result<void> try_action(const pddl::GroundActionInfo& info) {
+    const ActionBinding* const entry = entry_of(info.action);
+    if (entry == nullptr) {
+      report_.problems.push_back({"B0009",
+                                  result::Severity::Error,
+                                  {cell_.binding.file, 0, 0},
+                                  "no entry of the binding matches " + model::to_string(info.action),
+                                  {}});
+      return {};
+    }
+    if (options_.most > 0 && tried_of_[entry] >= options_.most) return {};
+    const std::vector<Start> starts = starts_.of(info);
+    if (starts.empty()) {
+      report_.never.push_back(model::to_string(info.action));
+      return {};
+    }
+    ++tried_of_[entry];
+    return run_all(info.action, *entry, starts);
+  }
+
+  result::Result<void> run_all(const model::GroundAction& action, const ActionBinding& entry,
+                               const std::vector<Start>& starts) {
+    ActionTrial trial{.action = action, .where = entry.where, .starts = starts.size()};
+    std::vector<ActionRun> runs;
+    for (const Start& start : starts) {
+      for (std::size_t n = 0; n < options_.seeds && !cancelled(); ++n) {
+        auto run = run_action(cell_, start.before, action, cell_.config.plant.seed + n);
+        if (!run) return result::forward(run);
+        report_.simulated_s += run->simulated_s;
+        runs.push_back(std::move(*run));
+      }
+    }
+    trial.runs = runs.size();
+    if (!runs.empty()) {
+      const auto nominal = translate::nominal_duration(runs.front().planned, cell_.binding);
+      if (nominal) trial.nominal_s = *nominal - std::chrono::duration<double>(entry.rest).count();
+      trial.duration = spread_of(runs);
+      result::Diagnostics found = judge_runs(cell_.binding, runs);
+      trial.problems = found.size();
+      for (result::Diagnostic& each : found) report_.problems.push_back(std::move(each));
+      std::ranges::move(runs, std::back_inserter(runs_of_[&entry]));
+    }
+    report_.actions.push_back(std::move(trial));
+    return {};
+  }
+
+  void judge_durations() {
+    for (const ActionBinding& entry : cell_.binding.actions) {
+      for (result::Diagnostic& each : judge_duration(cell_.binding, entry, runs_of_[&entry]))
+        report_.problems.push_back(std::move(each));
+    }
+  }
+
+  // One of each kind at a place; how many more actions have it is said with it.
+  void merge_problems() {
+    result::Diagnostics merged;
+    std::vector<std::size_t> more;
+    for (result::Diagnostic& each : report_.problems) {
+      const auto same = std::ranges::find_if(merged, [&](const result::Diagnostic& other) {
+        const bool at_start = each.code == kNotBegunCode && other.code == each.code;
+        return at_start || (other.code == each.code && other.where.line == each.where.line &&
+                            kind_of(other) == kind_of(each));
+      });
+      if (same != merged.end()) {
+        ++more[static_cast<std::size_t>(same - merged.begin())];
+        continue;
+      }
+      merged.push_back(std::move(each));
+      more.push_back(0);
+    }
+    for (std::size_t i = 0; i < merged.size(); ++i) {
+      if (more[i] > 0 && merged[i].code != kNotBegunCode)
+        merged[i].message += "; so do " + std::to_string(more[i]) + " others of this entry";
+    }
+    std::ranges::stable_sort(merged,
+                             [](const auto& a, const auto& b) { return a.where.line < b.where.line; });
+    report_.problems = std::move(merged);
+  }
+
+  // What the hint is about: two levels of one action are two problems.
+  static std::string kind_of(const result::Diagnostic& problem) {
+    return problem.hint.substr(0, problem.hint.find_first_of("0123456789"));
+  }
+
+  const TrialCell& cell_;
+  const TrialOptions& options_;
+  const Told& told_;
+  Starts starts_;
+  TrialReport report_;
+  std::map<const ActionBinding*, std::size_t> tried_of_;
+  std::map<const ActionBinding*, std::vector<ActionRun>> runs_of_;
+};
+
+}  // namespace
+
+result::Result<TrialReport> try_binding(const config::CellConfig& config, const TrialOptions& options,
+                                        const Told& told) {
+  const auto cell = TrialCell::open(config);
+  if (!cell) return tl::unexpected(cell.error());
+  return Trial(*cell, options, told).run();
+}
+
+}  // namespace stepwright::trial

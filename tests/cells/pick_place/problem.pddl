@@ -1,0 +1,16 @@
+; Three things arrive as red, green, blue and are to leave as green, red, blue: red waits in a buffer.
+(define (problem swap)
+  (:domain pick-place)
+  (:objects red green blue - item in b1 b2 out - place)
+  (:init
+    (over in) (free) (clear in) (clear b1) (clear b2) (clear out)
+    (feeds in) (leaves out)
+    (= (arrival red) 1) (= (arrival green) 2) (= (arrival blue) 3) (= (arrived) 0)
+    (= (rank green) 1) (= (rank red) 2) (= (rank blue) 3) (= (sent) 0)
+    (= (distance in in) 0) (= (distance b1 b1) 0) (= (distance b2 b2) 0) (= (distance out out) 0)
+    (= (distance in b1) 0.5) (= (distance b1 in) 0.5) (= (distance b1 b2) 0.5) (= (distance b2 b1) 0.5)
+    (= (distance b2 out) 0.5) (= (distance out b2) 0.5) (= (distance in b2) 1) (= (distance b2 in) 1)
+    (= (distance b1 out) 1) (= (distance out b1) 1) (= (distance in out) 1.5) (= (distance out in) 1.5)
+    (= (travel) 0))
+  (:goal (= (sent) 3))
+  (:metric minimize (travel)))

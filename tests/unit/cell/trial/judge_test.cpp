@@ -1,0 +1,150 @@
+#include "cell/trial/judge.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace stepwright::trial {
+namespace {
+
+const std::string kBinding = R"toml([tags]
+P = { address = "%QX0.0" }
+L = { address = "%IW1", type = "INT" }
+M = { address = "%IW2", type = "INT" }
+C = { address = "%IX0.0" }
+[sensors.L]
+tag = "L"
+fluent = "(level t1)"
+calibration = [[0, 0], [50, 27648]]
+tolerance = 0.5
+[sensors.M]
+tag = "M"
+fluent = "(level t2)"
+calibration = [[0, 0], [50, 27648]]
+tolerance = 0.5
+[[facts]]
+fact = "(full t1)"
+tag = "C"
+[[actions]]
+action = "(fill ?t ?a)"
+outputs = ["P"]
+until = { fluent = "(level ?t)", pre_act = 0.2 }
+timeout_s = 30
+duration = { fixed_s = 1, per_unit_s = 1, of = "(level ?t)" }
+)toml";
+
+translate::Binding binding() {
+  auto read = translate::read_binding(kBinding, "binding.toml");
+  if (!read) throw std::runtime_error(result::to_string(read.error()));
+  return *read;
+}
+
+// (fill t1 aN) from 0 to `amount`: all as it should be.
+ActionRun run_of(double amount, double active_s) {
+  ActionRun run;
+  run.end = RunEnd::Done;
+  run.active_s = active_s;
+  run.planned.action = {"fill", {"t1", "a" + std::to_string(static_cast<int>(amount))}};
+  run.planned.before.fluents = {{"(level t1)", 0.0}, {"(level t2)", 0.0}};
+  run.planned.after.fluents = {{"(level t1)", amount}, {"(level t2)", 0.0}};
+  run.before = {{"(level t1)", 0.0}, {"(level t2)", 0.0}, {"(full t1)", 0.0}};
+  run.after = {{"(level t1)", amount}, {"(level t2)", 0.0}, {"(full t1)", 0.0}};
+  run.expected = run.after;
+  return run;
+}
+
+std::vector<std::string> codes(const result::Diagnostics& problems) {
+  std::vector<std::string> codes;
+  for (const result::Diagnostic& each : problems) codes.push_back(each.code);
+  return codes;
+}
+
+using Codes = std::vector<std::string>;
+
+TEST(JudgeRuns, WhenAllIsAsClaimed_ThenNothingIsSaid) {
+  const std::vector<ActionRun> runs = {run_of(10, 11), run_of(10, 11.2)};
+  EXPECT_EQ(codes(judge_runs(binding(), runs)), Codes{});
+}
+
+TEST(JudgeRuns, WhenALevelEndsTooFar_ThenPreActGrowsByAsMuch) {
+  ActionRun run = run_of(10, 11);
+  run.after["(level t1)"] = 11.0;
+  const result::Diagnostics problems = judge_runs(binding(), std::vector{run});
+  ASSERT_EQ(codes(problems), Codes{"B0028"});
+  EXPECT_EQ(problems.front().hint, "until = { fluent = \"(level ?t)\", pre_act = 1.2 }");
+}
+
+TEST(JudgeRuns, WhenAnotherLevelChanges_ThenTheDomainIsSilentOfIt) {
+  ActionRun run = run_of(10, 11);
+  run.after["(level t2)"] = -2.0;
+  const result::Diagnostics problems = judge_runs(binding(), std::vector{run});
+  ASSERT_EQ(codes(problems), Codes{"B0029"});
+  EXPECT_EQ(problems.front().hint, "(decrease (level t2) 2) in the effect");
+}
+
+TEST(JudgeRuns, WhenAFactComesOfWhichNobodySpoke_ThenItIsNamed) {
+  ActionRun run = run_of(10, 11);
+  run.after["(full t1)"] = 1.0;
+  EXPECT_EQ(codes(judge_runs(binding(), std::vector{run})), Codes{"B0029"});
+}
+
+TEST(JudgeRuns, WhenAClaimedFactIsNotShown_ThenItIsNamedInSoManyRuns) {
+  ActionRun wrong = run_of(10, 11);
+  wrong.planned.after.facts.insert("(full t1)");
+  wrong.expected["(full t1)"] = 1.0;
+  ActionRun right = wrong;
+  right.after["(full t1)"] = 1.0;
+  const result::Diagnostics problems = judge_runs(binding(), std::vector{wrong, right});
+  ASSERT_EQ(codes(problems), Codes{"B0027"});
+  EXPECT_NE(problems.front().message.find("in 1 of 2 runs"), std::string::npos);
+}
+
+TEST(JudgeRuns, WhenItTakesLongerThanItsTimeout_ThenOneWithRoomIsProposed) {
+  const result::Diagnostics problems = judge_runs(binding(), std::vector{run_of(10, 40)});
+  ASSERT_EQ(codes(problems), Codes{"B0026"});
+  EXPECT_EQ(problems.front().hint, "timeout_s = 60");
+}
+
+TEST(JudgeRuns, WhenNothingMovesInItsTime_ThenItHasNoEffect) {
+  ActionRun run = run_of(10, 150);
+  run.end = RunEnd::TimedOut;
+  run.after = run.before;
+  EXPECT_EQ(codes(judge_runs(binding(), std::vector{run})), Codes{"B0024"});
+}
+
+TEST(JudgeRuns, WhenALevelFallsInsteadOfRising_ThenTheSignIsWrong) {
+  ActionRun run = run_of(10, 3);
+  run.end = RunEnd::WrongWay;
+  run.after["(level t1)"] = -2.5;
+  const result::Diagnostics problems = judge_runs(binding(), std::vector{run});
+  ASSERT_EQ(codes(problems), Codes{"B0025"});
+  EXPECT_NE(problems.front().message.find("the plant lowers it"), std::string::npos);
+}
+
+TEST(JudgeDuration, WhenItIsFarOff_ThenTheLineThroughTheMeasuredTimesIsProposed) {
+  const translate::Binding bound = binding();
+  const std::vector<ActionRun> runs = {run_of(10, 32), run_of(20, 62), run_of(20, 62)};
+  const result::Diagnostics problems = judge_duration(bound, bound.actions.front(), runs);
+  ASSERT_EQ(codes(problems), Codes{"B0030"});
+  EXPECT_EQ(problems.front().hint, "duration = { fixed_s = 2, per_unit_s = 3, of = \"(level ?t)\" }");
+}
+
+TEST(JudgeDuration, WhenItIsNear_ThenNothingIsSaid) {
+  const translate::Binding bound = binding();
+  EXPECT_EQ(codes(judge_duration(bound, bound.actions.front(), std::vector{run_of(10, 12), run_of(20, 24)})),
+            Codes{});
+}
+
+TEST(Spread, WhenARunDidNotEnd_ThenItDoesNotCount) {
+  std::vector<ActionRun> runs = {run_of(10, 10), run_of(10, 14), run_of(10, 99)};
+  runs.back().end = RunEnd::TimedOut;
+  const Spread spread = spread_of(runs);
+  EXPECT_EQ(spread.runs, 2u);
+  EXPECT_DOUBLE_EQ(spread.mean_s, 12.0);
+  EXPECT_DOUBLE_EQ(spread.spread_s, 2.0);
+}
+
+}  // namespace
+}  // namespace stepwright::trial
