@@ -19,6 +19,7 @@
 #include "plant_models/assemblies/tugger.h"
 #include "plant_models/bridge/plant_driver.h"
 #include "plant_models/bridge/port_map.h"
+#include "plant_models/components/model_plant.h"
 #include "runtime/image/no_io.h"
 
 namespace stepwright::cell_runtime {
@@ -102,6 +103,7 @@ class PlantIo final : public CellIo, private host::PlantAccess {
 
   // The plant's process, which runs from here on.
   [[nodiscard]] result::Result<void> start(const config::CellConfig& config) {
+    if (config.plant.kind == "model") model_ = static_cast<components::ModelPlant*>(plant_.get());
     if (!config::is_stepped(config.plant.kind)) return {};
     stepped_ = static_cast<stepped::SteppedPlant*>(plant_.get());
     return stepped_->start(stepped_command(config));
@@ -109,8 +111,14 @@ class PlantIo final : public CellIo, private host::PlantAccess {
 
   image::IoDriver& driver() override { return *driver_; }
   host::PlantAccess* plant() override { return this; }
-  bool alive() const override { return stepped_ == nullptr || !stepped_->failed(); }
-  std::string trouble() override { return stepped_ == nullptr ? std::string() : stepped_->trouble(); }
+  bool alive() const override {
+    if (model_ != nullptr) return model_->trouble().empty();
+    return stepped_ == nullptr || !stepped_->failed();
+  }
+  std::string trouble() override {
+    if (model_ != nullptr) return model_->trouble();
+    return stepped_ == nullptr ? std::string() : stepped_->trouble();
+  }
 
  private:
   std::span<const std::string> value_names() const override { return names_; }
@@ -118,11 +126,14 @@ class PlantIo final : public CellIo, private host::PlantAccess {
     for (std::uint32_t i = 0; i < values.size(); ++i) values[i] = plant_->truth(core::TruthId(i));
   }
   result::Result<void> inject_fault(const std::string& name, double value) override {
+    // `stepwright fault NAME --clear`: a value that is no number ends the fault.
+    if (std::isnan(value)) return plant_->clear_fault(name);
     return plant_->inject_fault(name, value);
   }
 
   std::unique_ptr<core::Plant> plant_;
-  stepped::SteppedPlant* stepped_ = nullptr;  // the same, where it is a process of its own
+  stepped::SteppedPlant* stepped_ = nullptr;  // the same, where it is a process of its own,
+  components::ModelPlant* model_ = nullptr;   // or is described by a file
   std::unique_ptr<PlantMemory> memory_;
   std::vector<std::string> names_;
   std::unique_ptr<RetainedPlantDriver> driver_;
@@ -258,6 +269,17 @@ std::vector<bridge::PortWire> plant_wires(const config::CellConfig& config) {
   if (wires.empty() && config.plant.kind == "model") wires = model_wires(config.plant);
   if (wires.empty() && config.plant.kind == "robot_cell") wires = robot_cell_wires(config.plant);
   return wires;
+}
+
+result::Result<std::unique_ptr<core::Plant>> fresh_plant(const config::CellConfig& config) {
+  if (config.plant.kind == "none")
+    return result::fail("C0448", {config.file.string(), 0, 0}, "this cell has no simulated plant",
+                        "[plant] kind = \"model\" is one of components");
+  auto plant = make_plant(config.plant);
+  if (!plant || !config::is_stepped(config.plant.kind)) return plant;
+  auto started = static_cast<stepped::SteppedPlant&>(**plant).start(stepped_command(config));
+  if (!started) return result::forward(started);
+  return plant;
 }
 
 result::Diagnostics check_cell_io(const config::CellConfig& config) {

@@ -12,6 +12,7 @@
 
 #include "cell/config/cell_config.h"
 #include "plant_models/bridge/plant_driver.h"
+#include "plant_models/core/plant.h"
 #include "runtime/ground/result/result.h"
 #include "runtime/host/plant_access.h"
 #include "runtime/image/io_driver.h"
@@ -33,7 +34,8 @@ class CellIo {
   virtual std::optional<io_memory::ProcessMark> other_runtime() const { return std::nullopt; }
   // True if the process behind the I/O is there. Always true where it cannot be missing.
   virtual bool alive() const { return true; }
-  // What has become of a plant in a process of its own, which is ended then; empty while all is well.
+  // What has become of a plant in a process of its own, which is ended then, or of one whose equations could
+  // not be solved any more; empty while all is well.
   virtual std::string trouble() { return {}; }
 
   // Fails with what is wrong in [plant], its ports and its scheduled faults (C0301 to C0331), and with why
@@ -43,6 +45,11 @@ class CellIo {
 
 // The wires of the cell's plant: its own, or those that its kind has by default.
 std::vector<bridge::PortWire> plant_wires(const config::CellConfig& config);
+
+// The cell's simulated plant as it is at the beginning, beside whatever runs: for trials. Its process runs
+// where it has one. Fails with what is wrong in [plant] (C0301 to C0331, R0151 to R0155); C0448: the cell has
+// none.
+[[nodiscard]] result::Result<std::unique_ptr<core::Plant>> fresh_plant(const config::CellConfig& config);
 
 // Everything that create() would refuse, found without leaving a trace: nothing is opened or kept.
 result::Diagnostics check_cell_io(const config::CellConfig& config);

@@ -24,13 +24,19 @@ std::vector<core::Quantity> quantities_of(const std::vector<config::SteppedQuant
   return quantities;
 }
 
+std::vector<core::FaultRange> ranges_of(const std::vector<config::SteppedQuantityConfig>& faults) {
+  std::vector<core::FaultRange> ranges;
+  for (const config::SteppedQuantityConfig& each : faults) ranges.push_back({each.low, each.high, false});
+  return ranges;
+}
+
 }  // namespace
 
 result::Result<std::unique_ptr<stepped::SteppedPlant>> stepped_plant(const config::PlantConfig& plant) {
   const config::SteppedPlantConfig& config = plant.stepped;
   return std::make_unique<stepped::SteppedPlant>(stepped::SteppedDescription{
       plant.kind, terminals_of(config.actuators), terminals_of(config.sensors), quantities_of(config.values),
-      quantities_of(config.faults), config.step, plant.seed});
+      quantities_of(config.faults), ranges_of(config.faults), config.step, plant.seed});
 }
 
 stepped::StepCommand stepped_command(const config::CellConfig& cell) {

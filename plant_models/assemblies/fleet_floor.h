@@ -43,6 +43,8 @@ class FleetFloor final : public core::Plant {
   std::span<const core::Port> sensors() const override { return ports_.sensors; }
   std::span<const core::Quantity> truths() const override { return ports_.truths; }
   std::span<const core::Quantity> faults() const override { return ports_.faults; }
+  core::FaultRange fault_range(std::size_t fault) const override { return ports_.fault_ranges[fault]; }
+  std::string violation() const override;
   const core::PlantDescription& description() const override { return description_; }
 
   std::chrono::nanoseconds now() const override { return now_; }

@@ -1,3 +1,5 @@
+#include <string>
+
 #include "plant_models/assemblies/fleet_floor.h"
 
 namespace stepwright::assemblies {
@@ -6,6 +8,14 @@ namespace {
 constexpr std::string_view kFleetPlant = "the fleet";
 
 }  // namespace
+
+std::string FleetFloor::violation() const {
+  if (const auto met = overlap_monitor_.overlaps(); met > 0)
+    return "vehicles overlapped in " + std::to_string(met) + " steps";
+  if (const auto met = overlap_monitor_.obstacle_overlaps(); met > 0)
+    return "a vehicle overlapped what stands there in " + std::to_string(met) + " steps";
+  return {};
+}
 
 result::Result<void> FleetFloor::inject_fault(std::string_view name, double value) {
   auto fault = find_fault(kFleetPlant, ports_.faults, name);

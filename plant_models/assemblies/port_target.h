@@ -19,11 +19,7 @@ struct PortTarget {
   std::size_t index = 0;  // of the thing of that kind
 };
 
-struct FaultRange {
-  double min = 0.0;
-  double max = 1.0;
-  bool whole = true;  // whole numbers only
-};
+using core::FaultRange;
 
 // "0.5", "40": as short as it is.
 std::string number_text(double value);

@@ -36,6 +36,7 @@ class TankBench final : public core::Plant {
   std::span<const core::Port> sensors() const override;
   std::span<const core::Quantity> truths() const override;
   std::span<const core::Quantity> faults() const override;
+  core::FaultRange fault_range(std::size_t fault) const override;
   const core::PlantDescription& description() const override { return description_; }
 
   std::chrono::nanoseconds now() const override { return now_; }

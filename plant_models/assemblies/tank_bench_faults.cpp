@@ -11,13 +11,22 @@ namespace {
 
 constexpr std::string_view kBenchPlant = "the tank bench";
 
+bool has_two_values(const FaultTarget& target) {
+  return target.kind == FaultKind::StuckSwitch || target.kind == FaultKind::FrozenSensor;
+}
+
 bool allowed(const FaultTarget& target, double value) {
-  if (target.kind == FaultKind::StuckSwitch || target.kind == FaultKind::FrozenSensor)
-    return value == 0.0 || value == 1.0;
+  if (has_two_values(target)) return value == 0.0 || value == 1.0;
   return value >= target.min && value <= target.max;
 }
 
 }  // namespace
+
+core::FaultRange TankBench::fault_range(std::size_t fault) const {
+  const FaultTarget target = bench_fault_target(fault);
+  if (has_two_values(target)) return {};
+  return {target.min, target.max, false};
+}
 
 result::Result<void> TankBench::inject_fault(std::string_view name, double value) {
   auto fault = find_fault(kBenchPlant, bench_faults(), name);
@@ -26,9 +35,8 @@ result::Result<void> TankBench::inject_fault(std::string_view name, double value
   if (!allowed(target, value)) {
     const core::Quantity& quantity = bench_faults()[*fault];
     const std::string unit = quantity.unit.empty() ? "" : " " + quantity.unit;
-    const bool two = target.kind == FaultKind::StuckSwitch || target.kind == FaultKind::FrozenSensor;
     const std::string range =
-        two ? "0 or 1" : number_text(target.min) + " to " + number_text(target.max) + unit;
+        has_two_values(target) ? "0 or 1" : number_text(target.min) + " to " + number_text(target.max) + unit;
     return result::fail("C0312", {},
                         "fault '" + quantity.name + "' cannot have the value " + number_text(value),
                         "allowed: " + range + "; " + quantity.meaning);

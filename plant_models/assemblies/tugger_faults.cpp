@@ -11,6 +11,11 @@ constexpr double kAtRest_m_s = 0.005;
 
 }  // namespace
 
+std::string Tugger::violation() const {
+  if (contacts_ == 0) return {};
+  return "the train ran into something " + std::to_string(contacts_) + " times";
+}
+
 result::Result<void> Tugger::inject_fault(std::string_view name, double value) {
   auto fault = find_fault(kTuggerPlant, ports_.faults, name);
   if (!fault) return result::forward(fault);

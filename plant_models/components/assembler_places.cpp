@@ -172,11 +172,9 @@ void Assembler::list_order() {
   }
   nodes.insert(nodes.end(), gathers_.begin(), gathers_.end());
   nodes.insert(nodes.end(), junctions_.begin(), junctions_.end());
-  if (auto ordered = put_in_order(nodes, *model_); !ordered) {
-    problems_.insert(problems_.end(), ordered.error().begin(), ordered.error().end());
-    return;
-  }
   for (std::uint32_t c = 0; c < text_.components.size(); ++c) bind_component(c);
+  if (auto ordered = put_in_order(nodes, *model_); !ordered)
+    problems_.insert(problems_.end(), ordered.error().begin(), ordered.error().end());
 }
 
 void Assembler::bind_component(std::uint32_t c) {
@@ -190,7 +188,7 @@ void Assembler::bind_component(std::uint32_t c) {
     faults.push_back(fault.rest);
     model.faults.push_back({text_.components[c].name + "." + fault.name, fault.unit, fault.meaning});
     const double factor = parse_unit(fault.unit).value_or(Unit{}).factor;
-    model.fault_at.push_back({c, i, factor, fault.low, fault.high, fault.rest});
+    model.fault_at.push_back({c, i, factor, fault.low, fault.high, fault.rest, fault.usual, fault.whole});
   }
   model.first_state.push_back(static_cast<std::uint32_t>(model.states));
   model.first_root.push_back(static_cast<std::uint32_t>(model.roots));

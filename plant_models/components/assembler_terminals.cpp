@@ -169,6 +169,7 @@ void Assembler::add_aliases() {
       at.factor /= alias.factor;
       at.low *= alias.factor;
       at.high *= alias.factor;
+      at.usual *= alias.factor;
     }
     model.faults.push_back(std::move(fault));
     model.fault_at.push_back(at);

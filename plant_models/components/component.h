@@ -70,7 +70,8 @@ class Component {
   }
   // Writes the derivatives of its states.
   virtual void derivative(const Frame& frame) const { (void)frame; }
-  // Writes root_count() functions, one of which changes its sign where something happens.
+  // Writes root_count() functions, one of which changes its sign where something happens. Of a component that
+  // has not said set_roots(count, true) they depend on states and time alone.
   virtual void roots(const Frame& frame, double* g) const {
     (void)frame;
     (void)g;
@@ -96,6 +97,8 @@ class Component {
   }
 
   std::size_t root_count() const { return roots_; }
+  // False: roots() looks at states and time alone.
+  bool roots_read_values() const { return roots_read_values_; }
   std::size_t state_count() const { return start_.size(); }
   double start(std::size_t state) const { return start_[state]; }
   double tolerance(std::size_t state) const { return tolerance_[state]; }
@@ -126,7 +129,10 @@ class Component {
     liquid_.push_back(state.liquid);
     heat_.push_back(state.heat);
   }
-  void set_roots(std::size_t count) { roots_ = count; }
+  void set_roots(std::size_t count, bool read_values = false) {
+    roots_ = count;
+    roots_read_values_ = read_values;
+  }
 
   double y(const Frame& frame, std::size_t state) const { return frame.y[state_ + state]; }
   double& dydt(const Frame& frame, std::size_t state) const { return frame.dydt[state_ + state]; }
@@ -144,6 +150,7 @@ class Component {
   std::vector<PortSlots> ports_;
   std::size_t state_ = 0;
   std::size_t roots_ = 0;
+  bool roots_read_values_ = false;
   std::vector<double> faults_;
   std::vector<double> start_, tolerance_, liquid_, heat_;
 };

@@ -53,7 +53,8 @@ Quantity read_figure(const TomlTable& table, const ParameterSpec& spec, const Re
   Quantity fallback = parse_quantity(spec.fallback).value_or(Quantity{0.0, wanted});
   const std::string& key = spec.name;
   if (!table.has(key)) {
-    if (spec.fallback.empty()) (void)table.required_text(key);
+    // Asked for, so that whoever listens hears of the default.
+    (void)(spec.fallback.empty() ? table.required_text(key) : table.text(key, spec.fallback));
     return fallback;
   }
   Quantity figure;

@@ -62,6 +62,9 @@ struct FaultSpec {
   double high = 1.0;
   double rest = std::numeric_limits<double>::quiet_NaN();  // SI; NaN: no value is like the fault
   std::string meaning{};
+  bool whole = false;  // nothing between `low` and `high` has a meaning
+  // A campaign tries no larger ones, in `unit`; such as the range is wide.
+  double usual = std::numeric_limits<double>::infinity();
 };
 
 // The figures of one component, checked and in SI.

@@ -63,7 +63,9 @@ struct ModelFault {
   double factor = 1.0;  // of its unit
   double low = 0.0;     // in its unit
   double high = 1.0;
-  double rest = 0.0;  // SI; NaN: none
+  double rest = 0.0;   // SI; NaN: none
+  double usual = 1.0;  // in its unit: a campaign tries no larger ones
+  bool whole = false;  // whole numbers only
 };
 
 // Two components that are joined, the one that something comes from first.
@@ -86,7 +88,8 @@ struct Model {
   std::size_t roots = 0;
   std::vector<double> values;  // as they are before anything is worked out: constants
   std::vector<Step> order;
-  std::vector<Step> shown;  // the part of it that the program's inputs come from
+  std::vector<Step> shown;    // the part of it that the program's inputs come from,
+  std::vector<Step> watched;  // and the part that root functions look at
   std::vector<Gathering> gatherings;
   std::vector<Loop> loops;
   std::vector<ModelLink> links;  // for who draws it

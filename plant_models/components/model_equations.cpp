@@ -65,7 +65,7 @@ void ModelEquations::derivative(double t, std::span<const double> y, std::span<d
 
 void ModelEquations::roots(double t, std::span<const double> y, std::span<double> g) const {
   const Frame frame{.t_s = t, .y = y.data(), .v = values_.data()};
-  evaluate(frame);
+  run(model_.watched, frame);
   for (const std::uint32_t component : model_.with_roots)
     model_.components[component]->roots(frame, g.data() + model_.first_root[component]);
 }

@@ -1,5 +1,6 @@
 // Faults of a described plant.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -27,6 +28,19 @@ result::Result<std::size_t> find_fault(const Model& model, std::string_view name
 }
 
 }  // namespace
+
+core::FaultRange ModelPlant::fault_range(std::size_t fault) const {
+  const ModelFault& at = model_->fault_at[fault];
+  return {std::max(at.low, -at.usual), std::min(at.high, at.usual), at.whole};
+}
+
+std::string ModelPlant::violation() const {
+  constexpr double kOfAll = 1e-6;
+  const double lost = liquid_at_start_ - all_liquid();
+  if (std::abs(lost) <= kOfAll * std::max(std::abs(liquid_at_start_), 1e-3)) return {};
+  return number_text(std::abs(lost) * 1e3) + " l of liquid " +
+         (lost > 0.0 ? "went to nowhere" : "came from nowhere");
+}
 
 result::Result<void> ModelPlant::inject_fault(std::string_view name, double value) {
   const auto fault = find_fault(*model_, name);

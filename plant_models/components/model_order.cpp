@@ -103,21 +103,44 @@ bool order_circle(const std::vector<std::uint32_t>& circle, const std::vector<Or
   return done == circle.size();
 }
 
-// The steps of the order that set something which a terminal shows, or one of those steps reads.
-void find_shown(const std::vector<OrderNode>& nodes, const std::vector<std::vector<std::uint32_t>>& members,
-                Model& model) {
-  std::vector<bool> needed(model.values.size(), false);
-  for (const ModelTerminal& terminal : model.sensor_at) needed[terminal.slot] = true;
+// The steps of the order that set something which is needed, or which one of those steps reads.
+std::vector<Step> steps_for(std::vector<bool> needed, const std::vector<OrderNode>& nodes,
+                            const std::vector<std::vector<std::uint32_t>>& members, const Model& model) {
+  std::vector<Step> steps;
   for (std::size_t i = model.order.size(); i-- > 0;) {
     const bool sets = std::any_of(members[i].begin(), members[i].end(), [&](std::uint32_t node) {
       const auto& writes = nodes[node].writes;
       return std::any_of(writes.begin(), writes.end(), [&](std::uint32_t value) { return needed[value]; });
     });
     if (!sets) continue;
-    model.shown.insert(model.shown.begin(), model.order[i]);
+    steps.push_back(model.order[i]);
     for (const std::uint32_t node : members[i])
       for (const std::uint32_t value : nodes[node].reads) needed[value] = true;
   }
+  std::reverse(steps.begin(), steps.end());
+  return steps;
+}
+
+std::vector<bool> shown_values(const Model& model) {
+  std::vector<bool> needed(model.values.size(), false);
+  for (const ModelTerminal& terminal : model.sensor_at) needed[terminal.slot] = true;
+  return needed;
+}
+
+// Everything at the ports of components whose root functions look there.
+std::vector<bool> watched_values(const Model& model) {
+  std::vector<bool> needed(model.values.size(), false);
+  for (const std::uint32_t c : model.with_roots) {
+    const Component& component = *model.components[c];
+    if (!component.roots_read_values()) continue;
+    for (std::size_t i = 0; i < component.ports().size(); ++i) {
+      const PortSlots& port = component.ports()[i];
+      const bool liquid = model.types[c]->ports[i].kind == PortKind::Fluid;
+      for (std::uint32_t k = 0; k < (liquid ? kFluidAcross : 1); ++k) needed[port.across + k] = true;
+      for (std::uint32_t k = 0; k < (liquid ? kFluidThrough : 1); ++k) needed[port.through + k] = true;
+    }
+  }
+  return needed;
 }
 
 }  // namespace
@@ -169,7 +192,8 @@ result::Result<void> put_in_order(const std::vector<OrderNode>& nodes, Model& mo
     members.push_back(std::move(circle));
   }
   if (!problems.empty()) return tl::unexpected(std::move(problems));
-  find_shown(nodes, members, model);
+  model.shown = steps_for(shown_values(model), nodes, members, model);
+  model.watched = steps_for(watched_values(model), nodes, members, model);
   return {};
 }
 

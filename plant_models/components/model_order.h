@@ -19,8 +19,8 @@ struct OrderNode {
   std::uint32_t component = 0;  // for messages; of a junction: the first one that it joins
 };
 
-// Fills `order`, `shown` and `loops` of the model, whose terminals have their places. Fails with a C0346 for
-// each circle without a state, at the place of one of its components.
+// Fills `order`, `shown`, `watched` and `loops` of the model, whose terminals and components have their
+// places. Fails with a C0346 for each circle without a state, at the place of one of its components.
 [[nodiscard]] result::Result<void> put_in_order(const std::vector<OrderNode>& nodes, Model& model);
 
 }  // namespace stepwright::components

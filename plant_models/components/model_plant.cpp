@@ -1,8 +1,10 @@
 #include "plant_models/components/model_plant.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
+#include <cstdio>
 
 #include "plant_models/components/describe.h"
 #include "runtime/base/hash64.h"
@@ -52,6 +54,7 @@ result::Result<std::unique_ptr<ModelPlant>> ModelPlant::load(const std::filesyst
   const bool goes_on = left && left->size() == plant->kept_size() && left->back() == plant->mark_ &&
                        std::all_of(left->begin(), left->end(), [](double x) { return std::isfinite(x); });
   if (goes_on) std::copy_n(left->begin(), plant->y_.size(), plant->y_.begin());
+  plant->liquid_at_start_ = plant->all_liquid();
   plant->settle(0.0);
   if (plant->y_.empty()) return plant;
   auto solver = ode::CvodeSolver::create(*plant->equations_, plant->y_, 0.0, settings_of(*plant->model_));
@@ -116,9 +119,25 @@ core::PlantStatus ModelPlant::advance_to(std::chrono::nanoseconds time) {
   }
   failed_ = failed_ || !run_to(seconds(time));
   sampled_now_ = Sampled::Nothing;
-  if (failed_) return core::PlantStatus::Failed;
+  if (failed_) return give_up();
   now_ = time;
   return core::PlantStatus::Good;
+}
+
+core::PlantStatus ModelPlant::give_up() {
+  failed_component_ = stiffest_component();
+  trouble_known_.store(true, std::memory_order_release);
+  return core::PlantStatus::Failed;
+}
+
+std::string ModelPlant::trouble() const {
+  if (!trouble_known_.load(std::memory_order_acquire)) return {};
+  std::array<char, 32> at{};
+  std::snprintf(at.data(), at.size(), "%.3f", seconds(now_));
+  const std::string& name = model_->names[failed_component_];
+  return std::string("the plant's solver gave up at ") + at.data() + " s: no step is small enough" +
+         (name.empty() ? std::string() : "; '" + name + "' changes fastest") +
+         (model_->text.solver.implicit ? "" : " ([solver] method = \"implicit\" is for stiff plants)");
 }
 
 bool ModelPlant::run_to(double t_s) {
@@ -182,25 +201,32 @@ std::int16_t ModelPlant::sensor(core::SensorId id) const {
 
 double ModelPlant::truth(core::TruthId id) const {
   const ModelTruth& truth = model_->truth_at[id.value];
-  if (truth.slot != kAllLiquid) {
-    sample(Sampled::All);
-    return (sampled_[truth.slot] - truth.offset) / truth.factor;
-  }
+  if (truth.slot == kAllLiquid) return all_liquid() / truth.factor;
+  sample(Sampled::All);
+  return (sampled_[truth.slot] - truth.offset) / truth.factor;
+}
+
+// m3
+double ModelPlant::all_liquid() const {
   double sum = 0.0;
   for (const std::uint32_t c : model_->with_states) {
     const Component& component = *model_->components[c];
     for (std::size_t s = 0; s < component.state_count(); ++s)
       sum += component.liquid(s) * y_[model_->first_state[c] + s];
   }
-  return sum / truth.factor;
+  return sum;
 }
 
 std::string ModelPlant::stiffest() {
+  return y_.empty() ? std::string() : model_->names[stiffest_component()];
+}
+
+std::uint32_t ModelPlant::stiffest_component() {
   Frame at = frame(seconds(now_));
   at.dydt = before_.data();
   equations_->evaluate(at);
   equations_->derivatives(at);
-  std::string name;
+  std::uint32_t found = 0;
   double most = 0.0;
   for (const std::uint32_t c : model_->with_states) {
     const Component& component = *model_->components[c];
@@ -208,11 +234,11 @@ std::string ModelPlant::stiffest() {
       const double rate = std::abs(before_[model_->first_state[c] + s]) / component.tolerance(s);
       if (rate > most || !std::isfinite(rate)) {
         most = std::isfinite(rate) ? rate : 1e300;
-        name = model_->names[c];
+        found = c;
       }
     }
   }
-  return name;
+  return found;
 }
 
 void ModelPlant::keep(std::span<double> numbers) const {

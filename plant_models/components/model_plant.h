@@ -10,10 +10,13 @@
 //   auto plant = ModelPlant::load("plant.toml", library::catalogue(), {.seed = 7});
 //   if (!plant) return forward(plant);
 
+#include <atomic>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "plant_models/components/model.h"
@@ -35,6 +38,9 @@ class ModelPlant final : public core::Plant {
   std::span<const core::Port> sensors() const override { return model_->sensors; }
   std::span<const core::Quantity> truths() const override { return model_->truths; }
   std::span<const core::Quantity> faults() const override { return model_->faults; }
+  core::FaultRange fault_range(std::size_t fault) const override;
+  // Liquid that came from nowhere or went to nowhere.
+  std::string violation() const override;
   const core::PlantDescription& description() const override { return description_; }
   const Model& model() const { return *model_; }
 
@@ -55,6 +61,8 @@ class ModelPlant final : public core::Plant {
   // The component whose state changes fastest, beside its tolerance: where a solver that gives up has its
   // trouble.
   std::string stiffest();
+  // Why it has failed, with that component; empty while it runs. Any thread.
+  std::string trouble() const;
 
  private:
   explicit ModelPlant(std::unique_ptr<Model> model);
@@ -66,6 +74,9 @@ class ModelPlant final : public core::Plant {
   bool handle_event();
   enum class Sampled : std::uint8_t { Nothing, Shown, All };
   void sample(Sampled wanted) const;
+  double all_liquid() const;
+  std::uint32_t stiffest_component();
+  core::PlantStatus give_up();
   double mark() const;
   void set_fault(std::size_t fault, double si);
 
@@ -81,10 +92,13 @@ class ModelPlant final : public core::Plant {
   mutable Sampled sampled_now_ = Sampled::Nothing;
   std::chrono::nanoseconds now_{0};
   double mark_ = 0.0;
-  bool changed_ = false;  // an actuator or a fault may have changed at now_
+  double liquid_at_start_ = 0.0;  // m3
+  bool changed_ = false;          // an actuator or a fault may have changed at now_
   bool fault_changed_ = false;
   bool event_pending_ = false;  // the solver stands at a root that has not been handled
   bool failed_ = false;
+  std::uint32_t failed_component_ = 0;
+  std::atomic<bool> trouble_known_{false};  // then time and component of the failure do not change any more
 };
 
 }  // namespace stepwright::components

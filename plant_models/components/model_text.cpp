@@ -69,7 +69,12 @@ result::Result<ModelText> read_model(const std::filesystem::path& file, Catalogu
                                      const ModelOptions& options) {
   auto document = settings::TomlDocument::load(file);
   if (!document) return result::forward(document);
-  const TomlTable root = (*document)->root();
+  return read_model(**document, file, catalogue, options);
+}
+
+result::Result<ModelText> read_model(settings::TomlDocument& document, const std::filesystem::path& file,
+                                     Catalogue catalogue, const ModelOptions& options) {
+  const TomlTable root = document.root();
   ModelText model;
   model.file = file;
   const TomlTable plant = root.table("plant");
@@ -96,7 +101,7 @@ result::Result<ModelText> read_model(const std::filesystem::path& file, Catalogu
   read_terminals(root.table("terminals"), model);
   model.truths = read_aliases(root.table("truths"));
   model.faults = read_aliases(root.table("faults"));
-  result::Diagnostics problems = (*document)->finish();
+  result::Diagnostics problems = document.finish();
   if (result::has_errors(problems)) return tl::unexpected(std::move(problems));
   return model;
 }

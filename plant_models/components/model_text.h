@@ -23,6 +23,7 @@
 #include <vector>
 
 #include "plant_models/components/component_type.h"
+#include "runtime/ground/settings/toml_document.h"
 
 namespace stepwright::components {
 
@@ -85,6 +86,10 @@ struct ModelOptions {
 
 // Fails with everything that is wrong in the file: C0001 to C0006, C0341 (unit), C0342 (unknown type).
 [[nodiscard]] result::Result<ModelText> read_model(const std::filesystem::path& file, Catalogue catalogue,
+                                                   const ModelOptions& options);
+// The same of a document that is there already; `file` is its name.
+[[nodiscard]] result::Result<ModelText> read_model(settings::TomlDocument& document,
+                                                   const std::filesystem::path& file, Catalogue catalogue,
                                                    const ModelOptions& options);
 
 }  // namespace stepwright::components

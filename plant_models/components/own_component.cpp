@@ -34,7 +34,7 @@ class OwnComponent final : public Component {
       sets_.emplace_back();
       for (const auto& [state, text] : event.set) sets_.back().push_back({state, sure(text, variables)});
     }
-    set_roots(events_.size());
+    set_roots(events_.size(), true);
   }
 
   void evaluate(std::uint32_t stage, const Frame& f) const override {

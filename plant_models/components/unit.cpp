@@ -9,6 +9,7 @@
 #include <cstring>
 #include <map>
 #include <memory>
+#include <mutex>
 
 namespace stepwright::components {
 namespace {
@@ -121,7 +122,9 @@ std::optional<Unit> parse_new_unit(std::string_view text) {
 
 // A plant has thousands of figures and few units.
 std::optional<Unit> parse_unit(std::string_view text) {
+  static std::mutex mutex;  // of all that UDUNITS has: it knows no threads
   static std::map<std::string, std::optional<Unit>, std::less<>> known;
+  const std::lock_guard lock(mutex);
   const auto found = known.find(text);
   if (found != known.end()) return found->second;
   return known.emplace(std::string(text), parse_new_unit(text)).first->second;

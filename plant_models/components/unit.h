@@ -3,7 +3,7 @@
 // Units of measurement as people write them ("6000 m/(m3/s)", "55 percent", "20 degC"), by UDUNITS-2. A unit
 // says how a figure becomes SI and which dimension it has.
 //
-// Thread rule: set-up only, one thread at a time; the catalogue of units is read at the first call.
+// Thread-safe; the catalogue of units is read at the first call.
 // Invariant: two units of the same dimension can stand for each other.
 //
 //   const auto unit = parse_unit("l/min");       // factor 1.6667e-5, m3 s-1

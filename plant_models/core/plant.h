@@ -17,6 +17,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "plant_models/core/plant_description.h"
@@ -38,6 +39,11 @@ class Plant {
   virtual std::span<const Port> sensors() const = 0;
   virtual std::span<const Quantity> truths() const = 0;
   virtual std::span<const Quantity> faults() const = 0;
+  // Values of a fault that happen to plants of the kind, all of which it can have: what a campaign tries.
+  virtual FaultRange fault_range(std::size_t fault) const {
+    (void)fault;
+    return {};
+  }
   virtual const PlantDescription& description() const = 0;
 
   // Simulated time since the plant was made.
@@ -57,6 +63,10 @@ class Plant {
 
   // The true state at now(), which no controller may read: for reports and viewers.
   virtual double truth(TruthId id) const = 0;
+
+  // What has happened up to now() that must not, whoever controls the plant: vehicles that met, liquid that
+  // came from nowhere. Empty: nothing. For reports.
+  virtual std::string violation() const { return {}; }
 
   // Makes the named fault hold from now() on, with a value in the fault's unit; injecting it again replaces
   // the value. Fails with C0311 (no such fault; the hint lists the known ones) or C0312 (value out of range)

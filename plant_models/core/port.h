@@ -35,4 +35,11 @@ struct Quantity {
   std::string meaning;
 };
 
+// Values of a fault, in its unit. Where they are the same, nothing is known of them.
+struct FaultRange {
+  double min = 0.0;
+  double max = 1.0;
+  bool whole = true;  // whole numbers only
+};
+
 }  // namespace stepwright::core

@@ -31,13 +31,15 @@ ZipArchive::ZipArchive(ZipArchive&& other) noexcept
     : file_(std::move(other.file_)),
       limits_(other.limits_),
       handle_(std::exchange(other.handle_, nullptr)),
-      names_(std::move(other.names_)) {}
+      names_(std::move(other.names_)),
+      places_(std::move(other.places_)) {}
 
 ZipArchive& ZipArchive::operator=(ZipArchive&& other) noexcept {
   std::swap(file_, other.file_);
   std::swap(limits_, other.limits_);
   std::swap(handle_, other.handle_);
   std::swap(names_, other.names_);
+  std::swap(places_, other.places_);
   return *this;
 }
 
@@ -81,7 +83,10 @@ result::Result<void> ZipArchive::list() {
     if (!known.insert(text).second) return refuse("it has '" + text + "' twice");
     if (known.size() > limits_.files)
       return refuse("it has more than " + std::to_string(limits_.files) + " files");
+    unz64_file_pos place{};
+    if (unzGetFilePos64(handle_, &place) != UNZ_OK) return refuse("its list of files is damaged");
     names_.push_back(std::move(text));
+    places_.push_back({place.pos_in_zip_directory, place.num_of_file});
   }
   return {};
 }
@@ -91,9 +96,10 @@ bool ZipArchive::has(std::string_view name) const {
 }
 
 template <typename Sink>
-result::Result<std::uint64_t> ZipArchive::pass(const std::string& name, std::uint64_t most_bytes, Sink sink) {
-  constexpr int kCaseCounts = 1;
-  if (unzLocateFile(handle_, name.c_str(), kCaseCounts) != UNZ_OK) return refuse("it has no '" + name + "'");
+result::Result<std::uint64_t> ZipArchive::pass(std::size_t file, std::uint64_t most_bytes, Sink sink) {
+  const std::string& name = names_[file];
+  const unz64_file_pos place{places_[file].in_list, places_[file].number};
+  if (unzGoToFilePos64(handle_, &place) != UNZ_OK) return refuse("its list of files is damaged");
   if (unzOpenCurrentFile(handle_) != UNZ_OK)
     return refuse("'" + name + "' cannot be unpacked",
                   "encrypted files and methods but deflate are not read");
@@ -116,18 +122,22 @@ result::Result<std::uint64_t> ZipArchive::pass(const std::string& name, std::uin
 }
 
 result::Result<std::string> ZipArchive::read(const std::string& name, std::uint64_t most_bytes) {
+  const auto file = std::find(names_.begin(), names_.end(), name);
+  if (file == names_.end()) return refuse("it has no '" + name + "'");
   std::string text;
-  auto done = pass(name, most_bytes, [&text](const char* bytes, int count) {
-    text.append(bytes, static_cast<std::size_t>(count));
-    return true;
-  });
+  auto done = pass(static_cast<std::size_t>(file - names_.begin()), most_bytes,
+                   [&text](const char* bytes, int count) {
+                     text.append(bytes, static_cast<std::size_t>(count));
+                     return true;
+                   });
   if (!done) return result::forward(done);
   return text;
 }
 
 result::Result<void> ZipArchive::unpack(const std::filesystem::path& folder) {
   std::uint64_t left = limits_.bytes;
-  for (const std::string& name : names_) {
+  for (std::size_t file = 0; file < names_.size(); ++file) {
+    const std::string& name = names_[file];
     const std::filesystem::path target = folder / name;
     std::error_code error;
     std::filesystem::create_directories(name.back() == '/' ? target : target.parent_path(), error);
@@ -135,7 +145,7 @@ result::Result<void> ZipArchive::unpack(const std::filesystem::path& folder) {
     if (name.back() == '/') continue;
     std::ofstream out(target, std::ios::binary | std::ios::trunc);
     if (!out) return refuse("'" + target.string() + "' cannot be written: " + std::strerror(errno));
-    auto done = pass(name, std::min(left, limits_.file_bytes), [&out](const char* bytes, int count) {
+    auto done = pass(file, std::min(left, limits_.file_bytes), [&out](const char* bytes, int count) {
       return static_cast<bool>(out.write(bytes, count));
     });
     if (!done) return result::forward(done);

@@ -48,16 +48,22 @@ class ZipArchive {
  private:
   explicit ZipArchive(std::filesystem::path file) : file_(std::move(file)) {}
   [[nodiscard]] result::Result<void> list();
-  // Passes the file at the archive's place on in pieces; fails if it is longer than `most_bytes`.
+  // Passes a file on in pieces; fails if it is longer than `most_bytes`.
   template <typename Sink>
-  [[nodiscard]] result::Result<std::uint64_t> pass(const std::string& name, std::uint64_t most_bytes,
-                                                   Sink sink);
+  [[nodiscard]] result::Result<std::uint64_t> pass(std::size_t file, std::uint64_t most_bytes, Sink sink);
   tl::unexpected<result::Diagnostics> refuse(const std::string& why, const std::string& hint = {}) const;
 
   std::filesystem::path file_;
   UnpackLimits limits_;
   void* handle_ = nullptr;
+  // Where each file stands in the archive's list: to look for its name there would take as many steps as
+  // there are files, for every file.
+  struct Place {
+    std::uint64_t in_list = 0;
+    std::uint64_t number = 0;
+  };
   std::vector<std::string> names_;
+  std::vector<Place> places_;
 };
 
 // A name that leads nowhere but into the folder: relative, without "..", "\\", ':' or control characters.

@@ -36,6 +36,7 @@ struct SteppedDescription {
   std::vector<SteppedTerminal> sensors = {};
   std::vector<core::Quantity> values = {};  // true state for reports; what it measures is there by itself
   std::vector<core::Quantity> faults = {};
+  std::vector<core::FaultRange> fault_ranges = {};  // one for each, or none at all
   std::chrono::nanoseconds step{10'000'000};
   std::uint64_t seed = 1;
 };
@@ -54,6 +55,9 @@ class SteppedPlant final : public core::Plant {
   std::span<const core::Port> sensors() const override { return sensor_ports_; }
   std::span<const core::Quantity> truths() const override { return truths_; }
   std::span<const core::Quantity> faults() const override { return about_.faults; }
+  core::FaultRange fault_range(std::size_t fault) const override {
+    return fault < about_.fault_ranges.size() ? about_.fault_ranges[fault] : core::FaultRange{0.0, 0.0};
+  }
   const core::PlantDescription& description() const override { return picture_; }
   std::chrono::nanoseconds now() const override { return now_; }
   void set_actuator(core::ActuatorId id, std::int16_t value) override;

@@ -11,9 +11,9 @@
 #include <filesystem>
 
 #include "cell/config/cell_config.h"
+#include "cell/processes/known_cells.h"
 #include "programs/demo/cell_run.h"
 #include "programs/demo/controller_choice.h"
-#include "programs/demo/known_cells.h"
 #include "programs/demo/summary.h"
 #include "runtime/ground/process/command_line.h"
 #include "runtime/ground/process/files.h"
@@ -152,7 +152,7 @@ result::Result<void> write_pictures(const std::filesystem::path& folder, const r
 constexpr const char* kDeviceToCome = "controller.device=\"/dev/null\"";
 
 int run_demo(const DemoOptions& options) {
-  auto cell = find_cell(options.cell);
+  auto cell = processes::find_cell(options.cell);
   if (!cell) return fail(cell.error(), ExitCode::BadInput);
   auto overrides = overrides_of(options);
   if (!overrides) return fail(overrides.error(), ExitCode::Usage);
@@ -244,7 +244,7 @@ int demo_main(int argc, char** argv) {
   app.add_option("--set", options.overrides, "KEY=VALUE that wins over the cell's file");
   if (const auto exit = process::parse(app, argc, argv)) return *exit;
   if (options.list) {
-    for (const std::string& name : known_cells()) std::puts(name.c_str());
+    for (const std::string& name : processes::known_cells()) std::puts(name.c_str());
     return to_int(ExitCode::Done);
   }
   return run_demo(options);

@@ -28,6 +28,13 @@ int force(const config::CellConfig& config, const ForceArguments& arguments);
 int unforce(const config::CellConfig& config, const ForceArguments& arguments);
 int list_forces(const config::CellConfig& config, const ForceArguments& arguments);
 
+struct FaultArguments {
+  std::string name;  // of the plant's
+  double value = 0.0;
+  bool clear = false;  // it ends instead
+};
+int fault(const config::CellConfig& config, const FaultArguments& arguments);
+
 struct WatchArguments {
   std::vector<std::string> names;
   std::string list_file;  // more names, one a line

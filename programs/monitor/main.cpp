@@ -1,5 +1,5 @@
-// The process behind the commands for people who attend a runtime: start, stop, force, unforce, forces,
-// watch, snapshot, step, continue, record, trace.
+// The process behind the commands for people who attend a runtime: start, stop, fault, force, unforce,
+// forces, watch, snapshot, step, continue, record, trace.
 
 #include <CLI/CLI.hpp>
 #include <functional>
@@ -17,6 +17,7 @@ class Commands {
  public:
   explicit Commands(CLI::App& app) : app_(app) {
     add_runs();
+    add_faults();
     add_forces();
     add_watches();
     add_steps();
@@ -40,6 +41,7 @@ class Commands {
   }
 
   void add_runs();
+  void add_faults();
   void add_forces();
   void add_watches();
   void add_steps();
@@ -49,6 +51,7 @@ class Commands {
   config::CellOptions cell_;
   std::function<int(const config::CellConfig&)> chosen_;
   StartArguments start_;
+  FaultArguments fault_;
   ForceArguments force_;
   WatchArguments watch_;
   StepArguments step_;
@@ -62,6 +65,16 @@ void Commands::add_runs() {
   command->add_flag("--cold", start_.cold, "retained variables have their initial values too");
   add("stop", "stop the program; its outputs go to their safe state",
       [](const auto& config) { return stop(config); });
+}
+
+void Commands::add_faults() {
+  CLI::App* command = add("fault", "make a fault of the simulated plant hold, or end it",
+                          [this](const auto& config) { return fault(config, fault_); });
+  command->add_option("name", fault_.name, "as `stepwright campaign CELL --list` names it")->required();
+  auto* value = command->add_option("value", fault_.value, "in the fault's unit");
+  auto* clear = command->add_flag("--clear", fault_.clear, "it ends");
+  value->excludes(clear);
+  command->require_option(3, 0);  // --config, the name and one of the two
 }
 
 void Commands::add_forces() {

@@ -1,4 +1,5 @@
 #include <cstdio>
+#include <limits>
 
 #include "programs/monitor/attach.h"
 #include "programs/monitor/commands.h"
@@ -27,6 +28,12 @@ int start(const config::CellConfig& config, const StartArguments& arguments) {
 int stop(const config::CellConfig& config) {
   return perform(config, service::Stop{"somebody at the machine"},
                  "stopped, with the outputs in their safe state");
+}
+
+int fault(const config::CellConfig& config, const FaultArguments& arguments) {
+  constexpr double kEnds = std::numeric_limits<double>::quiet_NaN();
+  return perform(config, service::InjectFault{arguments.name, arguments.clear ? kEnds : arguments.value},
+                 arguments.clear ? "the fault has ended" : "the plant has the fault");
 }
 
 }  // namespace stepwright::monitor

@@ -108,7 +108,8 @@ ComponentType control_valve_type() {
                   .low = 0.0,
                   .high = 1.0,
                   .rest = 0.0,
-                  .meaning = "1: it stays where it is"},
+                  .meaning = "1: it stays where it is",
+                  .whole = true},
                  {.name = "blocked",
                   .unit = "percent",
                   .low = 0.0,
@@ -126,7 +127,8 @@ ComponentType control_valve_type() {
                   .low = 1.0,
                   .high = 1000.0,
                   .rest = 1.0,
-                  .meaning = "it takes so many times its travel time"}},
+                  .meaning = "it takes so many times its travel time",
+                  .usual = 10.0}},
       .stages = 2,
       .make = [](const Parameters& p) { return std::make_unique<ControlValve>(p); }};
 }

@@ -43,12 +43,14 @@ ComponentType push_button_type() {
                       .low = 0.0,
                       .high = 1.0,
                       .rest = 0.0,
-                      .meaning = "1: somebody presses it (no fault)"},
+                      .meaning = "1: somebody presses it (no fault)",
+                      .whole = true},
                      {.name = "broken_wire",
                       .low = 0.0,
                       .high = 1.0,
                       .rest = 0.0,
-                      .meaning = "1: its wire is broken, whatever its contact does"}},
+                      .meaning = "1: its wire is broken, whatever its contact does",
+                      .whole = true}},
           .make = [](const Parameters& p) { return std::make_unique<PushButton>(p); }};
 }
 
@@ -66,7 +68,8 @@ ComponentType lamp_type() {
                       .low = 0.0,
                       .high = 1.0,
                       .rest = 0.0,
-                      .meaning = "1: it does not shine any more"}},
+                      .meaning = "1: it does not shine any more",
+                      .whole = true}},
           .make = [](const Parameters&) { return std::make_unique<Lamp>(); }};
 }
 

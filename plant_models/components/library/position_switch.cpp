@@ -14,7 +14,7 @@ class PositionSwitch final : public Component {
  public:
   explicit PositionSwitch(const Parameters& p)
       : at_(p["at"]), half_width_(p["half_width"]), hysteresis_(p["hysteresis"]) {
-    set_roots(1);
+    set_roots(1, true);
   }
   void evaluate(std::uint32_t, const Frame& f) const override {
     across(f, kClosed) = closed_ ? 1.0 : 0.0;
@@ -74,7 +74,8 @@ ComponentType position_switch_type() {
                       .unit = "",
                       .low = 0.0,
                       .high = 1.0,
-                      .meaning = "the program sees this whatever is there"}},
+                      .meaning = "the program sees this whatever is there",
+                      .whole = true}},
           .make = [](const Parameters& p) { return std::make_unique<PositionSwitch>(p); }};
 }
 

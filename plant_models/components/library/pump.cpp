@@ -164,7 +164,8 @@ ComponentType pump_type() {
                   .low = 0.0,
                   .high = 1e6,
                   .rest = 0.0,
-                  .meaning = "with a totaliser: it delivers this much whatever it is told"}},
+                  .meaning = "with a totaliser: it delivers this much whatever it is told",
+                  .usual = 10.0}},
       .stages = 2,
       .make = [](const Parameters& p) { return std::make_unique<Pump>(p); }};
 }

@@ -1,6 +1,10 @@
-// Sensors of one quantity: filter, then bias, drift and noise. A card turns what they show into counts.
+// Sensors of one quantity: filter and delay, then bias, drift and noise. A card turns what they show into
+// counts.
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <vector>
 
 #include "plant_models/components/library/types.h"
 #include "plant_models/core/sensor_error.h"
@@ -11,6 +15,8 @@ namespace {
 enum Port : std::size_t { kOf, kValue };
 enum Fault : std::size_t { kDrifts, kFrozen, kOffset };
 
+constexpr double kSample_s = 0.01;  // of a delay, up to a thousand samples
+
 class Sensor final : public Component {
  public:
   Sensor(const Parameters& p, std::uint32_t what)
@@ -19,6 +25,11 @@ class Sensor final : public Component {
         what_(what),
         filter_s_(p["filter"]) {
     if (filter_s_ > 0.0) add_state({.start = p["first"], .tolerance = 1e-7});
+    if (p["delay"] <= 0.0) return;
+    const double samples = std::clamp(std::round(p["delay"] / kSample_s), 1.0, 1'000.0);
+    line_.assign(static_cast<std::size_t>(samples), 0.0);
+    step_s_ = p["delay"] / samples;
+    set_roots(1);
   }
 
   void evaluate(std::uint32_t, const Frame& f) const override {
@@ -27,6 +38,22 @@ class Sensor final : public Component {
   }
   void derivative(const Frame& f) const override {
     if (filter_s_ > 0.0) dydt(f, 0) = (measured(f) - y(f, 0)) / filter_s_;
+  }
+  // What comes in at a sample comes out a delay later.
+  void roots(const Frame& f, double* g) const override {
+    g[0] = f.t_s - step_s_ * static_cast<double>(ticks_ + 1);
+  }
+  Event handle(const Frame& f, const int*, double*) override {
+    line_[ticks_ % line_.size()] = filtered(f);
+    ++ticks_;
+    return Event::Changed;
+  }
+  // Before the start it was as it is then.
+  bool settle(const Frame& f) override {
+    if (line_.empty() || filled_) return false;
+    std::ranges::fill(line_, filtered(f));
+    filled_ = true;
+    return true;
   }
   void fault_changed(std::size_t fault, double value, const Frame& f) override {
     if (fault == kDrifts) since_ns_ = f.time_ns;
@@ -37,8 +64,9 @@ class Sensor final : public Component {
   static double sure(const Parameters& p, const char* name) { return p.uncertainty ? p[name] : 0.0; }
   bool frozen() const { return fault(kFrozen) >= 0.5; }
   double measured(const Frame& f) const { return across(f, kOf, what_ == 0 ? 0 : kPressure); }
+  double filtered(const Frame& f) const { return filter_s_ > 0.0 ? y(f, 0) : measured(f); }
   double reading(const Frame& f) const {
-    double value = filter_s_ > 0.0 ? y(f, 0) : measured(f);
+    double value = line_.empty() ? filtered(f) : line_[ticks_ % line_.size()];
     value += fault(kOffset);
     if (!f.sampling) return value;
     const std::chrono::nanoseconds time(f.time_ns);
@@ -49,11 +77,16 @@ class Sensor final : public Component {
   core::SensorError error_;
   std::uint32_t what_;  // 0: a signal; else: a pressure
   double filter_s_;
+  std::vector<double> line_;  // of the delay: the oldest sample is the next one to be written over
+  double step_s_ = 0.0;       // between two samples
+  std::size_t ticks_ = 0;
+  bool filled_ = false;
   std::int64_t since_ns_ = 0;
   double shown_ = 0.0;
 };
 
-ComponentType sensor(const char* name, const char* meaning, const char* unit, bool of_liquid) {
+// `usual`: the size of an error that happens; in a minute, of one that grows.
+ComponentType sensor(const char* name, const char* meaning, const char* unit, bool of_liquid, double usual) {
   const std::string of = unit;
   const auto size = [&](const char* parameter, const char* what) {
     return ParameterSpec{
@@ -71,6 +104,12 @@ ComponentType sensor(const char* name, const char* meaning, const char* unit, bo
                       .low = 0.0,
                       .high = 1e4,
                       .meaning = "time constant; 0: it shows what is there"},
+                     {.name = "delay",
+                      .unit = "s",
+                      .fallback = "0 s",
+                      .low = 0.0,
+                      .high = 3600.0,
+                      .meaning = "until it shows what was there, in steps of 10 ms or a thousandth of it"},
                      {.name = "first",
                       .unit = of,
                       .fallback = "0 " + of,
@@ -89,19 +128,22 @@ ComponentType sensor(const char* name, const char* meaning, const char* unit, bo
                   .low = -1e6,
                   .high = 1e6,
                   .rest = 0.0,
-                  .meaning = "what it shows walks away at this rate"},
+                  .meaning = "what it shows walks away at this rate",
+                  .usual = usual / 60.0},
                  {.name = "frozen",
                   .unit = "",
                   .low = 0.0,
                   .high = 1.0,
                   .rest = 0.0,
-                  .meaning = "1: it goes on showing its present value"},
+                  .meaning = "1: it goes on showing its present value",
+                  .whole = true},
                  {.name = "offset",
                   .unit = of,
                   .low = -1e9,
                   .high = 1e9,
                   .rest = 0.0,
-                  .meaning = "it shows so much more"}},
+                  .meaning = "it shows so much more",
+                  .usual = usual}},
       .make = [of_liquid](const Parameters& p) { return std::make_unique<Sensor>(p, of_liquid ? 1 : 0); }};
   if (of_liquid)
     type.ports[0] = {.name = "of", .kind = PortKind::Fluid, .reads = 0, .meaning = "where it measures"};
@@ -111,16 +153,16 @@ ComponentType sensor(const char* name, const char* meaning, const char* unit, bo
 }  // namespace
 
 ComponentType level_sensor_type() {
-  return sensor("level_sensor", "shows the level of a tank", "percent", false);
+  return sensor("level_sensor", "shows the level of a tank", "percent", false, 20.0);
 }
 ComponentType temperature_sensor_type() {
-  return sensor("temperature_sensor", "shows a temperature", "K", false);
+  return sensor("temperature_sensor", "shows a temperature", "K", false, 20.0);
 }
 ComponentType flow_sensor_type() {
-  return sensor("flow_sensor", "shows a flow", "l/s", false);
+  return sensor("flow_sensor", "shows a flow", "l/s", false, 1.0);
 }
 ComponentType pressure_sensor_type() {
-  return sensor("pressure_sensor", "shows the pressure of a liquid above that of the room", "bar", true);
+  return sensor("pressure_sensor", "shows the pressure of a liquid above that of the room", "bar", true, 0.5);
 }
 
 }  // namespace stepwright::components::library

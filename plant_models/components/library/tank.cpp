@@ -183,7 +183,8 @@ ComponentType tank_type() {
                   .low = 0.0,
                   .high = 100.0,
                   .rest = 0.0,
-                  .meaning = "it leaks at this rate while it holds liquid"}},
+                  .meaning = "it leaks at this rate while it holds liquid",
+                  .usual = 5.0}},
       .make = [](const Parameters& p) { return std::make_unique<Tank>(p); }};
 }
 

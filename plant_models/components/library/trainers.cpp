@@ -161,7 +161,8 @@ ComponentType first_order_type() {
                       .low = -1e6,
                       .high = 1e6,
                       .rest = 0.0,
-                      .meaning = "is added to its value"}},
+                      .meaning = "is added to its value",
+                      .usual = 50.0}},
           .make = [](const Parameters& p) { return std::make_unique<FirstOrder>(p); }};
 }
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "tests/bench/campaign/spread.h"
+#include "cell/campaign/spread.h"
 
 namespace stepwright::campaign {
 namespace {

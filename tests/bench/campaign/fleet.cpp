@@ -11,11 +11,11 @@
 #include <thread>
 #include <utility>
 
+#include "cell/campaign/spread.h"
 #include "cell/missions/fleet/fleet_executive_options.h"
 #include "cell/runtime/fleet_plant.h"
 #include "plant_models/assemblies/fleet_floor.h"
 #include "supervisor/fleet/executive/fleet_executive.h"
-#include "tests/bench/campaign/spread.h"
 
 namespace stepwright::campaign {
 namespace {
@@ -72,12 +72,9 @@ void judge(const SimulatedController& controller, double ended_s, FleetRun& run)
     if (controller.plant_value(truth) != 0.0)
       run.why = fmt::format("{}: {}", truth, controller.plant_value(truth));
   }
+  if (run.why.empty()) run.why = wrong_end(run.record, controller);
   if (!run.why.empty()) return;
-  if (controller.any_output()) {
-    run.why = "an output is on after the end";
-  } else if (!done && run.record.phase != Phase::Safe) {
-    run.why = fmt::format("ended while {}", to_string(run.record.phase));
-  } else if (done && !met) {
+  if (done && !met) {
     run.why = "done, and not everything is delivered";
   } else if (!done) {
     run.why = wrong_stop(run, ended_s);

@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "cell/campaign/spread.h"
 #include "plant_models/assemblies/line_layout.h"
 #include "plant_models/core/counter_random.h"
-#include "tests/bench/campaign/spread.h"
 #include "tests/support/conveyor_cell.h"
 
 namespace stepwright::campaign {
@@ -42,11 +42,10 @@ std::string story_of(const std::vector<PlantFault>& faults) {
 }
 
 // Empty if the line was stopped for a reason that its fault can give, and the report tells of it.
-std::string wrong_stop(const LineRun& run) {
-  if (run.record.incidents.empty()) return "given up without an incident";
+std::string wrong_stop_of(const LineRun& run) {
+  if (std::string wrong = wrong_stop(run.record); !wrong.empty()) return wrong;
+  if (run.record.message.empty()) return "the stop has no message";
   const Incident& last = run.record.incidents.back();
-  if (last.response != Response::SafeStop) return "the last incident is not the stop";
-  if (last.evidence.empty() || run.record.message.empty()) return "the stop has no evidence";
   if (last.kind == IncidentKind::ProgramFault || last.kind == IncidentKind::Operator ||
       last.kind == IncidentKind::Leak) {
     return fmt::format("stopped for '{}': {}", to_string(last.kind), run.record.message);
@@ -78,16 +77,14 @@ std::map<int, std::pair<int, int>> ordered(const SimulatedController& controller
 
 void judge(const SimulatedController& controller, LineRun& run) {
   const bool done = run.record.phase == Phase::Done;
-  if (controller.any_output()) {
-    run.why = "an output is on after the end";
-  } else if (controller.plant_value("collisions") != 0.0) {
+  run.why = wrong_end(run.record, controller);
+  if (!run.why.empty()) return;
+  if (controller.plant_value("collisions") != 0.0) {
     run.why = "a paddle met a belt";
-  } else if (!done && run.record.phase != Phase::Safe) {
-    run.why = fmt::format("ended while {}", to_string(run.record.phase));
   } else if (done && executive::sorted_boxes(controller) != ordered(controller)) {
     run.why = "the boxes are not where they were ordered";
   } else if (!done) {
-    run.why = wrong_stop(run);
+    run.why = wrong_stop_of(run);
   }
   if (run.why.empty()) run.verdict = done ? Verdict::GoalReached : Verdict::SafeStop;
 }

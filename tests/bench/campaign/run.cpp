@@ -100,11 +100,9 @@ std::set<IncidentKind> plausible(DisturbanceClass of) {
 }
 
 // Empty if the run was given up for a reason that its disturbance can give.
-std::string wrong_stop(const RunResult& run) {
-  if (run.record.incidents.empty()) return "given up without an incident";
+std::string wrong_stop_of(const RunResult& run) {
+  if (std::string wrong = wrong_stop(run.record); !wrong.empty()) return wrong;
   const Incident& last = run.record.incidents.back();
-  if (last.response != Response::SafeStop) return "the last incident is not the stop";
-  if (last.evidence.empty()) return "the stop has no evidence";
   if (!plausible(run.disturbance.of).contains(last.kind)) {
     return fmt::format("stopped for '{}': {}", to_string(last.kind), run.record.message);
   }
@@ -116,21 +114,10 @@ std::string wrong_stop(const RunResult& run) {
 }
 
 void judge(const translate::Binding& binding, const SimulatedController& controller, RunResult& run) {
-  if (controller.any_output()) {
-    run.why = "an output is on after the end";
-    return;
-  }
-  if (std::any_of(run.record.incidents.begin(), run.record.incidents.end(),
-                  [](const Incident& incident) { return incident.response == Response::Open; })) {
-    run.why = "an incident was left without a decision";
-    return;
-  }
+  run.why = wrong_end(run.record, controller);
+  if (!run.why.empty()) return;
   const bool done = run.record.phase == Phase::Done;
-  if (!done && run.record.phase != Phase::Safe) {
-    run.why = fmt::format("ended while {}", to_string(run.record.phase));
-    return;
-  }
-  run.why = done ? wrong_goal(binding, controller, run) : wrong_stop(run);
+  run.why = done ? wrong_goal(binding, controller, run) : wrong_stop_of(run);
   if (run.why.empty()) run.verdict = done ? Verdict::GoalReached : Verdict::SafeStop;
 }
 

@@ -8,12 +8,11 @@
 #include <cstdint>
 #include <string>
 
+#include "cell/campaign/verdict.h"
 #include "supervisor/run/run_record.h"
 #include "tests/bench/campaign/disturbance.h"
 
 namespace stepwright::campaign {
-
-enum class Verdict : std::uint8_t { GoalReached, SafeStop, Lost };
 
 struct RunResult {
   Disturbance disturbance;

@@ -88,7 +88,7 @@ RuntimeServer::RuntimeServer() : state_(std::make_unique<State>()) {
   s.server = taken(modbus::server::Server::create({}, *s.data));
   modbus::server::TcpOptions tcp;
   tcp.port = 0;
-  tcp.allow = {*modbus::server::IpRange::parse("127.0.0.0/8")};
+  tcp.allow = {*network::IpRange::parse("127.0.0.0/8")};
   auto acceptor = taken(modbus::server::TcpAcceptor::open(tcp));
   s.port = acceptor->port();
   s.server->add(std::move(acceptor));

@@ -1,6 +1,7 @@
 // Cost of the tank bench in a scan of 10 ms: CVODE through the port driver, the plant alone, and the
 // hand-written RK4 of the same equations as baseline; and the same bench as a file of components. All run the
-// same job in the same process. Then rows of 10, 100 and 1000 components.
+// same job in the same process. Then rows of 10, 100 and 1000 components, and steps of plants in processes of
+// their own (tests/bench/shared).
 //
 //   bench_plant [--json FILE]
 
@@ -21,6 +22,7 @@
 #include "tests/bench/plant/bench_job.h"
 #include "tests/bench/plant/bench_rk4.h"
 #include "tests/bench/plant/model_bench.h"
+#include "tests/bench/shared/step_rates.h"
 
 namespace stepwright::bench {
 namespace {
@@ -30,6 +32,7 @@ using namespace std::chrono_literals;
 
 constexpr int kScans = 360'000;  // one simulated hour
 constexpr int kRepeats = 5;
+constexpr double kSecondsOfProcesses = 2.0;  // each
 
 // The recorded outputs, so that all integrators do the same and pay for no decisions.
 std::vector<Outputs> record_job(const assemblies::BenchParameters& parameters) {
@@ -156,6 +159,7 @@ int run(const char* json_file) {
                       {"realtime_factor", row.realtime_factor},
                       {"implicit_scan_us", row.implicit_scan_us}});
   }
+  const bench_shared::StepRates rates = bench_shared::measure_step_rates(kSecondsOfProcesses);
   if (json_file == nullptr) return result::to_int(result::ExitCode::Done);
   const nlohmann::json json = {{"scans", kScans},
                                {"driver_us", driver_us},
@@ -168,6 +172,12 @@ int run(const char* json_file) {
                                {"model_level_error_percent", model.largest_level_error_percent},
                                {"components", library_size()},
                                {"growth", growth},
+                               {"fmu_step_us", rates.fmu2_step_us},
+                               {"fmu3_step_us", rates.fmu3_step_us},
+                               {"shared_steps_per_s_c", rates.c_per_s},
+                               {"shared_steps_per_s_python", rates.python_per_s},
+                               {"st_steps_per_s", rates.st_per_s},
+                               {"baseline_turns_per_s", rates.baseline_turns_per_s},
                                {"rk4_1_us", coarse.us},
                                {"rk4_1_error_percent", coarse.error_percent},
                                {"rk4_10_us", fine.us},

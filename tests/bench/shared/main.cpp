@@ -1,126 +1,30 @@
-// bench_shared [--seconds S] [--json FILE]: steps a second of the tank of tests/cells/shared_plant as a plant
-// in C, in Python, as an FMU and in ST, beside two processes that send each other one byte and do nothing.
-
-#include <sys/socket.h>
-#include <sys/wait.h>
-#include <unistd.h>
+// bench_shared [--seconds S] [--json FILE]: steps a second of plants in processes of their own
+// (step_rates.h).
 
 #include <CLI/CLI.hpp>
-#include <array>
-#include <chrono>
-#include <cstdio>
-#include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <vector>
 
-#include "plant_models/stepped/stepped_plant.h"
 #include "runtime/ground/process/command_line.h"
+#include "runtime/ground/result/exit_code.h"
+#include "tests/bench/shared/step_rates.h"
 
 namespace stepwright::bench_shared {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-const std::string kExamples = std::string(STEPWRIGHT_SOURCE_DIR) + "/tests/cells/shared_plant/";
-constexpr std::chrono::milliseconds kStep{10};
-
-double seconds_since(Clock::time_point begin) {
-  return std::chrono::duration<double>(Clock::now() - begin).count();
-}
-
-// `prefix` stands before the names of the terminals: "Tank." of the program in ST.
-stepped::SteppedDescription tank(const std::string& prefix) {
-  stepped::SteppedDescription about{.name = "tank"};
-  about.actuators = {{prefix + "valve"}, {prefix + "drain"}};
-  about.sensors = {{prefix + "level", core::PortKind::Count, 0.0, 2.0 / 27'648, "m"}, {prefix + "full"}};
-  about.values = {{prefix + "volume", "l", ""}};
-  about.faults = {{prefix + "leak", "m/s", ""}};
-  about.step = kStep;
-  return about;
-}
-
-// Steps a second; 0 and a word if it does not run.
-double measure(const char* what, std::vector<std::string> command, double seconds,
-               const std::string& prefix = {}) {
-  stepped::SteppedPlant plant(tank(prefix));
-  stepped::StepCommand start;
-  start.arguments = std::move(command);
-  start.beginning = std::chrono::minutes(5);
-  start.patience = std::chrono::minutes(1);
-  if (auto started = plant.start(start); !started) {
-    std::fprintf(stderr, "%s: %s\n", what, result::to_string(started.error()).c_str());
-    return 0.0;
-  }
-  plant.set_actuator(core::ActuatorId(0), 1);
-  std::uint64_t steps = 0;
-  const auto begin = Clock::now();
-  while (seconds_since(begin) < seconds) {
-    for (int i = 0; i < 100; ++i, ++steps) {
-      if (plant.advance(kStep) == core::PlantStatus::Good) continue;
-      std::fprintf(stderr, "%s: %s\n", what, plant.trouble().c_str());
-      return 0.0;
-    }
-  }
-  const double rate = static_cast<double>(steps) / seconds_since(begin);
-  std::printf("%-28s %10.0f steps/s  %8.2f us\n", what, rate, 1e6 / rate);
-  return rate;
-}
-
-// What the system alone takes for a byte there and a byte back.
-double measure_bytes(double seconds) {
-  std::array<int, 2> ends{};
-  if (socketpair(AF_UNIX, SOCK_STREAM, 0, ends.data()) != 0) return 0.0;
-  const pid_t child = fork();
-  char byte = 0;
-  if (child == 0) {
-    close(ends[0]);
-    while (read(ends[1], &byte, 1) == 1 && write(ends[1], &byte, 1) == 1) continue;
-    _exit(0);
-  }
-  close(ends[1]);
-  std::uint64_t turns = 0;
-  const auto begin = Clock::now();
-  while (seconds_since(begin) < seconds) {
-    for (int i = 0; i < 100; ++i, ++turns) {
-      if (write(ends[0], &byte, 1) != 1 || read(ends[0], &byte, 1) != 1) return 0.0;
-    }
-  }
-  const double rate = static_cast<double>(turns) / seconds_since(begin);
-  close(ends[0]);
-  waitpid(child, nullptr, 0);
-  std::printf("%-28s %10.0f turns/s  %8.2f us\n", "two bytes (baseline)", rate, 1e6 / rate);
-  return rate;
-}
-
-bool runs(const std::string& command) {
-  return std::system(command.c_str()) == 0;
-}
-
 int run(double seconds, const std::string& json_file) {
-  std::string place = (std::filesystem::temp_directory_path() / "stepwright-bench-XXXXXX").string();
-  if (mkdtemp(place.data()) == nullptr) return 1;
-  const std::string bin = STEPWRIGHT_BIN_DIR;
-  nlohmann::json json;
-  json["baseline_turns_per_s"] = measure_bytes(seconds);
-  if (runs("cc -O2 -o " + place + "/tank " + kExamples + "tank.c"))
-    json["shared_steps_per_s_c"] = measure("C", {place + "/tank"}, seconds);
-  json["shared_steps_per_s_python"] = measure("Python", {"python3", kExamples + "tank.py"}, seconds);
-  for (const std::string name : {"tank2", "tank3"}) {
-    const std::string fmu = place + "/" + name + ".fmu";
-    if (!runs("python3 " + kExamples + "fmu_pack.py " + name + " " + fmu)) continue;
-    const double rate = measure(
-        ("FMU " + name).c_str(),
-        {bin + "/stepwright-plant-fmu", "plant-fmu", "--folder", place + "/" + name, "--", fmu}, seconds);
-    json[name == "tank2" ? "fmu_step_us" : "fmu3_step_us"] = rate > 0 ? 1e6 / rate : 0.0;
-  }
-  json["st_steps_per_s"] = measure(
-      "ST", {bin + "/stepwright-plant-st", "plant-st", "--", kExamples + "tank_model.st"}, seconds, "Tank.");
-  std::filesystem::remove_all(place);
-  if (!json_file.empty()) std::ofstream(json_file) << json.dump(2) << "\n";
-  return 0;
+  const StepRates rates = measure_step_rates(seconds);
+  if (json_file.empty()) return result::to_int(result::ExitCode::Done);
+  const nlohmann::json json = {{"baseline_turns_per_s", rates.baseline_turns_per_s},
+                               {"shared_steps_per_s_c", rates.c_per_s},
+                               {"shared_steps_per_s_python", rates.python_per_s},
+                               {"fmu_step_us", rates.fmu2_step_us},
+                               {"fmu3_step_us", rates.fmu3_step_us},
+                               {"st_steps_per_s", rates.st_per_s}};
+  std::ofstream file(json_file);
+  file << json.dump(2) << "\n";
+  return result::to_int(file ? result::ExitCode::Done : result::ExitCode::BadInput);
 }
 
 }  // namespace

@@ -54,6 +54,22 @@ class SharedPlant(unittest.TestCase):
                 level = self.run_far(*changes, ("\n[runtime]", FAULT.replace("leak", name) + "\n[runtime]"), file=file, prepare=prepare)[0]
                 self.assertLess(int(level), 100)
 
+    def test_a_fault_is_made_and_ended_by_command(self):
+        with SteppedCell("by_hand.toml") as cell:
+            cell.run()
+            cell.step(7_000)
+            full = int(cell.values(*NAMES)[0])
+            cell.ask("fault", "leak", "0.05", "--config", cell.config)
+            cell.step(2_000)
+            low = int(cell.values(*NAMES)[0])
+            self.assertLess(low, full / 2)
+            cell.ask("fault", "leak", "--clear", "--config", cell.config)
+            cell.step(2_000)
+            self.assertGreater(int(cell.values(*NAMES)[0]), low + 1_000)
+            refused = stepwright("fault", "flood", "1", "--config", cell.config)
+            self.assertEqual(refused.returncode, 1)
+            self.assertIn("C0311", refused.stderr)
+
     def test_the_plant_is_killed_in_the_middle_and_the_runtime_stays(self):
         with SteppedCell("by_hand.toml") as cell:
             cell.run()

@@ -1,100 +1,28 @@
 #pragma once
 
-// A runtime in the test's own process and thread: the real scan, interpreter and plant without the processes
-// around them. A call of wait_event scans until the step bits change. The runtime process itself is tested in
-// tests/cells.
+// The controller of cell/simulation as tests have it, also around a tank bench by its parameters.
 //
 //   SimulatedController controller({.seed = 7});
 //   Executive(service, controller, {}, {}).run();
 //   controller.plant_value("level_a1_percent");
 
-#include <cstdint>
-#include <deque>
-#include <functional>
-#include <memory>
-#include <optional>
-#include <string>
+#include <utility>
 #include <vector>
 
+#include "cell/simulation/simulated_controller.h"
 #include "plant_models/assemblies/tank_bench.h"
-#include "plant_models/bridge/plant_driver.h"
-#include "runtime/bytecode/reader/program_info.h"
-#include "runtime/host/change_plan.h"
-#include "runtime/scan/scan_cycle.h"
-#include "supervisor/run/controller.h"
 
 namespace stepwright::support {
 
-// A fault of the plant, injected when its time has come.
-struct PlantFault {
-  double at_s = 0.0;
-  std::string name;
-  double value = 0.0;
-  bool clears = false;  // it ends instead
-};
+using simulation::PlantFault;
 
-class SimulatedController final : public run::Controller {
+class SimulatedController final : public simulation::SimulatedController {
  public:
+  using simulation::SimulatedController::SimulatedController;
   explicit SimulatedController(const assemblies::BenchParameters& parameters,
-                               std::vector<PlantFault> faults = {});
-  // Any plant; its terminals as wired, areas of these sizes.
-  SimulatedController(std::unique_ptr<core::Plant> plant, const std::vector<bridge::PortWire>& wires,
-                      bridge::AreaSizes sizes, std::vector<PlantFault> faults = {});
-  ~SimulatedController() override;
-
-  double plant_value(const std::string& name) const;
-  bool any_output() const;
-  // The next call finds the runtime gone; a new one, empty, is there after that. The plant stays.
-  void kill_runtime() { killed_ = true; }
-  // The same, before the first scan after this time of the plant.
-  void kill_runtime_at(double time_s) { kill_at_s_ = time_s; }
-  // Nobody hears of it, as on a busy machine; whoever waits for it finds it as it was.
-  void silence_runtime() { silent_ = true; }
-  void refuse_changes() { refuse_changes_ = true; }
-  int changes() const { return changes_; }
-  std::function<void(std::span<const std::byte> outputs)> on_change;  // as they are after the swap
-  std::function<void(std::span<const std::byte> image)> on_scan;      // after every scan
-  int stops() const { return stops_; }
-  // The call of wait_event that scans, or the next one, ends without an event: for a plant that rests.
-  void interrupt() { interrupted_ = true; }
-
-  bool wait_for_runtime(std::chrono::milliseconds) override;
-  bool alive() const override { return !killed_ && !silent_; }
-  result::Result<std::string> download(std::span<const std::byte> container) override;
-  result::Result<std::string> change(std::span<const std::byte> container) override;
-  result::Result<void> start(bool barrier) override;
-  result::Result<void> stop(const std::string& reason) override;
-  result::Result<void> acknowledge(std::uint64_t event_sequence) override;
-  result::Result<std::vector<std::byte>> program() override;
-  std::optional<host::StepEvent> wait_event(std::chrono::milliseconds timeout) override;
-  std::optional<host::RuntimeStatus> status() const override;
-  std::optional<host::Snapshot> snapshot() const override;
-
- private:
-  struct Loaded;  // a program with its memory
-  void push_event(host::EventKind kind, std::string detail);
-  bool scan_once();
-  bool running() const;
-  result::Result<std::unique_ptr<host::PreparedProgram>> prepare(std::span<const std::byte> container);
-
-  std::unique_ptr<core::Plant> plant_;
-  std::optional<bridge::PlantDriver> driver_;
-  std::optional<host::AreaDriver> areas_;
-  host::HostConfig config_;
-  std::unique_ptr<scan::Clock> clock_;
-  std::unique_ptr<Loaded> loaded_;
-  std::vector<PlantFault> faults_;  // not yet injected, in order of time
-  std::deque<host::StepEvent> events_;
-  std::uint64_t sequence_ = 0;
-  std::uint64_t acknowledged_ = 0;
-  scan::StartPoint next_start_;
-  bool killed_ = false;
-  bool silent_ = false;
-  std::optional<double> kill_at_s_;
-  bool refuse_changes_ = false;
-  bool interrupted_ = false;
-  int changes_ = 0;
-  int stops_ = 0;
+                               std::vector<PlantFault> faults = {})
+      : simulation::SimulatedController(assemblies::TankBench::create(parameters).value(),
+                                        bridge::default_bench_wires(), {8, 1}, std::move(faults)) {}
 };
 
 }  // namespace stepwright::support

@@ -31,6 +31,15 @@ TEST(Sensor, WhenItIsExact_ThenACardShowsItsShareOfTheRange) {
   EXPECT_EQ(rig.sensor("L"), 16589);
 }
 
+TEST(Sensor, WhenACardShowsIt_ThenItsDescriptionTurnsTheTrueValueIntoCounts) {
+  ModelRig rig(kTank + "[components.s]\ntype = \"level_sensor\"\nof = \"t\"\nbias = \"5 percent\"\n" + kCard);
+  const auto& sensors = rig.plant().description().sensors;
+  ASSERT_EQ(sensors.size(), 1u);
+  EXPECT_EQ(sensors[0].name, "L");
+  EXPECT_EQ(sensors[0].measures, "t.level");
+  EXPECT_NEAR(sensors[0].counts_at_zero + sensors[0].counts_per_unit * rig.truth("t.level"), 13824.0, 0.5);
+}
+
 TEST(Sensor, WhenItHasNoise_ThenReadingsScatterAsSaidAndRepeat) {
   const std::string text =
       kTank + "[components.s]\ntype = \"level_sensor\"\nof = \"t\"\nnoise = \"1 percent\"\n" + kCard;
@@ -53,6 +62,36 @@ TEST(Sensor, WhenItFilters_ThenItFollowsWithItsTimeConstant) {
   ModelRig rig(kTank + "[components.s]\ntype = \"level_sensor\"\nof = \"t\"\nfilter = \"10 s\"\n" + kCard);
   ASSERT_TRUE(rig.run(10.0));
   EXPECT_NEAR(rig.truth("s.value"), 50.0 * (1.0 - std::exp(-1.0)), 1e-4);
+}
+
+TEST(Sensor, WhenItHasADelay_ThenItShowsWhatWasThere) {
+  ModelRig rig(R"toml([components.from]
+type = "source"
+pressure = "1 bar"
+[components.t]
+type = "tank"
+volume = "100 l"
+[components.p]
+type = "pipe"
+flow = "1 l/s"
+pressure_drop = "1 bar"
+in = "from"
+out = "t"
+[components.now]
+type = "level_sensor"
+of = "t"
+[components.late]
+type = "level_sensor"
+of = "t"
+delay = "2 s"
+)toml");
+  ASSERT_TRUE(rig.run(1.5));
+  EXPECT_DOUBLE_EQ(rig.truth("late.value"), 0.0);
+  ASSERT_TRUE(rig.run(3.5));
+  const double then = rig.truth("now.value");
+  ASSERT_TRUE(rig.run(2.0));
+  EXPECT_GT(rig.truth("now.value"), then + 1.0);
+  EXPECT_NEAR(rig.truth("late.value"), then, 0.03);  // a sample of 10 ms is 0.01 percent
 }
 
 TEST(Sensor, WhenItMeasuresFlowOrTemperatureOrPressure_ThenItShowsThem) {

@@ -94,5 +94,35 @@ TEST(WrongModel, WhenAThousandComponentsAreUnconnected_ThenTheFirstAreNamedAndTh
   EXPECT_NE(plant.error().back().message.find("more ports are open"), std::string::npos);
 }
 
+TEST(WrongModel, WhenNoStepIsSmallEnough_ThenTheComponentIsNamed) {
+  const std::string text = R"toml([types.runaway]
+inputs.feed = { unit = "1/s", default = "1 1/s" }
+states.x = { unit = "", start = "1", derivative = "feed * x * x" }
+outputs.high = { switch = true, value = "x > 3" }
+[components.calm]
+type = "tank"
+volume = "1 m3"
+[components.p]
+type = "pipe"
+flow = "1 l/s"
+pressure_drop = "1 bar"
+in = "calm"
+out = "other"
+[components.other]
+type = "tank"
+volume = "1 m3"
+[components.wild]
+type = "runaway"
+[terminals]
+HIGH = { address = "%IX0.0", from = "wild.high" }
+)toml";
+  ModelRig rig(text);
+  EXPECT_TRUE(rig.run(0.5));
+  EXPECT_EQ(rig.plant().trouble(), "");
+  EXPECT_FALSE(rig.run(1.0));  // x = 1 / (1 - t) has no value at 1 s
+  EXPECT_NE(rig.plant().trouble().find("'wild' changes fastest"), std::string::npos) << rig.plant().trouble();
+  EXPECT_FALSE(rig.run(1.0));
+}
+
 }  // namespace
 }  // namespace stepwright::components

@@ -56,6 +56,32 @@ TEST(ZipArchive, WhenItIsLargerThanAllowed_ThenNothingBeyondTheLimitIsWritten) {
   EXPECT_FALSE(archive.read("zeros", 1'000));
 }
 
+TEST(ZipArchive, WhenItHasAsManyFilesAsAllowed_ThenAllAreUnpacked) {
+  const TemporaryFolder folder;
+  Entries entries;
+  for (std::size_t i = 0; i < UnpackLimits{}.files; ++i)
+    entries.push_back({"resources/" + std::to_string(i), std::to_string(i)});
+  make_archive(folder / "a.zip", entries);
+  std::filesystem::create_directory(folder / "out");
+  auto archive = ZipArchive::open(folder / "a.zip").value();
+  ASSERT_TRUE(archive.unpack(folder / "out"));
+  EXPECT_EQ(bytes_of(folder / "out/resources/0"), "0");
+  EXPECT_EQ(bytes_of(folder / "out/resources/9999"), "9999");
+  EXPECT_EQ(archive.read("resources/1234", 10).value(), "1234");
+  entries.push_back({"resources/more", ""});
+  make_archive(folder / "b.zip", entries);
+  EXPECT_NE(refusal(folder / "b.zip").find("more than 10000 files"), std::string::npos);
+}
+
+// A file where another one has its folder.
+TEST(ZipArchive, WhenAFileIsAlsoAFolder_ThenItIsRefused) {
+  const TemporaryFolder folder;
+  make_archive(folder / "a.zip", {{"binaries", "text"}, {"binaries/linux64/x.so", "code"}});
+  std::filesystem::create_directory(folder / "out");
+  auto archive = ZipArchive::open(folder / "a.zip").value();
+  EXPECT_FALSE(archive.unpack(folder / "out"));
+}
+
 TEST(ZipArchive, WhenItIsNoArchive_ThenItSaysSo) {
   const TemporaryFolder folder;
   EXPECT_NE(refusal(folder / "missing.zip").find("no such file"), std::string::npos);

@@ -1,13 +1,15 @@
-#include "tests/support/controller/simulated_controller.h"
+#include "cell/simulation/simulated_controller.h"
 
 #include <algorithm>
 #include <stdexcept>
 #include <utility>
 
-namespace stepwright::support {
+#include "runtime/base/hash64.h"
+
+namespace stepwright::simulation {
 namespace {
 
-// A test that scans longer than this without news hangs; it fails instead.
+// Who scans longer than this without news hangs.
 constexpr std::uint64_t kMaxQuietScans = 200'000;
 
 using host::DownloadMode;
@@ -49,16 +51,20 @@ struct SimulatedController::Loaded {
   std::vector<bool> last_steps;
 };
 
-SimulatedController::SimulatedController(const assemblies::BenchParameters& parameters,
-                                         std::vector<PlantFault> faults)
-    : SimulatedController(taken(assemblies::TankBench::create(parameters)), bridge::default_bench_wires(),
-                          {8, 1}, std::move(faults)) {}
+host::HostConfig SimulatedController::interpreted() {
+  host::HostConfig config;
+  config.engine = host::EngineKind::Vm;
+  return config;
+}
 
 SimulatedController::SimulatedController(std::unique_ptr<core::Plant> plant,
                                          const std::vector<bridge::PortWire>& wires, bridge::AreaSizes sizes,
-                                         std::vector<PlantFault> faults)
-    : plant_(std::move(plant)), clock_(std::make_unique<CountingClock>()), faults_(std::move(faults)) {
-  config_.engine = host::EngineKind::Vm;
+                                         std::vector<PlantFault> faults, host::HostConfig config)
+    : plant_(std::move(plant)),
+      config_(std::move(config)),
+      clock_(std::make_unique<CountingClock>()),
+      faults_(std::move(faults)) {
+  std::ranges::stable_sort(faults_, {}, &PlantFault::at_s);
   driver_ = taken(bridge::PlantDriver::create(*plant_, wires, sizes));
   areas_.emplace(*driver_, sizes.input_bytes, sizes.output_bytes);
 }
@@ -77,6 +83,10 @@ bool SimulatedController::any_output() const {
   if (!loaded_) return false;
   const auto outputs = loaded_->program->image().outputs();
   return std::any_of(outputs.begin(), outputs.end(), [](std::byte b) { return b != std::byte{0}; });
+}
+
+const reader::ProgramInfo* SimulatedController::program_info() const {
+  return loaded_ ? &loaded_->info : nullptr;
 }
 
 bool SimulatedController::running() const {
@@ -109,6 +119,7 @@ result::Result<std::string> SimulatedController::download(std::span<const std::b
   if (!program) return result::forward(program);
   if (running()) (void)stop("replaced");
   loaded_ = std::make_unique<Loaded>(std::move(*program));
+  ++programs_loaded_;
   return loaded_->program->digest();
 }
 
@@ -121,6 +132,7 @@ result::Result<std::string> SimulatedController::change(std::span<const std::byt
   (*plan)->carry(loaded_->program->image(), (*program)->image());
   (*program)->cycle().take_over(loaded_->cycle(), (*plan)->tasks());
   loaded_ = std::make_unique<Loaded>(std::move(*program));
+  ++programs_loaded_;
   loaded_->last_steps = loaded_->steps();
   ++changes_;
   if (on_change) on_change(loaded_->program->image().outputs());
@@ -170,22 +182,27 @@ void SimulatedController::push_event(host::EventKind kind, std::string detail) {
   events_.push_back(std::move(event));
 }
 
-// False when the program no longer runs.
+void SimulatedController::inject_due() {
+  while (!faults_.empty() && plant_->now().count() >= static_cast<std::int64_t>(faults_.front().at_s * 1e9)) {
+    const PlantFault fault = faults_.front();
+    faults_.erase(faults_.begin());
+    const auto injected =
+        fault.clears ? plant_->clear_fault(fault.name) : plant_->inject_fault(fault.name, fault.value);
+    if (injected) continue;
+    const std::string why = result::to_string(injected.error());
+    if (!on_refused) throw std::runtime_error(why);
+    on_refused(fault, why);
+  }
+}
+
 bool SimulatedController::scan_once() {
+  if (now_s() > most_s) throw std::runtime_error("it has come to no end");
   if (kill_at_s_ && static_cast<double>(plant_->now().count()) * 1e-9 >= *kill_at_s_) {
     kill_at_s_.reset();
     killed_ = true;
     return false;
   }
-  while (!faults_.empty() && plant_->now().count() >= static_cast<std::int64_t>(faults_.front().at_s * 1e9)) {
-    const PlantFault& fault = faults_.front();
-    const auto injected =
-        fault.clears ? plant_->clear_fault(fault.name) : plant_->inject_fault(fault.name, fault.value);
-    if (!injected) {
-      throw std::runtime_error(result::to_string(injected.error()));
-    }
-    faults_.erase(faults_.begin());
-  }
+  inject_due();
   const scan::ScanReport report = loaded_->cycle().run_scan();
   if (report.state != scan::ScanState::Running) {
     push_event(host::EventKind::Trap, "trapped");
@@ -234,4 +251,4 @@ std::optional<host::Snapshot> SimulatedController::snapshot() const {
   return snapshot;
 }
 
-}  // namespace stepwright::support
+}  // namespace stepwright::simulation

@@ -13,7 +13,7 @@
 
 #include "runtime/ground/result/result.h"
 
-namespace stepwright::demo {
+namespace stepwright::processes {
 
 // Their names, in the order of the alphabet.
 std::vector<std::string> known_cells();
@@ -21,4 +21,4 @@ std::vector<std::string> known_cells();
 // A path to a configuration as it is, or the file of a known cell. M0002: there is none of this name.
 [[nodiscard]] result::Result<std::filesystem::path> find_cell(const std::string& cell);
 
-}  // namespace stepwright::demo
+}  // namespace stepwright::processes

@@ -1,9 +1,9 @@
-#include "programs/demo/known_cells.h"
+#include "cell/processes/known_cells.h"
 
 #include <algorithm>
 #include <system_error>
 
-namespace stepwright::demo {
+namespace stepwright::processes {
 namespace {
 
 constexpr const char* kFile = "cell.toml";
@@ -40,4 +40,4 @@ result::Result<std::filesystem::path> find_cell(const std::string& cell) {
                       "known cells: " + known + "; or give the path of a cell's .toml file");
 }
 
-}  // namespace stepwright::demo
+}  // namespace stepwright::processes

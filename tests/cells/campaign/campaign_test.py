@@ -1,0 +1,105 @@
+"""Campaigns of cells: with and without a planner, on every kind of plant; verdicts, repetition by seed, wrong input."""
+
+import json
+import os
+import pathlib
+import shutil
+import tempfile
+import unittest
+
+from processes import SOURCES, stepwright
+
+CELLS = SOURCES / "tests/cells"
+NEVER_FILLED = '[[monitors]]\nname = "never_filled"\nformula = "never filled"\nlet = { filled = "Main.filled" }\n'
+
+
+class Campaign(unittest.TestCase):
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="stepwright-test-"))
+        self.addCleanup(shutil.rmtree, self.folder, ignore_errors=True)
+
+    def run_campaign(self, *arguments, code=0):
+        report = self.folder / "figures.json"
+        done = stepwright("campaign", *arguments, "--json", report)
+        self.assertEqual(done.returncode, code, done.stdout + done.stderr)
+        return json.loads(report.read_text(encoding="utf-8")), done.stdout
+
+    def copy_of_tank(self, name, more=""):
+        shutil.copytree(CELLS / "shared_plant", self.folder / "tank")
+        cell = self.folder / "tank" / name
+        cell.write_text(cell.read_text(encoding="utf-8") + more, encoding="utf-8")
+        return cell
+
+    def test_a_planned_cell_reaches_its_goal_or_stops_safely(self):
+        figures, text = self.run_campaign("bench_model", "--runs", 6, "--seed", 1)
+        self.assertEqual(figures["runs"], 6)
+        self.assertEqual(figures["goal"] + figures["safe"], 6, text)
+        self.assertEqual(figures["undisturbed"]["verdict"], "goal")
+        self.assertGreater(figures["faults_offered"], 20)
+
+    def test_a_seed_repeats_its_run(self):
+        first, _ = self.run_campaign("bench_model", "--only", 3)
+        again, _ = self.run_campaign("bench_model", "--only", 3)
+        other, _ = self.run_campaign("bench_model", "--only", 4)
+        self.assertEqual(first["runs"], 1)
+        self.assertEqual(first["last"]["trace_hash"], again["last"]["trace_hash"])
+        self.assertEqual(first["last"]["faults"], again["last"]["faults"])
+        self.assertNotEqual(first["last"]["trace_hash"], other["last"]["trace_hash"])
+
+    def test_a_program_by_hand_on_a_plant_in_python_holds(self):
+        figures, text = self.run_campaign(CELLS / "shared_plant/by_hand.toml", "--runs", 3, "--seconds", 20)
+        self.assertFalse(figures["planned"])
+        self.assertEqual(figures["goal"], 3, text)
+        self.assertEqual(figures["faults_offered"], 1)
+
+    def test_a_program_by_hand_on_a_plant_in_st_holds(self):
+        figures, text = self.run_campaign(CELLS / "shared_plant/st.toml", "--runs", 3, "--seconds", 20)
+        self.assertEqual(figures["goal"], 3, text)
+
+    def test_a_monitor_that_fails_is_a_violation_with_the_seed_that_repeats_it(self):
+        cell = self.copy_of_tank("st.toml", NEVER_FILLED)
+        figures, text = self.run_campaign(cell, "--runs", 2, "--seconds", 120, "--faults", "none", code=5)
+        self.assertEqual(figures["violated"], 2, text)
+        self.assertEqual(figures["causes"], {"violated: monitor never_filled": 2})
+        seed = figures["failures"][0]["seed"]
+        again, text = self.run_campaign(cell, "--only", seed, "--seconds", 120, "--faults", "none", code=5)
+        self.assertEqual(again["last"]["verdict"], "violated")
+        self.assertIn("monitor 'never_filled' failed", text)
+
+    def test_faults_are_listed_and_chosen_by_name(self):
+        listed = stepwright("campaign", "bench_model", "--list")
+        self.assertEqual(listed.returncode, 0, listed.stderr)
+        self.assertIn("a1.leak", listed.stdout)
+        figures, _ = self.run_campaign("bench_model", "--runs", 1, "--faults", "a1.*")
+        self.assertLess(figures["faults_offered"], 5)
+
+    def test_wrong_input_is_told(self):
+        for arguments, word in (
+            (["nosuchcell"], "M0002"),
+            (["bench_model", "--faults", "flood"], "C0311"),
+            ([self.write_cell('[plant]\nkind = "none"\n[runtime]\nsources = ["main.st"]\n')], "C0448"),
+            ([self.write_cell('[plant]\nkind = "tank_bench"\n')], "M0041"),
+            ([self.write_cell('[plant]\nkind = "tank_bench"\n[runtime]\nsources = ["broken.st"]\n')], "broken.st"),
+        ):
+            done = stepwright("campaign", *arguments)
+            self.assertEqual(done.returncode, 1, (arguments, done.stdout, done.stderr))
+            self.assertIn(word, done.stderr)
+
+    def write_cell(self, text):
+        (self.folder / "main.st").write_text("PROGRAM Main\nVAR x : BOOL; END_VAR\nx := TRUE;\nEND_PROGRAM\n", encoding="utf-8")
+        (self.folder / "broken.st").write_text("PROGRAM Main\nx := ;\nEND_PROGRAM\n", encoding="utf-8")
+        cell = self.folder / f"cell{len(list(self.folder.iterdir()))}.toml"
+        cell.write_text('[cell]\nname = "trial"\n' + text, encoding="utf-8")
+        return cell
+
+    def test_nothing_is_left_behind(self):
+        temporary = self.folder / "tmp"
+        temporary.mkdir()
+        done = stepwright("campaign", CELLS / "shared_plant/st.toml", "--runs", 2, "--seconds", 5,
+                          env={**os.environ, "TMPDIR": str(temporary)})
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(list(temporary.iterdir()), [])
+
+
+if __name__ == "__main__":
+    unittest.main()
