@@ -1,5 +1,5 @@
 # What an installation has: the one command, its programs in a folder of their own, the units of systemd, the manual page, the
-# cells of the demonstrations, and the documents. scripts/package makes a Debian package of it.
+# cells of the demonstrations, images for boards, and the documents. scripts/package makes a Debian package of it.
 include(GNUInstallDirs)
 get_target_property(installed_programs programs MANUALLY_ADDED_DEPENDENCIES)
 install(TARGETS ${installed_programs} RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/stepwright COMPONENT stepwright)
@@ -13,12 +13,16 @@ install(FILES systemd/stepwright@.service systemd/stepwright-runtime@.service sy
               systemd/stepwright-modbus-server@.service systemd/stepwright-modbus-client@.service systemd/stepwright-guard@.service
         DESTINATION lib/systemd/system COMPONENT stepwright-base)
 install(FILES systemd/stepwright.sysusers DESTINATION lib/sysusers.d RENAME stepwright.conf COMPONENT stepwright-base)
-foreach(cell IN ITEMS bench bench_model conveyor fleet four_diverters htn ltl reach robot_cell tugger)
+foreach(cell IN ITEMS batch_mixer bench bench_model conveyor fleet four_diverters htn ltl pick_place pump_station reach robot_cell tugger)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/tests/cells/${cell} DESTINATION share/stepwright/cells COMPONENT stepwright-base
           PATTERN CMakeLists.txt EXCLUDE PATTERN "*.py" EXCLUDE PATTERN "*.cpp" EXCLUDE PATTERN __pycache__ EXCLUDE)
 endforeach()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/tests/cells/shared_plant DESTINATION share/stepwright/cells COMPONENT stepwright-base
         PATTERN CMakeLists.txt EXCLUDE PATTERN "*_test.py" EXCLUDE PATTERN stepped_cell.py EXCLUDE PATTERN __pycache__ EXCLUDE)
+foreach(image IN ITEMS mps2-an385 mps2-an385-basic mps2-an386)
+  install(FILES ${PROJECT_BINARY_DIR}/firmware/${image}.elf DESTINATION share/stepwright/firmware COMPONENT stepwright-base
+          OPTIONAL)
+endforeach()
 install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR}
         COMPONENT stepwright-base)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/doc DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT stepwright-base)
@@ -28,3 +32,9 @@ foreach(folder IN ITEMS cell firmware hmi_web ladder plant_models programs runti
     install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder}/doc DESTINATION ${CMAKE_INSTALL_DOCDIR}/${folder} COMPONENT stepwright-base)
   endif()
 endforeach()
+# Documents name cells as the tree has them.
+install(CODE "set(documents \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DOCDIR}\")
+              file(MAKE_DIRECTORY \"\${documents}/tests\")
+              file(CREATE_LINK ../../../stepwright/cells \"\${documents}/tests/cells\" SYMBOLIC)"
+        COMPONENT stepwright-base)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/tests/st/tests DESTINATION ${CMAKE_INSTALL_DOCDIR}/tests/st COMPONENT stepwright-base)

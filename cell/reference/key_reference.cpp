@@ -7,10 +7,6 @@
 #include <map>
 #include <set>
 
-#include "cell/config/cell_config.h"
-#include "cell/config/cell_keys.h"
-#include "cell/reference/sample_cells.h"
-
 namespace stepwright::reference {
 namespace {
 
@@ -37,13 +33,13 @@ void add(const AskedKey& asked, AskedKeys& all) {
   known.choices = choices;
 }
 
-AskedKeys ask() {
+AskedKeys ask(const DescribedFile& file) {
   AskedKeys all;
-  for (const std::string_view text : sample_cells()) {
+  for (const std::string_view text : file.samples) {
     auto document = settings::TomlDocument::parse(text, "sample.toml");
     if (!document) continue;  // the test says so
     (*document)->listen([&](const AskedKey& asked) { add(asked, all); });
-    static_cast<void>(config::read_cell_document(**document, "sample.toml"));
+    file.read(**document);
   }
   return all;
 }
@@ -123,12 +119,14 @@ KeyEntry entry_of(const AskedKey& asked, const KeyWords& words) {
 
 }  // namespace
 
-KeyReference cell_reference() {
-  const AskedKeys asked = ask();
+KeyReference key_reference(const DescribedFile& file) {
+  const AskedKeys asked = ask(file);
   KeyReference reference;
+  reference.title = file.title;
+  reference.about = file.about;
   std::set<std::string, std::less<>> described;
   std::map<std::string, std::size_t, std::less<>> place;
-  for (const KeyWords& words : config::cell_keys()) {
+  for (const KeyWords& words : file.words) {
     const auto found = asked.find(words.key);
     const bool twice = !described.emplace(words.key).second;
     if (twice || found == asked.end() || found->second.kind == ValueKind::Presence) {
@@ -149,8 +147,9 @@ KeyReference cell_reference() {
     }
     reference.tables[table->second].keys.push_back(entry_of(key, words));
   }
+  // Whether a name is there is asked of names that the file chooses, too; who reads a key asks for its value.
   for (const auto& [name, key] : asked)
-    if (!described.contains(name)) reference.undescribed.push_back(name);
+    if (!described.contains(name) && key.kind != ValueKind::Presence) reference.undescribed.push_back(name);
   return reference;
 }
 

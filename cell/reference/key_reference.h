@@ -1,9 +1,10 @@
 #pragma once
 
-// The reference of a cell's file, made from the code that reads it: what its readers ask for (type, default,
-// range: runtime/ground/settings/asked_key.h) beside what people are told (cell/config/cell_keys.h).
+// The reference of a file, a cell's or one that it names, made from the code that reads it: what its readers
+// ask for (type, default, range: runtime/ground/settings/asked_key.h) beside what people are told
+// (described_file.h).
 //
-//   const KeyReference reference = cell_reference();
+//   const KeyReference reference = key_reference(*find_described_file("alarms"));
 //   std::fputs(markdown_of(reference).c_str(), stdout);
 //
 // Thread-safe: pure, apart from looking whether files of sample cells are there.
@@ -11,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "cell/reference/described_file.h"
 #include "runtime/ground/settings/asked_key.h"
 
 namespace stepwright::reference {
@@ -33,12 +35,14 @@ struct TableEntry {
 };
 
 struct KeyReference {
-  std::vector<TableEntry> tables{};        // in the order of cell_keys()
+  std::string title{};
+  std::string about{};
+  std::vector<TableEntry> tables{};        // in the order of the words
   std::vector<std::string> undescribed{};  // keys that a reader asks for, and nobody has words for
   std::vector<std::string> unasked{};      // keys with words that no reader asks for
 };
 
-KeyReference cell_reference();
+KeyReference key_reference(const DescribedFile& file);
 
 std::string markdown_of(const KeyReference& reference);
 // {"tables": [{"name", "array", "text", "keys": [{"key", "type", "unit", "default", "range", "text"}]}]}

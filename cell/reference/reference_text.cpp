@@ -27,12 +27,9 @@ std::string values_of(const KeyEntry& key) {
 
 std::string markdown_of(const KeyReference& reference) {
   std::string text =
-      "# Every key of a cell's file\n\n"
-      "Made by `stepwright reference` from the code that reads the file; not written by hand. `stepwright "
-      "check` tells a "
-      "key that is not here, with\nthe one that was probably meant. Any key can be set from outside: `--set "
-      "hmi.port=8081`.\n\n"
-      "NAME, TAG, LINE and PORT stand for names that the file chooses, %QW0 for any output.\n";
+      "# " + reference.title +
+      "\n\nMade by `stepwright reference` from the code that reads the file; not written by hand. " +
+      reference.about + "\n";
   for (const TableEntry& table : reference.tables) {
     text += "\n## `" + heading_of(table) + "`\n" + table.text + "\n";
     if (table.keys.empty()) continue;

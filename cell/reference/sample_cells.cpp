@@ -89,8 +89,8 @@ range = [0, 1]
 range = [0, 1]
 [plant.values]
 NAME = "m"
-[plant.faults]
-NAME = "m"
+[plant.faults.NAME]
+range = [0, 1]
 )";
 
 constexpr std::string_view kStepped = R"(
@@ -100,6 +100,8 @@ kind = "st"
 NAME = "%IW0"
 [plant.actuators]
 NAME = "%QW0"
+[plant.faults]
+NAME = "m"
 [plant.parameters]
 NAME = 1.0
 )";

@@ -1,16 +1,20 @@
 #include "runtime/ground/process/command_line.h"
 
+#include <fcntl.h>
 #include <signal.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <new>
 #include <string>
+#include <string_view>
 #include <system_error>
+#include <vector>
 
 namespace stepwright::process {
 namespace {
@@ -53,6 +57,28 @@ void take_one_value_each(CLI::App& app) {
   for (CLI::App* each : app.get_subcommands([](const CLI::App*) { return true; })) take_one_value_each(*each);
 }
 
+// Where a JSON document goes that is to be on standard output, alone: a copy of it, while words for people go
+// to standard error from now on. "-" if there is no such copy.
+std::string output_for_a_document() {
+  std::fflush(stdout);
+  const int copy = fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
+  if (copy < 0 || dup2(STDERR_FILENO, STDOUT_FILENO) < 0) return "-";
+  return "/dev/fd/" + std::to_string(copy);
+}
+
+// The arguments, where "--json -" names a place at which nothing but the document arrives. Two outputs that
+// are both "-" are the command's to refuse.
+std::vector<std::string> with_output_of_its_own(std::vector<std::string> arguments) {
+  constexpr std::string_view kJoined = "--json=-";
+  const auto is_output = [&](const std::string& each) { return each == "-" || each.ends_with("=-"); };
+  if (std::ranges::count_if(arguments, is_output) != 1) return arguments;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    if (arguments[i] == kJoined) arguments[i] = "--json=" + output_for_a_document();
+    if (i > 0 && arguments[i - 1] == "--json" && arguments[i] == "-") arguments[i] = output_for_a_document();
+  }
+  return arguments;
+}
+
 }  // namespace
 
 // Who reads what a process says may go away at any time. To ignore the signal would be inherited by every
@@ -75,8 +101,11 @@ std::optional<int> parse(CLI::App& app, int argc, char** argv) {
   const std::string command = name.substr(name.rfind(' ') + 1);
   take_one_value_each(app);
   const int skip = argc > 1 && argv[1] == command ? 1 : 0;
+  std::vector<std::string> arguments =
+      with_output_of_its_own({argv + skip + 1, argv + std::max(argc, skip + 1)});
+  std::ranges::reverse(arguments);  // as the library takes them
   try {
-    app.parse(argc - skip, argv + skip);
+    app.parse(std::move(arguments));
   } catch (const CLI::ParseError& error) {
     return to_int(app.exit(error) == 0 ? result::ExitCode::Done : result::ExitCode::Usage);
   }

@@ -7,7 +7,7 @@ import sys
 import tempfile
 import unittest
 
-from processes import SOURCES, stepwright
+from processes import SOURCES, STEPWRIGHT, stepwright
 
 
 class Reference(unittest.TestCase):
@@ -20,6 +20,19 @@ class Reference(unittest.TestCase):
         port = next(each for each in tables["hmi"]["keys"] if each["key"] == "port")
         self.assertEqual((port["default"], port["range"]), ("`8080`", "0 to 65535"))
         self.assertTrue(tables["modbus.device.group"]["array"])
+
+    def test_files_that_a_cell_names_have_theirs(self):
+        for name, table in (("alarms", "alarm"), ("recipes", "tag"), ("binding", "actions"), ("plant", "components.NAME")):
+            with self.subTest(file=name):
+                tables = {each["name"] for each in json.loads(stepwright("reference", name, "--json").stdout)["tables"]}
+                self.assertIn(table, tables)
+        self.assertEqual(stepwright("reference", "nosuch").returncode, 2)
+
+    def test_a_full_disk_is_told(self):
+        with open("/dev/full", "wb") as full:
+            done = subprocess.run([STEPWRIGHT, "reference"], stdout=full, stderr=subprocess.PIPE, text=True, check=False)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("E0002: the file cannot be written: No space left on device", done.stderr)
 
     def test_check_names_the_nearest_key_or_the_table_that_has_it(self):
         with tempfile.TemporaryDirectory(prefix="stepwright-test-") as folder:
