@@ -41,12 +41,12 @@ const std::vector<std::string> kPanels = {"alarms", "history", "synoptic", "plan
 WallConfig read_wall(const settings::TomlTable& table, const std::string& host) {
   WallConfig wall;
   for (const std::string& each : table.texts("addresses")) {
-    if (const auto range = modbus::server::IpRange::parse(each))
+    if (const auto range = network::IpRange::parse(each))
       wall.addresses.push_back(*range);
     else
       table.report("addresses", "'" + each + "' is no address", "10.0.0.17, or many: 192.168.7.0/24", "0471");
   }
-  const auto here = modbus::server::parse_ip("127.0.0.1");
+  const auto here = network::parse_ip("127.0.0.1");
   const bool from_here =
       std::ranges::any_of(wall.addresses, [&](const auto& range) { return here && range.contains(*here); });
   if (!wall.addresses.empty() && !from_here && is_loopback(host))

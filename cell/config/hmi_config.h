@@ -32,13 +32,13 @@
 #include <string>
 #include <vector>
 
+#include "runtime/ground/network/ip_range.h"
 #include "runtime/ground/settings/toml_document.h"
-#include "runtime/modbus/server/ip_range.h"
 
 namespace stepwright::config {
 
 struct WallConfig {
-  std::vector<modbus::server::IpRange> addresses;  // empty: there is no such display
+  std::vector<network::IpRange> addresses;  // empty: there is no such display
   std::vector<std::string> panels = {"alarms", "synoptic", "plan", "trend"};
 };
 

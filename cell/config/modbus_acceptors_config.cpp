@@ -35,7 +35,7 @@ TlsAcceptorConfig read_tls(const TomlTable& table, const std::filesystem::path& 
                            result::Diagnostics& problems) {
   TlsAcceptorConfig config;
   config.tcp.bind = table.text("bind", config.tcp.bind);
-  if (!modbus::server::parse_ip(config.tcp.bind))
+  if (!network::parse_ip(config.tcp.bind))
     refuse(problems, "C0511", table, "bind", "`" + config.tcp.bind + "` is no address of a machine",
            "127.0.0.1, or 0.0.0.0 for all of IPv4");
   config.tcp.port = static_cast<std::uint16_t>(table.integer("port", kTlsPort, {0, 65'535}));

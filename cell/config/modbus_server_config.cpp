@@ -15,8 +15,8 @@ using modbus::map::Order;
 using modbus::map::RangeConfig;
 using modbus::map::Table;
 using modbus::server::ClientRule;
-using modbus::server::IpRange;
 using modbus::server::Window;
+using network::IpRange;
 using settings::TomlTable;
 
 std::vector<std::string> table_names() {
@@ -179,7 +179,7 @@ result::Diagnostics read_modbus_server(const TomlTable& table, ModbusServerConfi
   Reader reader;
   config.enabled = table.boolean("enabled", false);
   config.tcp.bind = table.text("bind", config.tcp.bind);
-  if (!modbus::server::parse_ip(config.tcp.bind)) {
+  if (!network::parse_ip(config.tcp.bind)) {
     reader.refuse("C0506", table, "bind", "`" + config.tcp.bind + "` is no address of a machine",
                   "127.0.0.1, or 0.0.0.0 for all of IPv4");
   }

@@ -46,7 +46,10 @@ constexpr std::array kPlantKeys = {
     KeyWords{"plant.values", "`shared`, `fmu`, `st`: what the plant shows beside its sensors."},
     KeyWords{"plant.values.NAME", "Its unit: `inflow = \"l/s\"`."},
     KeyWords{"plant.faults", "`shared`, `fmu`, `st`: faults that it takes while it runs."},
-    KeyWords{"plant.faults.NAME", "The unit of its magnitude: `leak = \"m2\"`."},
+    KeyWords{"plant.faults.NAME", "The unit of its magnitude: `leak = \"m2\"`, or a table of its own."},
+    KeyWords{"plant.faults.NAME.unit", "Of its magnitude."},
+    KeyWords{"plant.faults.NAME.range", "What of it happens, for `stepwright campaign`.", "",
+             "never tried there"},
     KeyWords{"plant.parameters", "`fmu`, `st`: values that are set before the start."},
     KeyWords{"plant.parameters.NAME", "The value."},
 

@@ -87,6 +87,30 @@ std::vector<SteppedQuantityConfig> read_quantities(const TomlTable& plant, const
   return quantities;
 }
 
+std::vector<SteppedQuantityConfig> read_faults(const TomlTable& plant) {
+  std::vector<SteppedQuantityConfig> faults;
+  const TomlTable list = plant.table("faults");
+  for (const std::string& name : list.keys()) {
+    check_name(list, name);
+    SteppedQuantityConfig fault{.name = name, .unit = {}, .where = list.where(name)};
+    if (list.has_table(name)) {
+      const TomlTable table = list.table(name);
+      fault.unit = table.text("unit", {});
+      const std::vector<double> range = table.numbers("range");
+      if (range.size() == 2 && range[0] < range[1]) {
+        fault.low = range[0];
+        fault.high = range[1];
+      } else if (table.has("range")) {
+        table.report("range", "a range is the least and the largest value", "range = [0.0, 0.5]");
+      }
+    } else {
+      fault.unit = list.text(name, {});
+    }
+    faults.push_back(std::move(fault));
+  }
+  return faults;
+}
+
 // What the page and reports know has one name each.
 void check_values(const TomlTable& plant, const SteppedPlantConfig& stepped) {
   std::set<std::string> names;
@@ -145,7 +169,7 @@ SteppedPlantConfig read_stepped_plant(const TomlTable& plant, const std::string&
   stepped.sensors = read_terminals(plant, "sensors");
   stepped.actuators = read_terminals(plant, "actuators");
   stepped.values = read_quantities(plant, "values");
-  stepped.faults = read_quantities(plant, "faults");
+  stepped.faults = read_faults(plant);
   if (kind != "shared") {
     const TomlTable parameters = plant.table("parameters");
     for (const std::string& name : parameters.keys())

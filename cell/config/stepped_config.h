@@ -17,7 +17,8 @@
 //   [plant.values]                      # what reports and the page know beside the sensors, with its unit
 //   volume = "l"
 //   [plant.faults]                      # that the plant can have, with the unit of their value; 0: it has
-//   not leak = "l/s" [plant.parameters]                  # "fmu" and "st": values of variables at the start
+//   not leak = { unit = "l/s", range = [0.0, 0.5] }   # what of it happens, for campaigns; or the unit alone
+//   [plant.parameters]                  # "fmu" and "st": values of variables at the start
 //   area = 0.5
 //
 // Thread-safe: pure.
@@ -48,6 +49,8 @@ struct SteppedQuantityConfig {
   std::string name;
   std::string unit;
   result::Location where = {};
+  double low = 0.0;  // of a fault: what of it happens; the same: nothing is known
+  double high = 0.0;
 };
 
 struct SteppedParameterConfig {

@@ -5,6 +5,7 @@
 #include <tuple>
 #include <utility>
 
+#include "cell/binding/check_binding.h"
 #include "cell/config/state_dir.h"
 #include "cell/missions/mission_kinds.h"
 #include "cell/monitors/cell_monitors.h"
@@ -103,6 +104,7 @@ CheckReport check_cell(const std::filesystem::path& file, const std::vector<std:
   if (const auto trusted = config::check_state_dir(cell.config); !trusted)
     add(report.problems, trusted.error());
   check_monitors(cell.config, report.problems);
+  add(report.problems, cell_binding::check_binding(cell.config));
   if (!cell.config.history.alarms.empty()) {
     if (const auto alarms = alarms::load_alarms(cell.config.history.alarms); !alarms)
       add(report.problems, alarms.error());

@@ -22,7 +22,7 @@ _stepwright() {
     words=$(_stepwright_options <<<"$help")
   elif ((COMP_CWORD > 2)); then
     return  # a file, by `-o default` below
-  elif [[ $command == demo ]]; then
+  elif [[ $command == demo || $command == campaign ]]; then
     words=$("$program" demo --list 2>/dev/null)
   fi
   mapfile -t COMPREPLY < <(compgen -W "$words" -- "$current")

@@ -26,10 +26,10 @@ void tell_setup_token(const access::AccessControl& control, log::Logger& log) {
   std::fflush(stderr);
 }
 
-std::function<bool(const std::string&)> looks_from(std::vector<modbus::server::IpRange> ranges) {
+std::function<bool(const std::string&)> looks_from(std::vector<network::IpRange> ranges) {
   if (ranges.empty()) return {};
   return [ranges = std::move(ranges)](const std::string& peer) {
-    const auto address = modbus::server::parse_ip(peer);
+    const auto address = network::parse_ip(peer);
     return address &&
            std::ranges::any_of(ranges, [&](const auto& range) { return range.contains(*address); });
   };

@@ -18,7 +18,7 @@
 #include "cell/config/reload_log.h"
 #include "cell/config/state_dir.h"
 #include "cell/missions/mission_kinds.h"
-#include "cell/monitors/cell_monitors.h"
+#include "cell/missions/watched_tags.h"
 #include "runtime/dds/plan_channel.h"
 #include "runtime/ground/log/logger.h"
 #include "runtime/ground/log/refused_samples.h"
@@ -89,18 +89,6 @@ host::RuntimeStatus final_status(const run::Controller& controller) {
   return status;
 }
 
-// The monitors that the supervisor is told of, with what is said of each when it fails.
-std::vector<run::WatchedTag> watched_tags(const config::CellConfig& config) {
-  std::vector<run::WatchedTag> tags;
-  const auto monitors = cell_monitors::cell_monitors(config);
-  if (!monitors) return tags;  // the planner was not opened then
-  for (const cell_monitors::CellMonitor& each : *monitors)
-    if (each.event)
-      tags.push_back(
-          {cell_monitors::failed_tag(each.name), "monitor '" + each.name + "' failed: " + each.words});
-  return tags;
-}
-
 // Attends one cell. Returns when that cannot be done, or, with `once`, when its run is over.
 int attend(const config::CellConfig& config, bool once, Shared& shared) {
   if (auto made = config::claim_state_dir(config); !made) return fail(made.error(), ExitCode::BadInput);
@@ -132,7 +120,7 @@ int attend(const config::CellConfig& config, bool once, Shared& shared) {
     narrate(record, last_line, config, shared);
     (void)(*publisher)->publish(to_json(record));  // viewers keep the last one
   });
-  mission->watch(watched_tags(config));
+  mission->watch(missions::watched_tags(config));
   if (once) mission->only_once();
   (void)(*publisher)->publish_goal_form(mission->goal_form());
   std::jthread requests([&](const std::stop_token& stop) {

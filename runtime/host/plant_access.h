@@ -20,6 +20,7 @@ class PlantAccess {
   // Scan thread; no heap, lock or log. Requires as many places as names.
   virtual void read_values(std::span<double> values) const = 0;
   // Scan thread, between two scans; a fault is set up, not simulated, so it may allocate.
+  // A value that is not a number ends the fault.
   [[nodiscard]] virtual result::Result<void> inject_fault(const std::string& name, double value) = 0;
 };
 

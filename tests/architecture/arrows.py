@@ -26,6 +26,7 @@ ARROWS = {
     "runtime/ground/markup": [],
     "runtime/ground/settings": ["runtime/ground/result"],
     "runtime/ground/csv": ["runtime/ground/result"],
+    "runtime/ground/network": [],
     "runtime/ground/process": ["runtime/ground/result"],
     "runtime/ground/log": ["runtime/ground/settings"],
     "runtime/ground/mqtt": ["runtime/ground/result"],
@@ -37,7 +38,7 @@ ARROWS = {
     "runtime/modbus/line": [],
     "runtime/modbus/pdu": [],
     "runtime/modbus/map": ["runtime/modbus/pdu", "runtime/host"],
-    "runtime/modbus/server": ["runtime/modbus/line", "runtime/modbus/map", "runtime/service"],
+    "runtime/modbus/server": ["runtime/ground/network", "runtime/modbus/line", "runtime/modbus/map", "runtime/service"],
     "runtime/modbus/master": ["runtime/modbus/line", "runtime/modbus/pdu", "runtime/ground/result"],
     "runtime/modbus/client": ["runtime/modbus/master", "runtime/scan"],
     "runtime/metrics": ["runtime/host"],
@@ -206,8 +207,19 @@ ARROWS = {
     "cell/runtime": [
         "cell/config", "cell/device_status", "cell/hall", "cell/robot", "plant_models/assemblies", "plant_models/bridge", "plant_models/components/library", "plant_models/stepped", "runtime/io_memory", "runtime/service", "supervisor/map",
     ],
+    "cell/binding": [
+        "cell/missions/planning", "cell/runtime", "plant_models/bridge", "plant_models/components/library", "supervisor/pddl/action", "supervisor/translate",
+    ],
+    "cell/trial": ["cell/binding", "ladder/driver", "plant_models/bridge", "runtime/host", "supervisor/executive", "supervisor/pddl/planner", "supervisor/run"],
     "cell/monitor_check": ["cell/config", "runtime/bytecode/reader"],
     "cell/monitors": ["cell/monitor_check", "ladder/driver", "ladder/graphic", "runtime/bytecode/reader", "supervisor/ltl/monitor"],
+    "cell/program": ["cell/config", "cell/monitors", "ladder/driver", "ladder/source_files"],
+    "cell/simulation": ["supervisor/run", "plant_models/bridge", "runtime/host", "runtime/scan"],
+    "cell/campaign": [
+        "cell/config", "cell/missions", "cell/missions/planning/table", "cell/monitor_check", "cell/program", "cell/runtime", "cell/simulation", "hmi_web/alarms",
+        "plant_models/bridge",
+        "supervisor/run", "supervisor/translate",
+    ],
     "cell/fleet": ["cell/config", "supervisor/fleet/mission", "supervisor/fleet/program"],
     "cell/gateway": ["cell/runtime", "runtime/metrics", "runtime/remote"],
     "cell/hmi": ["cell/config", "cell/hall", "hmi_web/alarms", "hmi_web/notify", "hmi_web/server", "plant_models/assemblies", "plant_models/bridge", "plant_models/components/library", "runtime/dds", "runtime/ground/markup", "supervisor/map"],
@@ -216,9 +228,9 @@ ARROWS = {
     "cell/modbus_client": ["cell/device_status", "runtime/io_memory", "runtime/metrics", "runtime/modbus/client"],
     "cell/modbus_server": ["cell/config", "runtime/metrics", "runtime/modbus/server"],
     "cell/processes": ["cell/config", "runtime/ground/process"],
-    "cell/reference": ["cell/config"],
+    "cell/reference": ["cell/config", "hmi_web/alarms", "hmi_web/recipes", "plant_models/components/library", "runtime/ground/settings", "supervisor/translate"],
     "cell/missions/table": ["ladder/source", "runtime/ground/settings"],
-    "cell/missions": ["cell/config", "supervisor/run"],
+    "cell/missions": ["cell/config", "cell/monitors", "supervisor/run"],
 }
 # The planners of cell/missions/missions.def that are not named above, with all folders inside of theirs: none
 # includes another one.

@@ -8,7 +8,7 @@ namespace stepwright::modbus::server {
 namespace {
 
 // The rule is about where this peer is.
-bool comes_from(const ClientRule& rule, const Peer& peer, const std::optional<IpAddress>& address) {
+bool comes_from(const ClientRule& rule, const Peer& peer, const std::optional<network::IpAddress>& address) {
   if (!rule.device.empty()) return rule.device == peer.address;
   return rule.any || (address && rule.address.contains(*address));
 }
@@ -60,7 +60,7 @@ pdu::Exception Rights::write(map::Table table, std::uint16_t first, std::uint16_
 
 Rights Access::of(const Peer& peer) const {
   if (rules_.empty()) return Rights::reader();
-  const std::optional<IpAddress> address = parse_ip(peer.address);
+  const std::optional<network::IpAddress> address = network::parse_ip(peer.address);
   const ClientRule* best = nullptr;
   const auto rank = [](const ClientRule& rule) {
     return std::pair(!rule.role.empty(), rule.any ? -1 : rule.address.prefix());

@@ -15,9 +15,9 @@
 #include <string>
 #include <vector>
 
+#include "runtime/ground/network/ip_range.h"
 #include "runtime/modbus/map/table.h"
 #include "runtime/modbus/pdu/exception.h"
-#include "runtime/modbus/server/ip_range.h"
 #include "runtime/modbus/server/transport.h"
 
 namespace stepwright::modbus::server {
@@ -29,9 +29,9 @@ struct Window {
 };
 
 struct ClientRule {
-  IpRange address;   // "0.0.0.0/0", "::/0": all
-  bool any = true;   // no address was given: `address` does not count
-  std::string role;  // of the certificate; empty: any, or none
+  network::IpRange address;  // "0.0.0.0/0", "::/0": all
+  bool any = true;           // no address was given: `address` does not count
+  std::string role;          // of the certificate; empty: any, or none
   std::vector<Window> read;
   std::vector<Window> write;
   std::string device;  // the serial line of the client; empty: it comes over IP

@@ -33,8 +33,8 @@ void prepare(int socket, int keep_alive_s) {
   set(socket, IPPROTO_TCP, TCP_KEEPCNT, 3);
 }
 
-IpAddress address_of(const sockaddr_storage& from) {
-  IpAddress address{};
+network::IpAddress address_of(const sockaddr_storage& from) {
+  network::IpAddress address{};
   if (from.ss_family == AF_INET6) {
     const auto& v6 = reinterpret_cast<const sockaddr_in6&>(from);
     std::memcpy(address.data(), &v6.sin6_addr, address.size());
@@ -70,7 +70,7 @@ class TcpTransport final : public Transport {
   Peer peer_;
 };
 
-socklen_t socket_address(const IpAddress& ip, bool v4, std::uint16_t port, sockaddr_storage& out) {
+socklen_t socket_address(const network::IpAddress& ip, bool v4, std::uint16_t port, sockaddr_storage& out) {
   if (v4) {
     auto& address = reinterpret_cast<sockaddr_in&>(out);
     address.sin_family = AF_INET;
@@ -89,7 +89,7 @@ socklen_t socket_address(const IpAddress& ip, bool v4, std::uint16_t port, socka
 
 result::Result<Listener> Listener::open(const TcpOptions& options) {
   const std::string place = options.bind + " port " + std::to_string(options.port);
-  const auto ip = parse_ip(options.bind);
+  const auto ip = network::parse_ip(options.bind);
   if (!ip) return result::fail("R0102", {}, "`" + options.bind + "` is no address", "127.0.0.1, or ::1");
   const bool v4 = options.bind.find(':') == std::string::npos;
   sockaddr_storage address{};
@@ -126,7 +126,7 @@ Listener::~Listener() {
   if (spare_ >= 0) close(spare_);
 }
 
-int Listener::accept_one(IpAddress& address) {
+int Listener::accept_one(network::IpAddress& address) {
   sockaddr_storage from{};
   socklen_t size = sizeof from;
   const int socket =
@@ -137,7 +137,7 @@ int Listener::accept_one(IpAddress& address) {
 
 int Listener::accept(std::string& address) {
   for (int refused = 0; refused < kMostRefused; ++refused) {
-    IpAddress from{};
+    network::IpAddress from{};
     const int socket = accept_one(from);
     if (socket < 0) {
       if (errno != EMFILE && errno != ENFILE) return -1;
@@ -146,10 +146,10 @@ int Listener::accept(std::string& address) {
       return -1;
     }
     const bool allowed = std::any_of(options_.allow.begin(), options_.allow.end(),
-                                     [&](const IpRange& range) { return range.contains(from); });
+                                     [&](const network::IpRange& range) { return range.contains(from); });
     if (allowed) {
       prepare(socket, options_.keep_alive_s);
-      address = to_string(from);
+      address = network::to_string(from);
       return socket;
     }
     close(socket);
@@ -160,7 +160,7 @@ int Listener::accept(std::string& address) {
 
 void Listener::turn_away() {
   if (spare_ >= 0) close(spare_);
-  IpAddress from{};
+  network::IpAddress from{};
   const int socket = accept_one(from);
   if (socket >= 0) close(socket);
   spare_ = spare_descriptor();

@@ -9,16 +9,16 @@
 #include <utility>
 #include <vector>
 
+#include "runtime/ground/network/ip_range.h"
 #include "runtime/ground/result/result.h"
-#include "runtime/modbus/server/ip_range.h"
 #include "runtime/modbus/server/transport.h"
 
 namespace stepwright::modbus::server {
 
 struct TcpOptions {
-  std::string bind = "127.0.0.1";  // an address of this machine; "::" or "0.0.0.0": all
-  std::uint16_t port = 502;        // 0: any free one
-  std::vector<IpRange> allow;      // who may come in; nobody else
+  std::string bind = "127.0.0.1";       // an address of this machine; "::" or "0.0.0.0": all
+  std::uint16_t port = 502;             // 0: any free one
+  std::vector<network::IpRange> allow;  // who may come in; nobody else
   int keep_alive_s =
       10;  // after so long without a byte, and every third of it then, it is asked for a sign of life
 };
@@ -48,7 +48,7 @@ class Listener {
 
  private:
   Listener(int socket, std::uint16_t port, TcpOptions options);
-  int accept_one(IpAddress& address);
+  int accept_one(network::IpAddress& address);
 
   int socket_;
   int spare_;  // a descriptor to give up when there are no others, so that a connection can be taken and

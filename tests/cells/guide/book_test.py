@@ -17,7 +17,7 @@ class Book(Guide):
     def test_every_page_with_commands_is_executed(self):
         """A page that the index marks has blocks of commands, and one with such blocks is marked."""
         marked = set(re.findall(r"\]\(([\w-]+\.md)\) ▶", page("README.md")))
-        self.assertEqual(marked, {"getting-started.md", "first-program.md", "languages.md", "modbus-plant.md", "from-openplc.md", "planning.md"})
+        self.assertEqual(marked, {"getting-started.md", "first-program.md", "languages.md", "modbus-plant.md", "from-openplc.md", "planning.md", "plan-your-plant.md"})
         self.assertEqual(marked, {path.name for path in BOOK.glob("*.md") if blocks(path.read_text(encoding="utf-8"))})
 
     def test_the_first_program(self):

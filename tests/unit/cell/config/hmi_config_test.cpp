@@ -82,8 +82,8 @@ TEST(HmiConfig, WhenADisplayHangsOnTheWall_ThenItsAddressesAndPanelsAreRead) {
       read(outside + "[hmi.wall]\naddresses = [\"10.0.0.17\", \"192.168.7.0/24\"]\npanels = [\"alarms\"]\n");
   EXPECT_EQ(wall.codes, "");
   ASSERT_EQ(wall.config.wall.addresses.size(), 2u);
-  EXPECT_TRUE(wall.config.wall.addresses[1].contains(*modbus::server::parse_ip("192.168.7.9")));
-  EXPECT_FALSE(wall.config.wall.addresses[0].contains(*modbus::server::parse_ip("10.0.0.18")));
+  EXPECT_TRUE(wall.config.wall.addresses[1].contains(*network::parse_ip("192.168.7.9")));
+  EXPECT_FALSE(wall.config.wall.addresses[0].contains(*network::parse_ip("10.0.0.18")));
   EXPECT_EQ(wall.config.wall.panels, (std::vector<std::string>{"alarms"}));
   EXPECT_EQ(read("[hmi.wall]\naddresses = [\"127.0.0.1\"]\n").codes, "") << "a display of this machine";
   EXPECT_EQ(read("[hmi.wall]\naddresses = [\"10.0.0.17\"]\n").codes, "C0471") << "nobody comes from there";

@@ -53,7 +53,7 @@ TEST_F(ModbusAcceptorsConfig, Tls_WhenItIsGiven_ThenIsOnLoopbackAtItsPortAndAllo
   EXPECT_EQ(found.tls->tcp.bind, "127.0.0.1");
   EXPECT_EQ(found.tls->tcp.port, 802);
   ASSERT_EQ(found.tls->tcp.allow.size(), 1u);
-  EXPECT_TRUE(found.tls->tcp.allow[0].contains(*modbus::server::parse_ip("10.1.2.3")));
+  EXPECT_TRUE(found.tls->tcp.allow[0].contains(*network::parse_ip("10.1.2.3")));
   EXPECT_EQ(found.tls->tls.certificate, folder / "plc.crt");
   EXPECT_EQ(found.tls->tls.handshake, std::chrono::milliseconds(700));
   EXPECT_TRUE(found.tls->tls.revoked.empty());

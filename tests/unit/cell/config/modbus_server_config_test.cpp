@@ -39,8 +39,8 @@ TEST(ModbusServerConfig, WhenEmpty_ThenOffOnLoopbackAndReadOnly) {
   EXPECT_FALSE(reading.config.enabled);
   EXPECT_EQ(reading.config.tcp.bind, "127.0.0.1");
   ASSERT_EQ(reading.config.tcp.allow.size(), 2u);
-  EXPECT_TRUE(reading.config.tcp.allow[0].contains(*modbus::server::parse_ip("127.0.0.1")));
-  EXPECT_FALSE(reading.config.tcp.allow[0].contains(*modbus::server::parse_ip("192.168.1.1")));
+  EXPECT_TRUE(reading.config.tcp.allow[0].contains(*network::parse_ip("127.0.0.1")));
+  EXPECT_FALSE(reading.config.tcp.allow[0].contains(*network::parse_ip("192.168.1.1")));
   EXPECT_TRUE(reading.config.map.openplc);
   EXPECT_FALSE(reading.config.map.openplc_writable);
   EXPECT_TRUE(reading.config.server.clients.empty());

@@ -212,11 +212,18 @@ TEST(PageFields, WhenOnlyDifferencesAreWritten_ThenThePageKnowsExactlyTheirMembe
 }
 
 TEST(PageFields, WhenTheProgramIsDescribed_ThenThePageKnowsExactlyItsMembers) {
+  const protocol::TagNote note{.name = {},
+                               .unit = "l",
+                               .description = {},
+                               .group = "tanks",
+                               .decimals = 1,
+                               .normal = std::pair(0.0, 9.0),
+                               .values = {"low"}};
   const protocol::Program program{.digest = "00",
                                   .charts = {{"main", 1, 1}},
                                   .steps = {{"s0", "idle", true}},
                                   .transitions = {{"t0", {0}, {0}, "go"}},
-                                  .tags = {{"main.go", "BOOL", "%IX0.0", "by hand", 0}},
+                                  .tags = {{"main.go", "BOOL", "%IX0.0", "by hand", 0, note}},
                                   .enumerations = {{{1, "RUNS"}}}};
   const auto page = support::read_interfaces(STEPWRIGHT_SOURCE_DIR "/hmi_web/client/src/lib/protocol.ts");
   // The number of the program is put in front of what is written once.

@@ -154,7 +154,7 @@ class ServerHarness {
   explicit ServerHarness(ServerOptions options = {}, TcpOptions tcp = {}) {
     if (options.clients.empty()) options.clients.push_back(everything());
     tcp.port = 0;
-    if (tcp.allow.empty()) tcp.allow = {*IpRange::parse("127.0.0.0/8")};
+    if (tcp.allow.empty()) tcp.allow = {*network::IpRange::parse("127.0.0.0/8")};
     auto acceptor = std::move(*TcpAcceptor::open(tcp));
     port = acceptor->port();
     server = std::move(*Server::create(std::move(options), data));

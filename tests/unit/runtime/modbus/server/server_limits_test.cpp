@@ -45,7 +45,7 @@ TEST(ServerLimits, WhenOneAddressHasItsShare_ThenOthersStillComeIn) {
 
 TEST(ServerLimits, WhenAnAddressIsNotAllowed_ThenItIsTurnedAway) {
   TcpOptions tcp;
-  tcp.allow = {*IpRange::parse("127.0.0.2"), *IpRange::parse("127.0.1.0/24")};
+  tcp.allow = {*network::IpRange::parse("127.0.0.2"), *network::IpRange::parse("127.0.1.0/24")};
   ServerHarness harness({}, tcp);
   EXPECT_EQ(harness.client("127.0.0.1").receive(1), "closed");
   EXPECT_TRUE(served(harness.client("127.0.0.2")));
@@ -57,7 +57,7 @@ TEST(ServerLimits, WhenAnAddressIsNotAllowed_ThenItIsTurnedAway) {
 TEST(ServerLimits, WhenACrowdThatMayNotComeInIsAtTheAcceptor_ThenOneCallTakesSoManyAndAllAreCounted) {
   TcpOptions tcp;
   tcp.port = 0;
-  tcp.allow = {*IpRange::parse("127.0.0.2")};
+  tcp.allow = {*network::IpRange::parse("127.0.0.2")};
   auto acceptor = std::move(*TcpAcceptor::open(tcp));
   std::vector<Client> crowd;
   for (int i = 0; i < 3 * Listener::kMostRefused; ++i) crowd.emplace_back(acceptor->port());

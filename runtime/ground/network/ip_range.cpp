@@ -1,11 +1,11 @@
-#include "runtime/modbus/server/ip_range.h"
+#include "runtime/ground/network/ip_range.h"
 
 #include <arpa/inet.h>
 
 #include <algorithm>
 #include <charconv>
 
-namespace stepwright::modbus::server {
+namespace stepwright::network {
 namespace {
 
 constexpr int kMappedBits = 96;
@@ -66,4 +66,4 @@ bool IpRange::contains(const IpAddress& address) const {
   return true;
 }
 
-}  // namespace stepwright::modbus::server
+}  // namespace stepwright::network

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-namespace stepwright::modbus::server {
+namespace stepwright::network {
 
 // IPv6, or IPv4 as its mapped form (::ffff:a.b.c.d), so that both are compared alike.
 using IpAddress = std::array<std::uint8_t, 16>;
@@ -32,4 +32,4 @@ class IpRange {
   int prefix_ = 0;
 };
 
-}  // namespace stepwright::modbus::server
+}  // namespace stepwright::network
