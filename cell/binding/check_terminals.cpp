@@ -80,8 +80,10 @@ class TerminalCheck {
       if (at && at->area == address->area && at->bits == address->bits)
         known += (known.empty() ? "" : ", ") + wire.port + " " + wire.address;
     }
+    // Of a built-in plant a part may be left out on purpose; then nothing is wired to it.
+    const Severity severity = model_ ? Severity::Error : Severity::Warning;
     problems_.push_back(
-        {"B0011", Severity::Error, tag.where,
+        {"B0011", severity, tag.where,
          fmt::format("'{}' is at {}, where the plant has no such terminal", tag.name, tag.address),
          known.empty() ? "the plant has none of this kind" : "the plant has " + known});
   }

@@ -11,6 +11,11 @@ constexpr std::string_view kOfFluent = "that of the fluent";
 constexpr std::string_view kOutputs = "Outputs, by the names of their tags.";
 
 constexpr std::array kBindingKeys = {
+    KeyWords{
+        "believed",
+        "Facts and fluents that no sensor shows, as patterns: `\"(at ?i ?p)\"`; they are as actions leave "
+        "them."},
+
     KeyWords{"times", "Waits around a plan."},
     KeyWords{"times.start_s", "Before the initial state is checked: several filter times."},
     KeyWords{"times.settle_s", "Rest after the last action, before the plan is done."},

@@ -140,7 +140,11 @@ KeyReference key_reference(const DescribedFile& file) {
           {std::string(words.key), key.kind == ValueKind::Tables, std::string(words.text), {}});
       continue;
     }
-    const auto table = place.find(key.table);
+    auto table = place.find(key.table);
+    if (table == place.end() && key.table.empty()) {
+      table = place.emplace("", reference.tables.size()).first;
+      reference.tables.push_back({"", false, "Before the first table.", {}});
+    }
     if (table == place.end()) {
       reference.undescribed.push_back(key.table);
       continue;

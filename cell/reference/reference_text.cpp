@@ -6,7 +6,8 @@ namespace stepwright::reference {
 namespace {
 
 std::string heading_of(const TableEntry& table) {
-  return table.array ? "[[" + table.name + "]]" : "[" + table.name + "]";
+  if (table.name.empty()) return "The file";
+  return table.array ? "`[[" + table.name + "]]`" : "`[" + table.name + "]`";
 }
 
 // A cell of a table of Markdown.
@@ -31,7 +32,7 @@ std::string markdown_of(const KeyReference& reference) {
       "\n\nMade by `stepwright reference` from the code that reads the file; not written by hand. " +
       reference.about + "\n";
   for (const TableEntry& table : reference.tables) {
-    text += "\n## `" + heading_of(table) + "`\n" + table.text + "\n";
+    text += "\n## " + heading_of(table) + "\n" + table.text + "\n";
     if (table.keys.empty()) continue;
     text += "\n| key | values; unit | default | |\n|---|---|---|---|\n";
     for (const KeyEntry& key : table.keys)

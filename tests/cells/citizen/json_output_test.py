@@ -58,6 +58,8 @@ class JsonOutput(unittest.TestCase):
         # What each is given: input that is right, and input that is not.
         cls.given = {
             "arm": (robot, ("nosuch.urdf", *robot[1:])),
+            "binding try": (("bench", "--most", "1"), ("nosuch",)),
+            "campaign": (("bench", "--runs", "1", "--faults", "none"), ("nosuch",)),
             "check": ((BENCH / "cell.toml",), (cls.folder / "bad.toml",)),
             "compile": ((cls.folder / "main.st", "-o", image), ("nosuch.st", "-o", image)),
             "demo": (("bench", "--headless", "--fast", "--no-compare"), ("nosuch",)),
@@ -65,7 +67,7 @@ class JsonOutput(unittest.TestCase):
             "exec": ((image, "--scans", "3", "--trace", "Main.n"), ("nosuch.swb",)),
             "fleet": ((CELLS / "fleet/hall.json",), ("nosuch.json",)),
             "forces": (kept, ("--config", "nosuch.toml")),
-            "htn": ((CELLS / "htn/two_arms.hddl", CELLS / "htn/p1.hddl"), ("nosuch.hddl", "nosuch.hddl")),
+            "htn": ((CELLS / "htn/bar.hddl", CELLS / "htn/evening.hddl"), ("nosuch.hddl", "nosuch.hddl")),
             "ltl check": (("F a", cls.folder / "trace.csv"), ("F (a", cls.folder / "trace.csv")),
             "ltl plan": ((CELLS / "ltl/blocks.json",), ("nosuch.json",)),
             "modbus-client": (None, ("--status", "--config", "nosuch.toml")),

@@ -260,8 +260,8 @@ class Units(OnALine):
         begin, failed = time.monotonic(), self.failed_tries()
         self.assertTrue(eventually(lambda: self.all_good(names), PATIENCE_S, 0.005))
         print(f"a line of 4 units that was silent is back after {time.monotonic() - begin:.2f} s")
-        # The first who answers has all others asked.
-        self.assertLessEqual(self.failed_tries() - failed, len(names))
+        # The first who answers has all others asked: of each the try that may have been under way, and one that the slave was too slow for.
+        self.assertLessEqual(self.failed_tries() - failed, 2 * len(names))
 
     def test_our_own_server(self):
         self.make(units_of(17, 18))

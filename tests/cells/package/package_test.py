@@ -223,7 +223,7 @@ class Programs(unittest.TestCase):
     def test_a_cell_that_is_missing_is_told_with_those_that_are_there(self):
         done = subprocess.run([root / "usr/bin/stepwright", "demo", "nosuch"], capture_output=True, text=True, check=False)
         self.assertEqual(done.returncode, 1)
-        self.assertRegex(done.stderr, r"M0002: there is no cell 'nosuch'\n.*known cells: bench, .*conveyor")
+        self.assertRegex(done.stderr, r"M0002: there is no cell 'nosuch'\n.*known cells: .*bench, .*conveyor")
 
 
 class Script(unittest.TestCase):
