@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "plant_models/components/library/fault_specs.h"
 #include "plant_models/components/library/types.h"
 
 namespace stepwright::components::library {
@@ -91,13 +92,7 @@ ComponentType analog_input_type() {
                  .unit = "",
                  .open = Open::Fine,
                  .meaning = "what a terminal shows"}},
-      .faults = {{.name = "broken_wire",
-                  .unit = "",
-                  .low = 0.0,
-                  .high = 1.0,
-                  .rest = 0.0,
-                  .meaning = "1: it shows the counts of a broken wire",
-                  .whole = true},
+      .faults = {flag_fault("broken_wire", "1: it shows the counts of a broken wire"),
                  {.name = "drift",
                   .unit = "1/s",
                   .low = -1000.0,
@@ -105,13 +100,7 @@ ComponentType analog_input_type() {
                   .rest = 0.0,
                   .meaning = "its counts walk away at this rate",
                   .usual = 100.0},
-                 {.name = "frozen",
-                  .unit = "",
-                  .low = 0.0,
-                  .high = 1.0,
-                  .rest = 0.0,
-                  .meaning = "1: it goes on showing its present counts",
-                  .whole = true}},
+                 flag_fault("frozen", "1: it goes on showing its present counts")},
       .wrong = wrong_scale,
       .make = [](const Parameters& p) { return std::make_unique<AnalogInput>(p); }};
   type.parameters.push_back({.name = "broken_wire",
@@ -133,13 +122,7 @@ ComponentType analog_output_type() {
                      .unit = "any",
                      .open = Open::Fine,
                      .meaning = "in the unit of `low` and `high`"}},
-          .faults = {{.name = "broken_wire",
-                      .unit = "",
-                      .low = 0.0,
-                      .high = 1.0,
-                      .rest = 0.0,
-                      .meaning = "1: it gives `low`",
-                      .whole = true}},
+          .faults = {flag_fault("broken_wire", "1: it gives `low`")},
           .wrong = wrong_scale,
           .make = [](const Parameters& p) { return std::make_unique<AnalogOutput>(p); }};
 }

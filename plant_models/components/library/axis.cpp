@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plant_models/components/library/fault_specs.h"
 #include "plant_models/components/library/types.h"
 
 namespace stepwright::components::library {
@@ -108,13 +109,12 @@ ComponentType axis_type() {
                  .role = Role::Node,
                  .open = Open::Fine,
                  .meaning = "in position"}},
-      .faults =
-          {{.name = "stuck", .low = 0.0, .high = 1.0, .rest = 0.0, .meaning = "1: it stands", .whole = true},
-           {.name = "slow",
-            .low = 1.0,
-            .high = 1000.0,
-            .rest = 1.0,
-            .meaning = "its top speed is so many times lower"}},
+      .faults = {flag_fault("stuck", "1: it stands"),
+                 {.name = "slow",
+                  .low = 1.0,
+                  .high = 1000.0,
+                  .rest = 1.0,
+                  .meaning = "its top speed is so many times lower"}},
       .make = [](const Parameters& p) { return std::make_unique<Axis>(p); }};
 }
 

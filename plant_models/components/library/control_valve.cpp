@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plant_models/components/library/fault_specs.h"
 #include "plant_models/components/library/fluid.h"
 #include "plant_models/components/library/types.h"
 
@@ -103,13 +104,7 @@ ComponentType control_valve_type() {
                  .stage = 1,
                  .open = Open::Fine,
                  .meaning = "from in to out"}},
-      .faults = {{.name = "stuck",
-                  .unit = "",
-                  .low = 0.0,
-                  .high = 1.0,
-                  .rest = 0.0,
-                  .meaning = "1: it stays where it is",
-                  .whole = true},
+      .faults = {flag_fault("stuck", "1: it stays where it is"),
                  {.name = "blocked",
                   .unit = "percent",
                   .low = 0.0,

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 
+#include "plant_models/components/library/fault_specs.h"
 #include "plant_models/components/library/types.h"
 
 namespace stepwright::components::library {
@@ -207,12 +208,7 @@ ComponentType conveyor_type() {
                       .high = 100.0,
                       .rest = 0.0,
                       .meaning = "it is slower by this"},
-                     {.name = "jammed",
-                      .low = 0.0,
-                      .high = 1.0,
-                      .rest = 0.0,
-                      .meaning = "1: it stands",
-                      .whole = true}},
+                     flag_fault("jammed", "1: it stands")},
           .stages = 2,
           .make = [](const Parameters& p) { return std::make_unique<Conveyor>(p); }};
 }
@@ -233,23 +229,9 @@ ComponentType photo_eye_type() {
                      .role = Role::Node,
                      .open = Open::Fine,
                      .meaning = "what the program sees"}},
-          .faults = {{.name = "stuck",
-                      .low = 0.0,
-                      .high = 1.0,
-                      .meaning = "the program sees this whatever is there",
-                      .whole = true},
-                     {.name = "blind",
-                      .low = 0.0,
-                      .high = 1.0,
-                      .rest = 0.0,
-                      .meaning = "1: it sees nothing any more",
-                      .whole = true},
-                     {.name = "broken_wire",
-                      .low = 0.0,
-                      .high = 1.0,
-                      .rest = 0.0,
-                      .meaning = "1: its wire is broken, whatever its contact does",
-                      .whole = true}},
+          .faults = {contact_fault("stuck", "the program sees this whatever is there"),
+                     flag_fault("blind", "1: it sees nothing any more"),
+                     flag_fault("broken_wire", "1: its wire is broken, whatever its contact does")},
           .make = [](const Parameters& p) { return std::make_unique<PhotoEye>(p); }};
 }
 

@@ -1,3 +1,4 @@
+#include "plant_models/components/library/fault_specs.h"
 #include "plant_models/components/library/types.h"
 
 namespace stepwright::components::library {
@@ -106,12 +107,7 @@ ComponentType cylinder_type() {
                      .unit = "mm",
                      .open = Open::Fine,
                      .meaning = "how far it is out"}},
-          .faults = {{.name = "stuck",
-                      .low = 0.0,
-                      .high = 1.0,
-                      .rest = 0.0,
-                      .meaning = "1: it stays where it is",
-                      .whole = true},
+          .faults = {flag_fault("stuck", "1: it stays where it is"),
                      {.name = "slow",
                       .low = 1.0,
                       .high = 1000.0,

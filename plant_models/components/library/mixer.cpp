@@ -1,3 +1,4 @@
+#include "plant_models/components/library/fault_specs.h"
 #include "plant_models/components/library/types.h"
 
 namespace stepwright::components::library {
@@ -66,12 +67,7 @@ ComponentType mixer_type() {
                      .role = Role::Node,
                      .open = Open::Fine,
                      .meaning = "well enough"}},
-          .faults = {{.name = "stuck",
-                      .low = 0.0,
-                      .high = 1.0,
-                      .rest = 0.0,
-                      .meaning = "1: it does not turn",
-                      .whole = true}},
+          .faults = {flag_fault("stuck", "1: it does not turn")},
           .make = [](const Parameters& p) { return std::make_unique<Mixer>(p); }};
 }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "plant_models/components/library/fault_specs.h"
 #include "plant_models/components/library/types.h"
 
 namespace stepwright::components::library {
@@ -113,12 +114,7 @@ ComponentType motor_type() {
                       .high = 1.0,
                       .rest = 1.0,
                       .meaning = "it has this share of its torque"},
-                     {.name = "blocked",
-                      .low = 0.0,
-                      .high = 1.0,
-                      .rest = 0.0,
-                      .meaning = "1: its rotor is jammed",
-                      .whole = true}},
+                     flag_fault("blocked", "1: its rotor is jammed")},
           .make = [](const Parameters& p) { return std::make_unique<Motor>(p); }};
 }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "plant_models/components/library/fault_specs.h"
 #include "plant_models/components/library/fluid.h"
 #include "plant_models/components/library/types.h"
 
@@ -109,13 +110,7 @@ ComponentType on_off_valve_type() {
                  .stage = 1,
                  .open = Open::Fine,
                  .meaning = "from in to out"}},
-      .faults = {{.name = "stuck",
-                  .unit = "",
-                  .low = 0.0,
-                  .high = 1.0,
-                  .rest = 0.0,
-                  .meaning = "1: it stays where it is",
-                  .whole = true},
+      .faults = {flag_fault("stuck", "1: it stays where it is"),
                  {.name = "blocked",
                   .unit = "percent",
                   .low = 0.0,
@@ -129,18 +124,8 @@ ComponentType on_off_valve_type() {
                   .rest = 1.0,
                   .meaning = "it takes so many times its travel time",
                   .usual = 10.0},
-                 {.name = "stuck_opened",
-                  .unit = "",
-                  .low = 0.0,
-                  .high = 1.0,
-                  .meaning = "the switch at the open end shows this",
-                  .whole = true},
-                 {.name = "stuck_closed",
-                  .unit = "",
-                  .low = 0.0,
-                  .high = 1.0,
-                  .meaning = "the switch at the closed end shows this",
-                  .whole = true}},
+                 contact_fault("stuck_opened", "the switch at the open end shows this"),
+                 contact_fault("stuck_closed", "the switch at the closed end shows this")},
       .stages = 2,
       .make = [](const Parameters& p) { return std::make_unique<OnOffValve>(p); }};
 }

@@ -1,5 +1,6 @@
 // What is on an operator's panel.
 
+#include "plant_models/components/library/fault_specs.h"
 #include "plant_models/components/library/types.h"
 
 namespace stepwright::components::library {
@@ -39,18 +40,8 @@ ComponentType push_button_type() {
                      .role = Role::Node,
                      .open = Open::Fine,
                      .meaning = "what the program sees"}},
-          .faults = {{.name = "pressed",
-                      .low = 0.0,
-                      .high = 1.0,
-                      .rest = 0.0,
-                      .meaning = "1: somebody presses it (no fault)",
-                      .whole = true},
-                     {.name = "broken_wire",
-                      .low = 0.0,
-                      .high = 1.0,
-                      .rest = 0.0,
-                      .meaning = "1: its wire is broken, whatever its contact does",
-                      .whole = true}},
+          .faults = {flag_fault("pressed", "1: somebody presses it (no fault)"),
+                     flag_fault("broken_wire", "1: its wire is broken, whatever its contact does")},
           .make = [](const Parameters& p) { return std::make_unique<PushButton>(p); }};
 }
 
@@ -64,12 +55,7 @@ ComponentType lamp_type() {
                      .role = Role::Node,
                      .open = Open::Fine,
                      .meaning = "it shines"}},
-          .faults = {{.name = "burnt_out",
-                      .low = 0.0,
-                      .high = 1.0,
-                      .rest = 0.0,
-                      .meaning = "1: it does not shine any more",
-                      .whole = true}},
+          .faults = {flag_fault("burnt_out", "1: it does not shine any more")},
           .make = [](const Parameters&) { return std::make_unique<Lamp>(); }};
 }
 

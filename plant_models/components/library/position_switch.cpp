@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "plant_models/components/library/fault_specs.h"
 #include "plant_models/components/library/types.h"
 
 namespace stepwright::components::library {
@@ -70,12 +71,7 @@ ComponentType position_switch_type() {
                 .role = Role::Node,
                 .open = Open::Fine,
                 .meaning = "what the program sees of it"}},
-          .faults = {{.name = "stuck",
-                      .unit = "",
-                      .low = 0.0,
-                      .high = 1.0,
-                      .meaning = "the program sees this whatever is there",
-                      .whole = true}},
+          .faults = {contact_fault("stuck", "the program sees this whatever is there")},
           .make = [](const Parameters& p) { return std::make_unique<PositionSwitch>(p); }};
 }
 

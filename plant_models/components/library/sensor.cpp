@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "plant_models/components/library/fault_specs.h"
 #include "plant_models/components/library/types.h"
 #include "plant_models/core/sensor_error.h"
 
@@ -130,13 +131,7 @@ ComponentType sensor(const char* name, const char* meaning, const char* unit, bo
                   .rest = 0.0,
                   .meaning = "what it shows walks away at this rate",
                   .usual = usual / 60.0},
-                 {.name = "frozen",
-                  .unit = "",
-                  .low = 0.0,
-                  .high = 1.0,
-                  .rest = 0.0,
-                  .meaning = "1: it goes on showing its present value",
-                  .whole = true},
+                 flag_fault("frozen", "1: it goes on showing its present value"),
                  {.name = "offset",
                   .unit = of,
                   .low = -1e9,

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "plant_models/components/library/fault_specs.h"
 #include "plant_models/components/library/fluid.h"
 #include "plant_models/components/library/types.h"
 
@@ -86,12 +87,7 @@ ComponentType three_way_valve_type() {
             .unit = "percent",
             .open = Open::Fine,
             .meaning = "of its stem"}},
-      .faults = {{.name = "stuck",
-                  .low = 0.0,
-                  .high = 1.0,
-                  .rest = 0.0,
-                  .meaning = "1: it stays where it is",
-                  .whole = true},
+      .faults = {flag_fault("stuck", "1: it stays where it is"),
                  {.name = "slow",
                   .low = 1.0,
                   .high = 1000.0,
