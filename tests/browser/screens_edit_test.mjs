@@ -6,19 +6,15 @@ import { join } from 'node:path';
 import { leadOverPage } from './page_run.mjs';
 import { addsUsers, asks, claims, dialog, dialogIsGone, isAccessible, logsIn, PASSWORD } from './people.mjs';
 import { KEEPS_RECORDS, LEVEL_ALARM, startMixer } from './recipe_cell.mjs';
+import { adds, editor, field, item, places, says } from './screen_editor.mjs';
 import { check, fitsEachLook, options, until, waitFor } from './support.mjs';
 
 const given = options();
 const shot = (page, name) => page.screenshot({ path: join(given.out, `screens-edit-${name}.png`), animations: 'disabled' });
-const editor = (page) => page.getByTestId('screen-editor');
-const field = (page, label) => page.getByTestId('properties').getByLabel(label, { exact: true });
 const button = (page, name) => editor(page).getByRole('button', { name, exact: true });
-const item = (page, key) => page.locator(`[data-testid=canvas] [data-item=${key}]`);
 const placeOf = (page, key) => item(page, key).getAttribute('transform');
 const pointsOf = (page, key) => item(page, key).locator('polyline').first().getAttribute('points');
 const order = (page) => page.locator('[data-item]').evaluateAll((all) => all.map((one) => one.dataset.item).join(' '));
-const says = (page, words) =>
-  waitFor(page, `the editor says: ${words}`, (wanted) => document.querySelector('[data-testid=editor-told]')?.innerText.includes(wanted), words);
 const complains = (page, words) =>
   waitFor(page, `the editor complains: ${words}`, (wanted) => document.querySelector('[data-testid=editor-problem]')?.innerText.includes(wanted), words);
 const isShown = (page, name) =>
@@ -40,19 +36,13 @@ async function drags(page, selector, dx, dy) {
   await page.mouse.move(x + dx * scale, y + dy * scale, { steps: 4 });
   await page.mouse.up();
 }
-async function places(page, values) {
-  for (const [label, value] of Object.entries(values)) {
-    await field(page, label).fill(String(value));
-    await field(page, label).press('Tab');
-  }
-}
 
 async function drawsLines(page) {
   await page.getByRole('button', { name: 'Draw a screen' }).click();
   await editor(page).getByLabel('Name', { exact: true }).fill('Line');
-  await page.locator('[data-symbol-kind=tank]').click();
+  await adds(page, 'tank');
   await places(page, { x: 60, y: 60 });
-  await page.locator('[data-symbol-kind=pipeline]').click();
+  await adds(page, 'pipeline');
   await says(page, 'changed');
   for (const [x, y] of [[181, 198], [299, 202], [302, 289]]) await page.mouse.click(...(await at(page, x, y)));
   await page.mouse.dblclick(...(await at(page, 400, 291)));
@@ -63,7 +53,7 @@ async function drawsLines(page) {
   await waitFor(page, 'a line that is begun takes the keys', () => document.activeElement?.dataset.testid === 'canvas');
   for (const key of ['Space', 'ArrowRight', 'ArrowRight', 'Space', 'ArrowUp', 'Space', 'Backspace', 'ArrowDown', 'ArrowDown', 'ArrowDown', 'Enter']) await page.keyboard.press(key);
   check((await pointsOf(page, 'p3')) === '0,0 20,0 20,20', `with the keys it is drawn, and a point taken back (${await pointsOf(page, 'p3')})`);
-  await page.locator('[data-symbol-kind=line]').click();
+  await adds(page, 'line');
   await page.mouse.click(...(await at(page, 700, 400)));
   await page.keyboard.press('Escape');
   check((await page.locator('[data-item]').count()) === 3, 'one point is no line');
@@ -207,7 +197,7 @@ async function isRemovedMeanwhile(page) {
   await isShown(page, 'Line');
   await page.getByRole('button', { name: 'Edit', exact: true }).click();
   await item(page, 'p1').waitFor();
-  await page.locator('[data-symbol-kind=lamp]').click();
+  await adds(page, 'lamp');
   check((await asks(page, 'DELETE', '/api/screens/Line?version=1')).status === 200, 'somebody removes the screen that is being drawn');
   await button(page, 'Save').click();
   await waitFor(page, 'who saves then is told so', () => document.querySelector('[data-testid=conflict]')?.innerText.includes('has removed the screen'));
@@ -219,7 +209,7 @@ async function isRemovedMeanwhile(page) {
 }
 
 async function sessionEnds(page) {
-  await page.locator('[data-symbol-kind=motor]').click();
+  await adds(page, 'motor');
   check((await page.locator('[data-item]').count()) === 5, 'something more is drawn');
   await page.getByTestId('log-out').click();
   await waitFor(page, 'who has logged out draws nothing', () => document.querySelector('[data-testid=screen-editor]') === null);

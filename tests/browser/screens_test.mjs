@@ -7,6 +7,7 @@ import { join } from 'node:path';
 import { leadOverPage } from './page_run.mjs';
 import { addsUsers, asks, claims, codeOf, dialog, dialogIsGone, isAccessible, logsIn, PASSWORD } from './people.mjs';
 import { KEEPS_RECORDS, LEVEL_ALARM, startMixer } from './recipe_cell.mjs';
+import { adds, editor, field, item, places, says } from './screen_editor.mjs';
 import { check, drawn, fitsEachLook, options, until, waitFor } from './support.mjs';
 
 const TAGS = '[tags."Main.level"]\nunit = "%"\ndescription = "level of the mixer"\ndecimals = 1\n[tags."Main.batches"]\ndescription = "batches in a row"\n';
@@ -16,13 +17,7 @@ const FOREIGN =
 
 const given = options();
 const shot = (page, name) => page.screenshot({ path: join(given.out, `screens-${name}.png`), animations: 'disabled' });
-const editor = (page) => page.getByTestId('screen-editor');
-const field = (page, label) => page.getByTestId('properties').getByLabel(label, { exact: true });
-const adds = (page, kind) => page.locator(`[data-symbol-kind=${kind}]`).click();
-const item = (page, key) => page.locator(`[data-testid=canvas] [data-item=${key}]`);
 const part = (page, key) => page.locator(`[data-testid=screen] [data-part-key=${key}]`);
-const says = (page, words) =>
-  waitFor(page, `the editor says: ${words}`, (wanted) => document.querySelector('[data-testid=editor-told]')?.innerText.includes(wanted), words);
 const has = (page, what, key, words) =>
   waitFor(page, what, ([name, wanted]) => document.querySelector(`[data-testid=screen] [data-part-key=${name}]`)?.innerText.includes(wanted), [key, words]);
 
@@ -34,12 +29,6 @@ async function finds(page, label, search, name) {
 async function binds(page, label, search, name) {
   await finds(page, label, search, name);
   check((await field(page, label).inputValue()) === name, 'and bound');
-}
-async function places(page, values) {
-  for (const [label, value] of Object.entries(values)) {
-    await field(page, label).fill(String(value));
-    await field(page, label).press('Tab');
-  }
 }
 
 async function draws(page) {
