@@ -16,6 +16,7 @@
 #include "cell/program/compile_cell.h"
 #include "cell/runtime/cell_io.h"
 #include "cell/runtime/host_options.h"
+#include "runtime/ground/result/value_or_throw.h"
 
 namespace stepwright::campaign {
 namespace {
@@ -58,12 +59,6 @@ class StateFolder {
   std::filesystem::path path_;
 };
 
-template <typename Value>
-Value or_throw(result::Result<Value> made) {
-  if (!made) throw std::runtime_error(result::to_string(made.error()));
-  return std::move(*made);
-}
-
 // What the cell's own file schedules, and what the campaign does.
 std::vector<PlantFault> faults_of(const config::CellConfig& config, const Disturbance& disturbance) {
   std::vector<PlantFault> faults = disturbance.schedule();
@@ -79,7 +74,8 @@ class Trial {
       : base_(base),
         folder_(base.cell.states, seed),
         config_(read(seed)),
-        controller_(or_throw(cell_runtime::fresh_plant(config_)), cell_runtime::plant_wires(config_),
+        controller_(result::value_or_throw(cell_runtime::fresh_plant(config_)),
+                    cell_runtime::plant_wires(config_),
                     {config_.image.input_bytes, config_.image.output_bytes}, faults_of(config_, disturbance),
                     host_of(config_)),
         witness_(config_) {
@@ -111,17 +107,17 @@ class Trial {
     std::vector<std::string> overrides = base_.overrides;
     overrides.push_back("plant.seed=" + std::to_string(seed));
     overrides.push_back("cell.state_dir=\"" + folder_.path().string() + "\"");
-    return or_throw(config::load_cell_config(base_.cell.file, overrides));
+    return result::value_or_throw(config::load_cell_config(base_.cell.file, overrides));
   }
   static host::HostConfig host_of(const config::CellConfig& config) {
-    host::HostConfig host = or_throw(cell_runtime::host_options(config));
+    host::HostConfig host = result::value_or_throw(cell_runtime::host_options(config));
     host.faults.clear();  // the controller injects them
     host.retain = {};
     return host;
   }
 
   void run_mission() {
-    const auto planner = or_throw(missions::open(config_));
+    const auto planner = result::value_or_throw(missions::open(config_));
     const auto mission = planner->mission(controller_, {});
     mission->watch(missions::watched_tags(config_));
     mission->only_once();
@@ -172,7 +168,7 @@ class Trial {
   }
 
   void run_program() {
-    or_throw(controller_.download(base_.program));
+    result::value_or_throw(controller_.download(base_.program));
     if (auto started = controller_.start(false); !started)
       throw std::runtime_error(result::to_string(started.error()));
     while (controller_.now_s() < base_.cell.seconds && controller_.running()) controller_.scan_once();

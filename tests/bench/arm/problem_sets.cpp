@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "runtime/ground/result/value_or_throw.h"
 #include "supervisor/motion/problem/arm_checkers.h"
 #include "supervisor/motion/recheck/exact_checker.h"
 #include "supervisor/motion/scene/scene_file.h"
@@ -19,12 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using namespace motion;
-
-template <typename T>
-T taken(result::Result<T> read) {
-  if (!read) throw std::runtime_error(to_string(read.error()));
-  return std::move(*read);
-}
 
 // An archive unpacked into a folder that goes away.
 class Unpacked {
@@ -85,11 +80,11 @@ ProblemSet problems_of_others(const fs::path& arms, const std::string& robot, st
   }
   ProblemSet set;
   set.name = robot;
-  set.model = taken(load_arm(files));
+  set.model = result::value_or_throw(load_arm(files));
   const Unpacked unpacked(folder / "problems.tar.bz2");
   for (const fs::path& scene : scenes_in(unpacked.folder(), per_scenario)) {
     const fs::path request = scene.parent_path() / ("request" + scene.filename().string().substr(5));
-    set.problems.push_back(taken(load_problem(set.model, scene, request)));
+    set.problems.push_back(result::value_or_throw(load_problem(set.model, scene, request)));
     set.names.push_back(scene.parent_path().filename().string() + "/" + scene.stem().string().substr(5));
   }
   set.pairs = pairs_of(set.model, set.problems.at(0));
@@ -102,10 +97,11 @@ ProblemSet problems_of_our_own(std::size_t count, double protrusion_m) {
   files.cover.protrusion_m = protrusion_m;
   ProblemSet set;
   set.name = "own";
-  set.model = taken(load_arm(files));
-  const ArmProblem first = taken(load_problem(set.model, folder / "table.toml", folder / "swing.yaml"));
-  const auto exact = taken(ExactChecker::make(set.model.robot, set.model.bodies, first.known_pairs(),
-                                              first.world, first.coordinates, first.rest));
+  set.model = result::value_or_throw(load_arm(files));
+  const ArmProblem first =
+      result::value_or_throw(load_problem(set.model, folder / "table.toml", folder / "swing.yaml"));
+  const auto exact = result::value_or_throw(ExactChecker::make(
+      set.model.robot, set.model.bodies, first.known_pairs(), first.world, first.coordinates, first.rest));
   const JointSpace space = joint_space(set.model.robot, first.coordinates);
   Random random(1);
   while (set.problems.size() < count) {

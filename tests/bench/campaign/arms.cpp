@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 #include <utility>
 
 #include "cell/campaign/spread.h"
@@ -13,6 +12,7 @@
 #include "cell/runtime/robot_cell_plant.h"
 #include "plant_models/assemblies/robot_cell.h"
 #include "plant_models/core/counter_random.h"
+#include "runtime/ground/result/value_or_throw.h"
 
 namespace stepwright::campaign {
 namespace {
@@ -29,18 +29,12 @@ constexpr std::array<const char*, 8> kKinds = {"none",  "drop", "slip",   "move"
 constexpr double kUnavoidable_s = 2.5;
 constexpr double kSeen_m = 0.01;  // of where a thing is: what the camera and a grasp may be off
 
-template <typename Value>
-Value or_throw(result::Result<Value> made) {
-  if (!made) throw std::runtime_error(result::to_string(made.error()));
-  return std::move(*made);
-}
-
 struct ArmsOrderCell {
   explicit ArmsOrderCell(const char* order)
-      : config(or_throw(config::load_cell_config(
+      : config(result::value_or_throw(config::load_cell_config(
             STEPWRIGHT_SOURCE_DIR "/tests/cells/robot_cell/cell.toml",
             {std::string("tamp.order=\"") + order + "\"", "tamp.attended=false", "tamp.time_s=3600"}))),
-        planning(or_throw(missions::open_arms_planning(config))) {}
+        planning(result::value_or_throw(missions::open_arms_planning(config))) {}
 
   config::CellConfig config;
   tamp::mission::ArmsPlanning planning;
@@ -168,9 +162,9 @@ ArmsRun run_arms(std::uint64_t seed) {
   const ArmsOrderCell& cell = cell_of(order);
   config::PlantConfig plant = cell.config.plant;
   plant.seed = seed + 1;
-  auto parameters = or_throw(cell_runtime::robot_cell_parameters(plant));
+  auto parameters = result::value_or_throw(cell_runtime::robot_cell_parameters(plant));
   place_blockage(random, parameters);
-  auto simulated = or_throw(assemblies::RobotCell::create(parameters));
+  auto simulated = result::value_or_throw(assemblies::RobotCell::create(parameters));
   const assemblies::RobotCell& truth = *simulated;  // of the controller from here on
   SimulatedController controller(std::move(simulated), cell_runtime::robot_cell_wires(plant),
                                  {cell.config.image.input_bytes, cell.config.image.output_bytes}, faults);
@@ -179,7 +173,7 @@ ArmsRun run_arms(std::uint64_t seed) {
     if (run.kind == "block" && stands_s < 0.0 && controller.plant_value("blocked_1") != 0.0)
       stands_s = 1e-9 * static_cast<double>(truth.now().count());
   };
-  auto options = or_throw(missions::arms_options(cell.config, cell.planning));
+  auto options = result::value_or_throw(missions::arms_options(cell.config, cell.planning));
   options.journal.clear();
   try {
     run.record = tamp::mission::ArmsMission(cell.planning, controller, std::move(options), {}).run();

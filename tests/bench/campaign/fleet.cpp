@@ -15,6 +15,7 @@
 #include "cell/missions/fleet/fleet_executive_options.h"
 #include "cell/runtime/fleet_plant.h"
 #include "plant_models/assemblies/fleet_floor.h"
+#include "runtime/ground/result/value_or_throw.h"
 #include "supervisor/fleet/executive/fleet_executive.h"
 
 namespace stepwright::campaign {
@@ -27,12 +28,6 @@ using support::SimulatedController;
 constexpr std::chrono::seconds kHold{60};    // of the scan clock: nobody comes to a fleet that is held
 constexpr std::chrono::seconds kHangs{600};  // of wall time, for all of a run
 constexpr const char* kAllDone = "all that could be done is done";
-
-template <typename Value>
-Value or_throw(result::Result<Value> made) {
-  if (!made) throw std::runtime_error(result::to_string(made.error()));
-  return std::move(*made);
-}
 
 // What is missing and why; `open`: something is missing for no reason that could be told.
 struct Missing {
@@ -123,8 +118,8 @@ double mean(double sum, std::uint64_t count) {
 
 struct FleetCell::Parts {
   config::CellConfig config =
-      or_throw(config::load_cell_config(STEPWRIGHT_SOURCE_DIR "/tests/cells/fleet/cell.toml"));
-  fleet::FleetPlanning planning = or_throw(missions::open_fleet_planning(config));
+      result::value_or_throw(config::load_cell_config(STEPWRIGHT_SOURCE_DIR "/tests/cells/fleet/cell.toml"));
+  fleet::FleetPlanning planning = result::value_or_throw(missions::open_fleet_planning(config));
 };
 
 FleetCell::FleetCell() : parts_(std::make_unique<Parts>()) {}
@@ -136,10 +131,10 @@ FleetRun run_fleet(FleetCell& cell, std::uint64_t seed) {
   run.moment = fleet_moment(seed, planning.problem());
   config::PlantConfig plant = config.plant;
   plant.seed = seed;
-  SimulatedController controller(
-      or_throw(assemblies::FleetFloor::create(or_throw(cell_runtime::fleet_parameters(plant)))),
-      bridge::default_fleet_wires(planning.problem().vehicles.size()),
-      {config.image.input_bytes, config.image.output_bytes}, run.moment.faults);
+  SimulatedController controller(result::value_or_throw(assemblies::FleetFloor::create(
+                                     result::value_or_throw(cell_runtime::fleet_parameters(plant)))),
+                                 bridge::default_fleet_wires(planning.problem().vehicles.size()),
+                                 {config.image.input_bytes, config.image.output_bytes}, run.moment.faults);
   fleet::FleetExecutiveOptions options = missions::fleet_executive_options(config);
   options.requests = run.moment.requests;
   options.hold = kHold;

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "runtime/ground/result/value_or_throw.h"
 #include "runtime/image/process_image.h"
 #include "runtime/native/native_engine.h"
 #include "runtime/scan/scan_cycle.h"
@@ -28,12 +29,6 @@ using Bytes = std::vector<std::byte>;
 
 constexpr std::int64_t kIntervalNs = 10'000'000;
 
-template <typename T>
-T taken(result::Result<T> value) {
-  if (!value) throw std::runtime_error(result::to_string(value.error()));
-  return std::move(*value);
-}
-
 executive::PreparedPlan bench_plan(bool monitors) {
   const std::string cell = STEPWRIGHT_SOURCE_DIR "/tests/cells/bench/";
   executive::PlanningOptions options;
@@ -41,8 +36,9 @@ executive::PreparedPlan bench_plan(bool monitors) {
   options.problem = cell + "problem.pddl";
   options.binding = cell + "binding.toml";
   options.monitors = monitors;
-  const auto planning = taken(executive::PlanningService::open(options));
-  auto outcome = taken(planning.prepare({.start = {.planning = pddl::to_named(planning.task().initial())}}));
+  const auto planning = result::value_or_throw(executive::PlanningService::open(options));
+  auto outcome = result::value_or_throw(
+      planning.prepare({.start = {.planning = pddl::to_named(planning.task().initial())}}));
   if (outcome.status != executive::PrepareStatus::Ready) throw std::runtime_error(outcome.reason);
   return std::move(outcome.prepared);
 }
@@ -51,7 +47,7 @@ executive::PreparedPlan bench_plan(bool monitors) {
 class Scanned {
  public:
   Scanned(const Bytes& container, EngineKind kind)
-      : loaded_(taken(reader::LoadedProgram::load(container, "bench"))),
+      : loaded_(result::value_or_throw(reader::LoadedProgram::load(container, "bench"))),
         memory_(loaded_.program().memory_size()),
         image_(memory_, scan::layout_of(loaded_.program())),
         stack_(loaded_.program().sizes().stack_slots),
@@ -60,7 +56,7 @@ class Scanned {
     if (kind == EngineKind::Vm) {
       engine_ = std::make_unique<vm::Interpreter>(program, stack_, quick_code_);
     } else {
-      engine_ = taken(native::NativeEngine::compile(program));
+      engine_ = result::value_or_throw(native::NativeEngine::compile(program));
     }
     const auto calls = program.container().count<bytecode::Section::ProgramCalls>();
     for (std::uint32_t i = 0; i < calls; ++i) {
@@ -109,8 +105,9 @@ std::vector<Bytes> recorded_inputs(const executive::PreparedPlan& plan) {
     std::memcpy(layout.image().bytes().data(), image.data(), image.size());
     inputs.emplace_back(layout.image().inputs().begin(), layout.image().inputs().end());
   };
-  const auto reader = taken(run::ImageReader::create(plan.container, plan.translation.instance, {}));
-  (void)taken(controller.download(plan.container));
+  const auto reader =
+      result::value_or_throw(run::ImageReader::create(plan.container, plan.translation.instance, {}));
+  (void)result::value_or_throw(controller.download(plan.container));
   if (!controller.start(false)) throw std::runtime_error("the plan does not start");
   while (const auto event = controller.wait_event(std::chrono::milliseconds(0))) {
     (void)controller.acknowledge(event->sequence);

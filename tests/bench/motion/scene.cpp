@@ -3,6 +3,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "runtime/ground/result/value_or_throw.h"
 #include "supervisor/motion/robot/srdf_reader.h"
 #include "supervisor/motion/robot/urdf_reader.h"
 
@@ -16,10 +17,11 @@ std::string text_of(const std::filesystem::path& path) {
 MotionScene motion_scene(const std::string& folder) {
   using namespace motion;
   MotionScene scene;
-  scene.robot = taken(read_urdf(text_of(folder + "/two_arms.urdf"), folder + "/two_arms.urdf"));
-  scene.semantics =
-      taken(read_srdf(text_of(folder + "/two_arms.srdf"), folder + "/two_arms.srdf", scene.robot));
-  scene.bodies = taken(read_bodies(scene.robot, MeshLocator(folder)));
+  scene.robot =
+      result::value_or_throw(read_urdf(text_of(folder + "/two_arms.urdf"), folder + "/two_arms.urdf"));
+  scene.semantics = result::value_or_throw(
+      read_srdf(text_of(folder + "/two_arms.srdf"), folder + "/two_arms.srdf", scene.robot));
+  scene.bodies = result::value_or_throw(read_bodies(scene.robot, MeshLocator(folder)));
   scene.spheres = cover(scene.bodies);
   scene.coordinates = scene.semantics.group("right_arm")->coordinates;
   scene.rest.resize(scene.robot.coordinates.size());

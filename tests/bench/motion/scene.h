@@ -3,9 +3,7 @@
 // The scene that arms are measured in: the robot with two arms at a table with things on it.
 
 #include <filesystem>
-#include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "supervisor/motion/collision/collision_checker.h"
@@ -24,13 +22,6 @@ struct MotionScene {
 };
 
 std::string text_of(const std::filesystem::path& path);
-
-// Throws std::runtime_error with the messages where there is no value.
-template <typename T>
-T taken(result::Result<T> read) {
-  if (!read) throw std::runtime_error(to_string(read.error()));
-  return std::move(*read);
-}
 
 // Throws std::runtime_error where the files of the robot are not in `folder`.
 MotionScene motion_scene(const std::string& folder);

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "runtime/ground/result/value_or_throw.h"
 #include "supervisor/motion/blend/blend.h"
 #include "supervisor/motion/timing/plan_timing.h"
 #include "tests/bench/motion/figures.h"
@@ -20,8 +21,8 @@ struct TimedCase {
 
 TimedCase timed(Random& random, std::size_t points, std::size_t joints) {
   auto problem = tests::random_case(random, points, joints);
-  auto path = taken(blend(problem.points, {.tolerance = problem.tolerance}));
-  auto law = taken(plan_timing(path, problem.limits));
+  auto path = result::value_or_throw(blend(problem.points, {.tolerance = problem.tolerance}));
+  auto law = result::value_or_throw(plan_timing(path, problem.limits));
   return {std::move(problem), std::move(path), std::move(law)};
 }
 
@@ -37,17 +38,18 @@ TimingFigures measure_timing() {
                                   for (const TimedCase& each : cases) {
                                     const auto path =
                                         blend(each.problem.points, {.tolerance = each.problem.tolerance});
-                                    taken(plan_timing(*path, each.problem.limits));
+                                    result::value_or_throw(plan_timing(*path, each.problem.limits));
                                   }
                                 });
   constexpr int kStraight = 1000;
-  figures.straight_us = 1e6 / kStraight * processor_seconds([&] {
-                          for (int k = 0; k < kStraight; ++k)
-                            taken(plan_straight(cases[0].problem.points[0], cases[0].problem.points[1],
-                                                cases[0].problem.limits));
-                        });
+  figures.straight_us =
+      1e6 / kStraight * processor_seconds([&] {
+        for (int k = 0; k < kStraight; ++k)
+          result::value_or_throw(
+              plan_straight(cases[0].problem.points[0], cases[0].problem.points[1], cases[0].problem.limits));
+      });
   for (const TimedCase& each : cases) {
-    const TimingBound bound = taken(bound_timing(each.path, each.problem.limits));
+    const TimingBound bound = result::value_or_throw(bound_timing(each.path, each.problem.limits));
     const double ratio = each.law.duration() / bound.minimum, proved = each.law.duration() / bound.seconds;
     constexpr double kShare = 1.0 / kBounded;
     figures.mean_ratio += kShare * ratio;

@@ -14,6 +14,7 @@
 #include <string>
 
 #include "firmware/link/qemu_board.h"
+#include "runtime/ground/result/value_or_throw.h"
 #include "tests/cells/firmware/pty_line.h"
 #include "tests/support/patience.h"
 #include "tests/support/remote_controller/remote_controller.h"
@@ -45,25 +46,20 @@ class Rig {
   }
 
  private:
-  template <typename T>
-  static T taken(result::Result<T> value) {
-    if (!value) throw std::runtime_error(result::to_string(value.error()));
-    return std::move(*value);
-  }
-
   void power_on() {
-    board_ = taken(link::QemuBoard::start({.machine = firmware_.substr(0, std::string("mps2-an385").size()),
-                                           .image = image(firmware_),
-                                           .folder = folder_.path(),
-                                           .icount_shift = icount_shift_,
-                                           .debugger = debugger_}));
+    board_ = result::value_or_throw(
+        link::QemuBoard::start({.machine = firmware_.substr(0, std::string("mps2-an385").size()),
+                                .image = image(firmware_),
+                                .folder = folder_.path(),
+                                .icount_shift = icount_shift_,
+                                .debugger = debugger_}));
     const modbus::master::SerialEndpoint endpoint{
         .device = board_->line(), .baud = 115'200, .parity = modbus::master::Parity::None};
     line_ = std::make_unique<PtyLine>(endpoint);
     controller_ = std::make_unique<support::RemoteController>(
         *line_, remote::LinkOptions{.patience = support::kPatience, .command_patience = support::kPatience});
     // A board that has just been switched on says nothing for a while.
-    taken(controller_->link().status());
+    result::value_or_throw(controller_->link().status());
   }
 
   std::string firmware_;

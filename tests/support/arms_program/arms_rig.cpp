@@ -7,6 +7,7 @@
 
 #include "cell/robot/robot_figures.h"
 #include "ladder/driver/compile.h"
+#include "runtime/ground/result/value_or_throw.h"
 #include "runtime/scan/no_clock.h"
 #include "runtime/scan/scan_cycle.h"
 
@@ -16,18 +17,12 @@ namespace {
 
 constexpr const char* kUrdf = STEPWRIGHT_SOURCE_DIR "/tests/cells/robot_cell/two_arms.urdf";
 
-template <typename Value>
-Value or_throw(result::Result<Value> made) {
-  if (!made) throw std::runtime_error(result::to_string(made.error()));
-  return std::move(*made);
-}
-
 }  // namespace
 
 std::vector<std::byte> compiled(const program::ArmsProgram& made) {
   driver::CompileInput input;
   input.projects = {&made.project};
-  return or_throw(driver::compile(input)).container;
+  return result::value_or_throw(driver::compile(input)).container;
 }
 
 assemblies::RobotCellParameters plant_of(const scene::RobotCell& cell, const RigOptions& options) {
@@ -69,13 +64,13 @@ assemblies::RobotCellParameters plant_of(const scene::RobotCell& cell, const Rig
 }
 
 ArmsRig::ArmsRig(const scene::RobotCell& cell, const RigOptions& options)
-    : plant_(or_throw(assemblies::RobotCell::create(plant_of(cell, options)))),
+    : plant_(result::value_or_throw(assemblies::RobotCell::create(plant_of(cell, options)))),
       clock_(std::make_unique<scan::NoClock>()) {
   std::vector<std::string> arms;
   for (const scene::ArmModel& arm : cell.arms) arms.push_back(arm.name);
   const bridge::AreaSizes sizes{program::input_bytes_in_a_row(arms.size(), options.slots),
                                 program::output_bytes_in_a_row(arms.size())};
-  driver_ = or_throw(
+  driver_ = result::value_or_throw(
       bridge::PlantDriver::create(*plant_, bridge::default_robot_cell_wires(arms, options.slots), sizes));
   areas_.emplace(*driver_, sizes.input_bytes, sizes.output_bytes);
   config_.engine = host::EngineKind::Native;
@@ -84,13 +79,14 @@ ArmsRig::ArmsRig(const scene::RobotCell& cell, const RigOptions& options)
 ArmsRig::~ArmsRig() = default;
 
 void ArmsRig::load(const std::vector<std::byte>& container) {
-  auto info = or_throw(reader::ProgramInfo::read(container));
-  auto next = or_throw(host::PreparedProgram::create(container, "test", {*areas_, *clock_, config_}));
+  auto info = result::value_or_throw(reader::ProgramInfo::read(container));
+  auto next =
+      result::value_or_throw(host::PreparedProgram::create(container, "test", {*areas_, *clock_, config_}));
   if (program_ == nullptr) {
     next->cycle().start({});
   } else {
-    const auto plan =
-        or_throw(host::ChangePlan::make(*program_, *next, host::DownloadMode::ChangeRestartCharts));
+    const auto plan = result::value_or_throw(
+        host::ChangePlan::make(*program_, *next, host::DownloadMode::ChangeRestartCharts));
     plan->carry(program_->image(), next->image());
     next->cycle().take_over(program_->cycle(), plan->tasks());
   }

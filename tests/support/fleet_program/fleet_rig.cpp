@@ -8,6 +8,7 @@
 
 #include "ladder/driver/compile.h"
 #include "runtime/bytecode/reader/read_value.h"
+#include "runtime/ground/result/value_or_throw.h"
 #include "tests/support/fleet/exact_outline.h"
 
 namespace stepwright::fleet {
@@ -15,12 +16,6 @@ namespace {
 
 constexpr std::uint64_t kBudget = 100'000'000;
 constexpr int kJudgeEvery = 5;  // scans
-
-template <typename Value>
-Value or_throw(result::Result<Value> made) {
-  if (!made) throw std::runtime_error(result::to_string(made.error()));
-  return std::move(*made);
-}
 
 assemblies::FleetParameters floor_of(const FleetPlan& plan, const RigOptions& options) {
   assemblies::FleetParameters parameters;
@@ -52,21 +47,21 @@ void remove_interlocks(FleetProgram& program) {
 
 FleetRig::FleetRig(const FleetPlan& plan, const RigOptions& options) : plan_(plan), options_(options) {
   const FleetTerminals terminals = terminals_in_a_row(plan.missions.size());
-  program_ = or_throw(fleet_program(plan, terminals, options.program));
+  program_ = result::value_or_throw(fleet_program(plan, terminals, options.program));
   if (!options.interlocks) remove_interlocks(program_);
   driver::CompileInput input;
   input.projects = {&program_.project};
-  auto compiled = or_throw(driver::compile(input));
-  info_ = or_throw(reader::ProgramInfo::read(compiled.container));
+  auto compiled = result::value_or_throw(driver::compile(input));
+  info_ = result::value_or_throw(reader::ProgramInfo::read(compiled.container));
   vm_ = std::make_unique<support::HostMachine>(compiled.container, host::EngineKind::Vm, kBudget);
   if (options.native) {
     native_ = std::make_unique<support::HostMachine>(compiled.container, host::EngineKind::Native, kBudget);
   }
-  floor_ = or_throw(assemblies::FleetFloor::create(floor_of(plan, options)));
+  floor_ = result::value_or_throw(assemblies::FleetFloor::create(floor_of(plan, options)));
   inputs_.resize(vm_->image().inputs().size());
   const auto wires = bridge::default_fleet_wires(plan.missions.size());
-  driver_ =
-      or_throw(bridge::PlantDriver::create(*floor_, wires, {inputs_.size(), vm_->image().outputs().size()}));
+  driver_ = result::value_or_throw(
+      bridge::PlantDriver::create(*floor_, wires, {inputs_.size(), vm_->image().outputs().size()}));
   for (const MissionProgram& mission : program_.missions) {
     const std::string vehicle = "vehicle_" + mission.name;
     watched_.push_back({variable("done_" + mission.name), variable(vehicle + ".Arc"),

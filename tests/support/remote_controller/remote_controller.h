@@ -12,6 +12,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "runtime/ground/result/value_or_throw.h"
 #include "runtime/remote/controller_link.h"
 #include "runtime/service/digest.h"
 
@@ -31,11 +32,11 @@ class RemoteController {
 
   remote::ControllerLink& link() { return link_; }
   remote::RegisterLine& line() { return line_; }
-  remote::ControllerStatus status() { return taken(link_.status()); }
+  remote::ControllerStatus status() { return result::value_or_throw(link_.status()); }
 
   remote::CommandAnswer command(control::Command code, std::vector<std::uint16_t> arguments = {}) {
     static_cast<void>(status());
-    return taken(link_.command(code, arguments));
+    return result::value_or_throw(link_.command(code, arguments));
   }
   void expect_done(control::Command code, std::vector<std::uint16_t> arguments = {}) {
     const remote::CommandAnswer answer = command(code, std::move(arguments));
@@ -76,24 +77,18 @@ class RemoteController {
     TurnResult result;
     result.outputs.resize(output_bytes_);
     turn_ = static_cast<std::uint16_t>(turn_ == 0xFFFF ? 1 : turn_ + 1);
-    result.head = taken(link_.exchange(turn_, inputs, result.outputs));
+    result.head = result::value_or_throw(link_.exchange(turn_, inputs, result.outputs));
     return result;
   }
 
   std::vector<std::byte> memory(control::Memory which, std::size_t bytes) {
     std::vector<std::byte> out(bytes);
-    static_cast<void>(taken(link_.read_memory(which, out)));
+    static_cast<void>(result::value_or_throw(link_.read_memory(which, out)));
     return out;
   }
   std::vector<std::byte> image() { return memory(control::Memory::Image, status().image_bytes); }
 
  private:
-  template <typename T>
-  static T taken(result::Result<T> value) {
-    if (!value) throw std::runtime_error(result::to_string(value.error()));
-    return std::move(*value);
-  }
-
   remote::RegisterLine& line_;
   std::atomic<bool> stop_{false};
   remote::ControllerLink link_;

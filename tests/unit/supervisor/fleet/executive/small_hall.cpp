@@ -6,32 +6,26 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 #include <utility>
 
 #include "cell/missions/fleet/fleet_executive_options.h"
 #include "cell/runtime/fleet_plant.h"
 #include "plant_models/assemblies/fleet_floor.h"
+#include "runtime/ground/result/value_or_throw.h"
 
 namespace stepwright::fleet {
 namespace {
 
 constexpr const char* kFolder = STEPWRIGHT_SOURCE_DIR "/tests/cells/fleet/";
 
-template <typename Value>
-Value or_throw(result::Result<Value> made) {
-  if (!made) throw std::runtime_error(result::to_string(made.error()));
-  return std::move(*made);
-}
-
 }  // namespace
 
 SmallHall::SmallHall(std::vector<support::PlantFault> faults, const std::string& constraints)
-    : config_(or_throw(config::load_cell_config(std::string(kFolder) + "small_hall.toml"))),
+    : config_(result::value_or_throw(config::load_cell_config(std::string(kFolder) + "small_hall.toml"))),
       constraints_(constraints),
-      controller_(
-          or_throw(assemblies::FleetFloor::create(or_throw(cell_runtime::fleet_parameters(config_.plant)))),
-          bridge::default_fleet_wires(3), {64, 64}, std::move(faults)) {
+      controller_(result::value_or_throw(assemblies::FleetFloor::create(
+                      result::value_or_throw(cell_runtime::fleet_parameters(config_.plant)))),
+                  bridge::default_fleet_wires(3), {64, 64}, std::move(faults)) {
   if (constraints.empty()) return;
   auto problem = nlohmann::json::parse(std::ifstream(missions::fleet_table(config_).problem));
   problem["map"] = std::string(kFolder) + "map.yaml";
@@ -55,7 +49,8 @@ FleetPlanning& SmallHall::planning() {
   static std::map<std::string, FleetPlanning> plannings;
   const auto found = plannings.find(constraints_);
   if (found != plannings.end()) return found->second;
-  return plannings.emplace(constraints_, or_throw(missions::open_fleet_planning(config_))).first->second;
+  return plannings.emplace(constraints_, result::value_or_throw(missions::open_fleet_planning(config_)))
+      .first->second;
 }
 
 void SmallHall::tell_time() {

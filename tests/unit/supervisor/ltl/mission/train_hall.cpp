@@ -1,18 +1,11 @@
 #include "tests/unit/supervisor/ltl/mission/train_hall.h"
 
-#include <stdexcept>
-
 #include "plant_models/assemblies/tugger.h"
+#include "runtime/ground/result/value_or_throw.h"
 #include "tests/unit/supervisor/ltl/program/small_hall.h"
 
 namespace stepwright::ltl::testing {
 namespace {
-
-template <typename Value>
-Value or_throw(result::Result<Value> made) {
-  if (!made) throw std::runtime_error(result::to_string(made.error()));
-  return std::move(*made);
-}
 
 assemblies::FloorPolygon polygon(const Area& area) {
   assemblies::FloorPolygon made{area.name, {}};
@@ -29,11 +22,11 @@ std::unique_ptr<core::Plant> plant_of(const Problem& problem) {
   for (const Area& each : problem.floor.propositions) parameters.places.push_back(polygon(each));
   parameters.blockages = {{"crate", {{14.0, 13.0}, {16.0, 13.0}, {16.0, 15.0}, {14.0, 15.0}}},
                           {"pallet", {{14.0, 3.0}, {15.0, 3.0}, {15.0, 5.0}, {14.0, 5.0}}}};
-  return or_throw(assemblies::Tugger::create(parameters));
+  return result::value_or_throw(assemblies::Tugger::create(parameters));
 }
 
 TrainPlanning open(const Problem& problem) {
-  return or_throw(TrainPlanning::open(
+  return result::value_or_throw(TrainPlanning::open(
       {.problem = problem,
        .terminals = train_terminals_in_a_row(problem.train.trailers, problem.floor.propositions.size()),
        .program = {},

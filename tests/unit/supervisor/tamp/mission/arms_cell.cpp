@@ -1,10 +1,10 @@
 #include "tests/unit/supervisor/tamp/mission/arms_cell.h"
 
-#include <stdexcept>
 #include <utility>
 
 #include "plant_models/assemblies/robot_cell.h"
 #include "runtime/ground/process/files.h"
+#include "runtime/ground/result/value_or_throw.h"
 #include "tests/support/arms_program/arms_rig.h"
 #include "tests/support/tamp_cells/paper_cells.h"
 
@@ -13,26 +13,21 @@ namespace {
 
 constexpr std::size_t kSlots = 4;
 
-template <typename Value>
-Value or_throw(result::Result<Value> made) {
-  if (!made) throw std::runtime_error(result::to_string(made.error()));
-  return std::move(*made);
-}
-
 ArmsPlanning open(const std::string& goal) {
   ArmsPlanningOptions options;
   options.cell = paper_cell();
   const std::string domain = STEPWRIGHT_SOURCE_DIR "/tests/cells/robot_cell/stacking_arms.pddl";
-  options.domain = {domain, or_throw(process::read_file(domain))};
-  options.orders = {or_throw(read_order(options.cell, goal, goal, "test")),
-                    or_throw(read_order(options.cell, "across", "(in cup1 red-region)", "test"))};
+  options.domain = {domain, result::value_or_throw(process::read_file(domain))};
+  options.orders = {
+      result::value_or_throw(read_order(options.cell, goal, goal, "test")),
+      result::value_or_throw(read_order(options.cell, "across", "(in cup1 red-region)", "test"))};
   options.terminals = program::cell_terminals_in_a_row(options.cell.arms.size(), kSlots);
   options.most_s = 600.0;
-  return or_throw(ArmsPlanning::open(std::move(options)));
+  return result::value_or_throw(ArmsPlanning::open(std::move(options)));
 }
 
 std::unique_ptr<core::Plant> plant_of(std::uint64_t seed, std::vector<assemblies::FixedBody> blockages) {
-  return or_throw(assemblies::RobotCell::create(
+  return result::value_or_throw(assemblies::RobotCell::create(
       test::plant_of(paper_cell(), {.seed = seed, .slots = kSlots, .blockages = std::move(blockages)})));
 }
 
