@@ -3,10 +3,12 @@
 // The binding of a planned cell against its domain and its plant, before anything runs
 // (supervisor/doc/binding_file.md has the codes).
 //
-//   B0010  an action drives no output, and does not say so       B0013  a unit or a calibration that does not
-//   match B0011  a terminal that the plant does not have               B0014  a completion that can never be
-//   B0012  no sensor shows what actions change and others need   B0015  a timeout that is too short for the
-//   plant
+// - B0010: an action drives no output, and does not say so
+// - B0011: a terminal that the plant does not have
+// - B0012: no sensor shows what actions change and others need
+// - B0013: a unit or a calibration that does not match
+// - B0014: a completion that can never be
+// - B0015: a timeout that is too short for the plant
 //
 // Pure but for the files of the cell; any thread.
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "runtime/base/hash64.h"
+#include "runtime/ground/result/value_or_throw.h"
 
 namespace stepwright::simulation {
 namespace {
@@ -22,17 +23,12 @@ class CountingClock final : public scan::Clock {
   std::int64_t now_ = 0;
 };
 
-template <typename T>
-T taken(result::Result<T> value) {
-  if (!value) throw std::runtime_error(result::to_string(value.error()));
-  return std::move(*value);
-}
-
 }  // namespace
 
 struct SimulatedController::Loaded {
   Loaded(std::unique_ptr<host::PreparedProgram> prepared)
-      : program(std::move(prepared)), info(taken(reader::ProgramInfo::read(program->loaded().bytes()))) {}
+      : program(std::move(prepared)),
+        info(result::value_or_throw(reader::ProgramInfo::read(program->loaded().bytes()))) {}
 
   scan::ScanCycle& cycle() const { return program->cycle(); }
   std::span<const std::byte> image() const { return program->image().bytes(); }
@@ -65,7 +61,7 @@ SimulatedController::SimulatedController(std::unique_ptr<core::Plant> plant,
       clock_(std::make_unique<CountingClock>()),
       faults_(std::move(faults)) {
   std::ranges::stable_sort(faults_, {}, &PlantFault::at_s);
-  driver_ = taken(bridge::PlantDriver::create(*plant_, wires, sizes));
+  driver_ = result::value_or_throw(bridge::PlantDriver::create(*plant_, wires, sizes));
   areas_.emplace(*driver_, sizes.input_bytes, sizes.output_bytes);
 }
 
@@ -91,6 +87,10 @@ const reader::ProgramInfo* SimulatedController::program_info() const {
 
 bool SimulatedController::running() const {
   return loaded_ && loaded_->cycle().state() == scan::ScanState::Running;
+}
+
+std::span<const std::byte> SimulatedController::image() const {
+  return loaded_->image();
 }
 
 bool SimulatedController::wait_for_runtime(std::chrono::milliseconds) {
@@ -209,12 +209,14 @@ bool SimulatedController::scan_once() {
     return false;
   }
   if (on_scan) on_scan(loaded_->image());
-  std::vector<bool> steps = loaded_->steps();
-  if (steps != loaded_->last_steps) {
-    loaded_->last_steps = std::move(steps);
-    push_event(host::EventKind::StepChange, {});
-  }
   return true;
+}
+
+void SimulatedController::tell_steps() {
+  std::vector<bool> steps = loaded_->steps();
+  if (steps == loaded_->last_steps) return;
+  loaded_->last_steps = std::move(steps);
+  push_event(host::EventKind::StepChange, {});
 }
 
 std::optional<host::StepEvent> SimulatedController::wait_event(std::chrono::milliseconds) {
@@ -222,7 +224,7 @@ std::optional<host::StepEvent> SimulatedController::wait_event(std::chrono::mill
   for (std::uint64_t i = 0; events_.empty(); ++i) {
     if (!running() || acknowledged_ < sequence_) return std::nullopt;
     if (i > kMaxQuietScans) throw std::runtime_error("no step event for a very long time");
-    scan_once();
+    if (scan_once()) tell_steps();
     if (killed_ || silent_ || std::exchange(interrupted_, false)) return std::nullopt;
   }
   host::StepEvent event = std::move(events_.front());

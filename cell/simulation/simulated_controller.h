@@ -1,8 +1,8 @@
 #pragma once
 
 // A runtime in the caller's own process and thread: the real scan, engine and plant without the processes
-// around them, in simulated time. A call of wait_event scans until the step bits change. For campaigns and
-// tests; it knows no planner.
+// around them, in simulated time. A call of wait_event scans until the step bits change. For campaigns, trials
+// of bindings and tests; it knows no planner.
 //
 //   SimulatedController controller(std::move(plant), wires, {64, 64}, faults);
 //   auto record = planner->mission(controller, {})->run();
@@ -10,12 +10,14 @@
 //
 // Threads: one at a time. A run that does not come to an end throws std::runtime_error.
 
+#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -48,10 +50,13 @@ class SimulatedController : public run::Controller {
   double now_s() const { return static_cast<double>(plant_->now().count()) * 1e-9; }
   bool any_output() const;
   bool running() const;
+  // Of the program that is loaded. Requires one.
+  std::span<const std::byte> image() const;
   // Of the program that is loaded; null without one.
   const reader::ProgramInfo* program_info() const;
   std::uint64_t programs_loaded() const { return programs_loaded_; }
   // Runs one scan of a program that runs, with the faults whose time has come; false when it no longer does.
+  // Of steps that change only wait_event() tells.
   bool scan_once();
   // The next call finds the runtime gone; a new one, empty, is there after that. The plant stays.
   void kill_runtime() { killed_ = true; }
@@ -87,6 +92,7 @@ class SimulatedController : public run::Controller {
   struct Loaded;  // a program with its memory
   void push_event(host::EventKind kind, std::string detail);
   void inject_due();
+  void tell_steps();
   static host::HostConfig interpreted();
   result::Result<std::unique_ptr<host::PreparedProgram>> prepare(std::span<const std::byte> container);
 

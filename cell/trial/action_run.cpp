@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <utility>
 
 #include "cell/missions/planning/executive_options.h"
-#include "cell/trial/plant_scan.h"
+#include "cell/runtime/cell_io.h"
+#include "cell/simulation/simulated_controller.h"
 #include "ladder/driver/compile.h"
+#include "plant_models/bridge/port_map.h"
 #include "supervisor/pddl/plan/describe_run.h"
 #include "supervisor/pddl/task/vocabulary.h"
 #include "supervisor/run/image_reader.h"
@@ -19,6 +22,7 @@
 namespace stepwright::trial {
 namespace {
 
+using simulation::SimulatedController;
 using std::chrono::milliseconds;
 using translate::StepKind;
 
@@ -61,6 +65,20 @@ result::Result<std::vector<std::byte>> compile(const TrialCell& cell, const grap
   return std::move(output->container);
 }
 
+// The cell's plant as it is at the beginning, and the scan. Fails as CellIo::create() does of a plant.
+result::Result<std::unique_ptr<SimulatedController>> fresh_controller(const config::CellConfig& config) {
+  auto plant = cell_runtime::fresh_plant(config);
+  if (!plant) return result::forward(plant);
+  const auto wires = cell_runtime::plant_wires(config);
+  const bridge::AreaSizes sizes{config.image.input_bytes, config.image.output_bytes};
+  if (auto wired = bridge::check_wires(**plant, wires, sizes); !wired) return result::forward(wired);
+  host::HostConfig host;
+  host.input_bytes = sizes.input_bytes;
+  host.output_bytes = sizes.output_bytes;
+  return std::make_unique<SimulatedController>(std::move(*plant), wires, sizes,
+                                               std::vector<simulation::PlantFault>{}, std::move(host));
+}
+
 // What the program at hand reads of the plant.
 std::vector<std::string> read_variables(const translate::Binding& binding) {
   std::vector<std::string> names;
@@ -83,8 +101,9 @@ Reading observed(const translate::Binding& binding, const model::NamedState& sta
 // A program in the scan, with all that its image is read by.
 class Running {
  public:
-  Running(PlantScan& scan, const translate::Binding& binding, const model::NamedState& tracked)
-      : scan_(scan), binding_(binding), tracked_(tracked) {}
+  Running(SimulatedController& controller, const translate::Binding& binding,
+          const model::NamedState& tracked)
+      : controller_(controller), binding_(binding), tracked_(tracked) {}
 
   [[nodiscard]] result::Result<void> load(const TrialCell& cell, const translate::Translation& translation) {
     auto container = compile(cell, translation.project);
@@ -92,25 +111,26 @@ class Running {
     auto reader = run::ImageReader::create(*container, translation.instance, read_variables(binding_));
     if (!reader) return result::forward(reader);
     reader_.emplace(std::move(*reader));
-    return scan_.load(*container);
+    if (auto loaded = controller_.download(*container); !loaded) return result::forward(loaded);
+    return controller_.start(false);
   }
 
-  std::vector<bool> steps() const { return reader_->active_steps(scan_.image()); }
-  translate::Values values() const { return reader_->values(scan_.image()); }
+  std::vector<bool> steps() const { return reader_->active_steps(controller_.image()); }
+  translate::Values values() const { return reader_->values(controller_.image()); }
   Reading reading(const translate::Tare& tare) const {
     const auto now = translate::estimate(binding_, values(), tare, tracked_);
     return now ? observed(binding_, now->measured) : Reading();
   }
 
  private:
-  PlantScan& scan_;
+  SimulatedController& controller_;
   const translate::Binding& binding_;
   const model::NamedState& tracked_;
   std::optional<run::ImageReader> reader_;
 };
 
 // The bias of the sensors that are tared, as every run begins with it.
-result::Result<translate::Tare> tare_of(const TrialCell& cell, PlantScan& scan,
+result::Result<translate::Tare> tare_of(const TrialCell& cell, SimulatedController& controller,
                                         const model::NamedState& known) {
   const auto tared = [](const translate::Sensor& sensor) { return sensor.tare; };
   if (std::ranges::none_of(cell.binding.sensors, tared)) return translate::Tare();
@@ -118,10 +138,10 @@ result::Result<translate::Tare> tare_of(const TrialCell& cell, PlantScan& scan,
   options.window = cell.config.executive.settle;
   options.interval_us = cell.config.clock.interval_us;
   const translate::Translation look = translate::observe_program(cell.binding, options);
-  Running running(scan, cell.binding, known);
+  Running running(controller, cell.binding, known);
   if (auto loaded = running.load(cell, look); !loaded) return result::forward(loaded);
-  const double until_s = scan.now_s() + seconds(options.rest + options.window) + kStartPatience_s;
-  while (scan.scan() && scan.now_s() < until_s) {
+  const double until_s = controller.now_s() + seconds(options.rest + options.window) + kStartPatience_s;
+  while (controller.scan_once() && controller.now_s() < until_s) {
     const std::vector<bool> steps = running.steps();
     for (std::size_t i = 0; i < steps.size(); ++i)
       if (steps[i] && look.steps[i].kind == StepKind::Done)
@@ -146,20 +166,20 @@ class Watch {
     rises_ = planned.after.fluents.at(level_) > planned.before.fluents.at(level_);
   }
 
-  ActionRun follow(PlantScan& scan, const Running& running, const translate::Tare& tare) {
+  ActionRun follow(SimulatedController& controller, const Running& running, const translate::Tare& tare) {
     ActionRun result;
     result.planned = run_.actions[tried_];
     result.given_s = given_s_;
-    const double begun_s = scan.now_s();
+    const double begun_s = controller.now_s();
     double active_from_s = -1.0;
-    for (std::uint64_t n = 0; scan.scan(); ++n) {
+    for (std::uint64_t n = 0; controller.scan_once(); ++n) {
       const translate::StepInfo* const step = step_of(running.steps());
       const bool active = step != nullptr && step->kind == StepKind::Action && step->action == tried_;
       if (active && active_from_s < 0.0) {
-        active_from_s = scan.now_s();
+        active_from_s = controller.now_s();
         result.before = running.reading(tare);
       }
-      if (active) result.active_s = scan.now_s() - active_from_s;
+      if (active) result.active_s = controller.now_s() - active_from_s;
       if (active && n % kScansPerLook == 0 && wrong_way(result.before, running.reading(tare))) {
         return ended(std::move(result), RunEnd::WrongWay, running.reading(tare));
       }
@@ -168,7 +188,7 @@ class Watch {
       if (step->kind == StepKind::Failed)
         return failed(std::move(result), *step, active_from_s, running.reading(tare));
       const double start_s = begun_s + seconds(binding_.start) + kStartPatience_s;
-      if (step->kind == StepKind::Start && scan.now_s() > start_s)
+      if (step->kind == StepKind::Start && controller.now_s() > start_s)
         return not_begun(std::move(result), running.reading(tare));
     }
     return ended(std::move(result), RunEnd::Trapped, running.reading(tare));
@@ -216,16 +236,7 @@ class Watch {
   }
 
   ActionRun not_begun(ActionRun result, Reading after) const {
-    model::NamedState shown = run_.initial;
-    for (const auto& [atom, value] : after) {
-      if (binding_.observed(atom) == nullptr) {
-        shown.fluents[atom] = value;
-      } else if (value > 0.5) {
-        shown.facts.insert(atom);
-      } else {
-        shown.facts.erase(atom);
-      }
-    }
+    const model::NamedState shown = as_shown(binding_, run_.initial, after);
     for (const std::string& each : translate::deviations(binding_, run_.initial, shown))
       result.detail += (result.detail.empty() ? "" : "; ") + each;
     return ended(std::move(result), RunEnd::NotBegun, std::move(after));
@@ -242,6 +253,20 @@ class Watch {
 };
 
 }  // namespace
+
+model::NamedState as_shown(const translate::Binding& binding, model::NamedState state,
+                           const Reading& reading) {
+  for (const auto& [atom, value] : reading) {
+    if (binding.observed(atom) == nullptr) {
+      state.fluents[atom] = value;
+    } else if (value > 0.5) {
+      state.facts.insert(atom);
+    } else {
+      state.facts.erase(atom);
+    }
+  }
+  return state;
+}
 
 result::Result<TrialCell> TrialCell::open(const config::CellConfig& config) {
   const missions::PlanningTable& table = missions::planning_table(config);
@@ -264,9 +289,9 @@ result::Result<ActionRun> run_action(const TrialCell& cell, const std::vector<mo
   if (!run) return result::forward(run);
   config::CellConfig config = cell.config;
   config.plant.seed = seed;
-  auto scan = PlantScan::create(config);
-  if (!scan) return result::forward(scan);
-  auto tare = tare_of(cell, **scan, run->initial);
+  auto controller = fresh_controller(config);
+  if (!controller) return result::forward(controller);
+  auto tare = tare_of(cell, **controller, run->initial);
   if (!tare) return result::forward(tare);
   const translate::Binding binding = patient(cell.binding, action);
   auto translation = translate::translate(
@@ -278,11 +303,11 @@ result::Result<ActionRun> run_action(const TrialCell& cell, const std::vector<mo
     unbound.problems = std::move(translation.error());
     return unbound;
   }
-  Running running(**scan, binding, run->initial);
+  Running running(**controller, binding, run->initial);
   if (auto loaded = running.load(cell, *translation); !loaded) return result::forward(loaded);
-  ActionRun result = Watch(binding, *translation, *run).follow(**scan, running, *tare);
+  ActionRun result = Watch(binding, *translation, *run).follow(**controller, running, *tare);
   result.seed = seed;
-  result.simulated_s = (*scan)->now_s();
+  result.simulated_s = (*controller)->now_s();
   return result;
 }
 

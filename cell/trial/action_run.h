@@ -50,6 +50,10 @@ enum class RunEnd : std::uint8_t {
 // What sensors show: observed atoms with their values, 0 or 1 of facts.
 using Reading = std::map<std::string, double>;
 
+// The state with what sensors show in it.
+model::NamedState as_shown(const translate::Binding& binding, model::NamedState state,
+                           const Reading& reading);
+
 struct ActionRun {
   std::uint64_t seed = 0;
   RunEnd end = RunEnd::Trapped;

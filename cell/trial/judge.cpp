@@ -113,16 +113,7 @@ class Judge {
 
   // The conjuncts of the precondition that do not hold as observed.
   std::string unmet(const ActionRun& run) const {
-    model::NamedState state = run.planned.before;
-    for (const auto& [atom, value] : run.before) {
-      if (binding_.observed(atom) == nullptr) {
-        state.fluents[atom] = value;
-      } else if (value > 0.5) {
-        state.facts.insert(atom);
-      } else {
-        state.facts.erase(atom);
-      }
-    }
+    const model::NamedState state = as_shown(binding_, run.planned.before, run.before);
     std::string text;
     const auto note = [&](const model::Condition& part) {
       if (model::holds(part, state)) return;

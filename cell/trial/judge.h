@@ -3,12 +3,18 @@
 // What the runs of an action say about the domain and the binding: each difference with its figures, and with
 // the line to write instead.
 //
-//   B0020  the plant does not begin where :init says      B0025  its level goes the other way
-//   B0021  an action that leads there fails (a warning)   B0026  it takes longer than its timeout
-//   B0022  its precondition is not observed               B0027  a fact that it should bring about is not
-//   shown B0023  a fact that must hold is lost                  B0028  a level ends elsewhere B0024  nothing
-//   changes                                B0029  something changes of which the domain is silent B0030  its
-//   duration is far off                        B0031  the program or the plant has failed
+// - B0020: the plant does not begin where :init says
+// - B0021: an action that leads there fails (a warning)
+// - B0022: its precondition is not observed
+// - B0023: a fact that must hold is lost
+// - B0024: nothing changes
+// - B0025: its level goes the other way
+// - B0026: it takes longer than its timeout
+// - B0027: a fact that it should bring about is not shown
+// - B0028: a level ends elsewhere
+// - B0029: something changes of which the domain is silent
+// - B0030: its duration is far off
+// - B0031: the program or the plant has failed
 //
 // Pure functions.
 

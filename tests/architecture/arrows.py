@@ -210,7 +210,7 @@ ARROWS = {
     "cell/binding": [
         "cell/missions/planning", "cell/runtime", "plant_models/bridge", "plant_models/components/library", "supervisor/pddl/action", "supervisor/translate",
     ],
-    "cell/trial": ["cell/binding", "ladder/driver", "plant_models/bridge", "runtime/host", "supervisor/executive", "supervisor/pddl/planner", "supervisor/run"],
+    "cell/trial": ["cell/binding", "cell/simulation", "ladder/driver", "supervisor/executive", "supervisor/pddl/planner", "supervisor/run"],
     "cell/monitor_check": ["cell/config", "runtime/bytecode/reader"],
     "cell/monitors": ["cell/monitor_check", "ladder/driver", "ladder/graphic", "runtime/bytecode/reader", "supervisor/ltl/monitor"],
     "cell/program": ["cell/config", "cell/monitors", "ladder/driver", "ladder/source_files"],
