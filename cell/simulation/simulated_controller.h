@@ -1,8 +1,8 @@
 #pragma once
 
 // A runtime in the caller's own process and thread: the real scan, engine and plant without the processes
-// around them, in simulated time. A call of wait_event scans until the step bits change. For campaigns, trials
-// of bindings and tests; it knows no planner.
+// around them, in simulated time. A call of wait_event scans until the step bits change. For campaigns,
+// trials of bindings and tests; it knows no planner.
 //
 //   SimulatedController controller(std::move(plant), wires, {64, 64}, faults);
 //   auto record = planner->mission(controller, {})->run();

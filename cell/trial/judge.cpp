@@ -12,7 +12,6 @@
 namespace stepwright::trial {
 namespace {
 
-using result::Diagnostic;
 using result::Diagnostics;
 using translate::ActionBinding;
 using translate::Binding;
