@@ -59,5 +59,5 @@ int main(int argc, char** argv) {
   if (const auto exit = process::parse(app, argc, argv)) return *exit;
   const result::ExitCode exit =
       plan_command->parsed() ? plan::run_plan(plan_arguments) : plan::run_validate(validate_arguments);
-  return result::to_int(plan::finish_output() ? exit : result::ExitCode::BadInput);
+  return result::to_int(exit);
 }

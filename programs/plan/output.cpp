@@ -30,12 +30,6 @@ bool check_writable(const std::vector<std::string>& paths) {
   return good;
 }
 
-bool finish_output() {
-  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return true;
-  std::fprintf(stderr, "standard output cannot be written\n");
-  return false;
-}
-
 nlohmann::json number(double value) {
   return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json(nullptr);
 }

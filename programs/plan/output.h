@@ -20,9 +20,6 @@ bool write_file(const std::string& path, const std::string& text);
 // False after saying on stderr which of these files cannot be written; empty names are none.
 bool check_writable(const std::vector<std::string>& paths);
 
-// False after saying on stderr that not all that was printed has gone out.
-bool finish_output();
-
 // JSON has no kInfinity: null.
 nlohmann::json number(double value);
 

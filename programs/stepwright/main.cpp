@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "runtime/ground/process/standard_output.h"
 #include "runtime/ground/result/exit_code.h"
 #include "runtime/ground/settings/toml_document.h"
 
@@ -116,6 +117,7 @@ int unknown(std::string_view name) {
 
 int main(int argc, char** argv) {
   fill_standard_streams();
+  stepwright::process::tell_lost_output();
   if (argc < 2) {
     print_usage(stderr);
     return to_int(ExitCode::Usage);

@@ -21,7 +21,8 @@ class Classifier {
     note_devices();
     note_signature();
     const bool quiet = now_.failed.empty() && now_.differences.empty() && now_.contradictions.empty();
-    if (quiet && now_.limited.empty() && now_.frozen.empty() && !now_.drift) return std::nullopt;
+    const bool sound = now_.limited.empty() && now_.frozen.empty() && now_.leapt.empty() && !now_.drift;
+    if (quiet && sound) return std::nullopt;
     if (sensor() || actuator() || leak() || drift() || rest()) return cause_;
     return std::nullopt;
   }
@@ -56,6 +57,9 @@ class Classifier {
     for (const std::string& name : now_.frozen) {
       return found(run::IncidentKind::FailedSensor,
                    "sensor " + name + " shows the same counts while its level is moved");
+    }
+    for (const std::string& name : now_.leapt) {
+      return found(run::IncidentKind::FailedSensor, "sensor " + name + " leaps: no plant changes so fast");
     }
     for (const Difference& difference : now_.differences) {
       if (difference.is_fact || !by_itself(now_, difference)) continue;

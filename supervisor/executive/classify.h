@@ -44,6 +44,7 @@ struct Situation {
   std::set<std::string> just_changed;          // atoms that an action which ended just now has changed
   std::vector<std::string> limited;            // sensors whose counts stand at the end of their range
   std::vector<std::string> frozen;             // sensors that do not change while they should
+  std::vector<std::string> leapt;              // sensors that have changed faster than the plant can
   std::map<std::string, double> left;          // levels as they were when the plan last let go of them
   std::vector<translate::Difference> earlier;  // differences of the incidents before
   std::optional<Drift> drift;                  // what has added up over the run

@@ -194,6 +194,7 @@ class Executive final : public run::Mission {
   FailedAction failure_of(std::size_t action, double time_s) const;
   FailedAction failing(const model::GroundAction& action) const;
   FailedAction standstill_of(const run::Alarm& alarm) const;
+  std::string watched_action(const translate::Monitor& monitor) const;
   void note_alarms(std::span<const std::byte> image);
   void note_told_alarms();
   void note_levels(const std::set<std::string>& moving);

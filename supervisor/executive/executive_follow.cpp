@@ -62,7 +62,7 @@ run::Decision Executive::judge_steps(std::span<const std::byte> image, double ti
   if (settled(active)) drift_.see(seen_.measured.fluents, progress);
   publish(/*now=*/true);
   const Situation now = situation(progress, expected, time_s);
-  const bool news = settled(active) || !now.failed.empty();
+  const bool news = settled(active) || !now.failed.empty() || !now.leapt.empty();
   if (const auto cause = news ? classify(now) : std::nullopt) {
     for (const translate::Difference& difference : now.differences) {
       if (by_itself(now, difference)) differences_.push_back(difference);
@@ -130,6 +130,7 @@ Situation Executive::situation(const translate::Progress& progress, const model:
   now.drift = drift_.found();
   for (const run::Alarm& alarm : alarms_) {
     if (alarm.kind == to_string(translate::MonitorKind::Motion)) now.frozen.push_back(alarm.sensor);
+    if (alarm.kind == to_string(translate::MonitorKind::Rate)) now.leapt.push_back(alarm.sensor);
     if (alarm.kind == to_string(translate::MonitorKind::Standstill))
       now.failed.push_back(standstill_of(alarm));
   }
@@ -162,6 +163,11 @@ FailedAction Executive::standstill_of(const run::Alarm& alarm) const {
   return failed;
 }
 
+// Empty of a monitor that watches all the time.
+std::string Executive::watched_action(const translate::Monitor& monitor) const {
+  return monitor.action ? model::to_string(current_.plan.actions[*monitor.action]) : std::string();
+}
+
 // Alarms that the program's monitors have raised since the last look.
 void Executive::note_alarms(std::span<const std::byte> image) {
   if (!alarm_reader_) return;
@@ -173,7 +179,7 @@ void Executive::note_alarms(std::span<const std::byte> image) {
     const double scan = values.at(translate::alarm_scan_variable(i));
     if (scan == 0.0 || !alarms_told_.insert(i).second) continue;
     const translate::Monitor& monitor = current_.translation.monitors[i];
-    run::Alarm alarm{model::to_string(current_.plan.actions[monitor.action]),
+    run::Alarm alarm{watched_action(monitor),
                      to_string(monitor.kind),
                      monitor.text,
                      static_cast<std::uint64_t>(scan),
@@ -194,8 +200,8 @@ void Executive::note_told_alarms() {
     for (const run::Alarm& told : incident.alarms) {
       for (std::size_t i = 0; i < current_.translation.monitors.size(); ++i) {
         const translate::Monitor& monitor = current_.translation.monitors[i];
-        const bool same = told.action == model::to_string(current_.plan.actions[monitor.action]) &&
-                          told.kind == to_string(monitor.kind) && told.condition == monitor.text;
+        const bool same = told.action == watched_action(monitor) && told.kind == to_string(monitor.kind) &&
+                          told.condition == monitor.text;
         if (same) alarms_told_.insert(i);
       }
     }

@@ -33,8 +33,9 @@ const char* to_string(Response response) {
 }
 
 std::string to_string(const Alarm& alarm) {
-  return fmt::format("{} of {} lost in scan {}: {} ({:.4g})", alarm.kind, alarm.action, alarm.scan,
-                     alarm.condition, alarm.value);
+  const std::string of = alarm.action.empty() ? "" : " of " + alarm.action;
+  return fmt::format("{}{} lost in scan {}: {} ({:.4g})", alarm.kind, of, alarm.scan, alarm.condition,
+                     alarm.value);
 }
 
 namespace internal {

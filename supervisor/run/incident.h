@@ -39,8 +39,8 @@ enum class Response : std::uint8_t {
 
 // An alarm of the program's monitors (translate/monitors.h).
 struct Alarm {
-  std::string action;      // "(load v1 f1 level8)"
-  std::string kind;        // "precondition", "invariant", "effect"
+  std::string action;      // "(load v1 f1 level8)"; empty of what is watched all the time
+  std::string kind;        // translate::MonitorKind: "precondition", "invariant" ...
   std::string condition;   // "level of a2 within 0.2 of 2"
   std::uint64_t scan = 0;  // of the program, from 1
   double value = 0.0;      // calibrated where a sensor is read, else 0 or 1

@@ -9,7 +9,9 @@
 #include "ladder/graphic/identifier.h"
 #include "supervisor/translate/action_conditions.h"
 #include "supervisor/translate/internal/expectation.h"
+#include "supervisor/translate/internal/monitor_names.h"
 #include "supervisor/translate/internal/pace.h"
+#include "supervisor/translate/internal/rate.h"
 #include "supervisor/translate/internal/watch_chart.h"
 #include "supervisor/translate/sensor_program.h"
 
@@ -18,50 +20,24 @@ namespace {
 
 using internal::Expectation;
 using internal::expectations;
+using internal::fail_flag;
+using internal::had_failed_flag;
 using internal::kAlarmsTold;
+using internal::kNow;
+using internal::last_variable;
+using internal::leaping_variable;
+using internal::mark_variable;
+using internal::numbered;
+using internal::ran_flag;
+using internal::run_flag;
+using internal::since_variable;
+using internal::still_variable;
 using internal::watch_program;
 
 using graphic::Condition;
 using graphic::Rung;
 using graphic::Variable;
 using graphic::VariableSection;
-
-constexpr const char* kNow = "MON_NOW";
-std::string numbered(const char* name, std::size_t number) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%s_%02zu", name, number);
-  return text;
-}
-
-// Flags of action i, from the chart: it or its rest runs; it has failed. And both as they were a scan ago.
-std::string run_flag(std::size_t action) {
-  return numbered("MON_RUN", action + 1);
-}
-std::string fail_flag(std::size_t action) {
-  return numbered("MON_FAILED", action + 1);
-}
-std::string ran_flag(std::size_t action) {
-  return numbered("RAN", action + 1);
-}
-std::string had_failed_flag(std::size_t action) {
-  return numbered("HAD_FAILED", action + 1);
-}
-
-// Scans for which the counts of a sensor have not changed, and what they were a scan ago.
-std::string still_variable(const Sensor& sensor) {
-  return "STILL_" + sensor.name;
-}
-std::string last_variable(const Sensor& sensor) {
-  return "LAST_" + sensor.name;
-}
-
-// Counts at which the level that an action moves was found to have gone on, and the scans since then.
-std::string mark_variable(std::size_t action) {
-  return numbered("MARK", action + 1);
-}
-std::string since_variable(std::size_t action) {
-  return numbered("SINCE", action + 1);
-}
 
 std::string short_number(double value) {
   char text[32];
@@ -111,6 +87,7 @@ class Monitors {
     if (auto taken = check_names(); !taken) return taken;
     const std::vector<Expectation> expected = expectations(translation_, run_, binding_);
     count_scan();
+    for (const Sensor& sensor : binding_.sensors) rate(sensor);
     for (std::size_t i = 0; i < run_.actions.size(); ++i) section(i, expected[i]);
     end_label();
     flag_steps();
@@ -130,6 +107,7 @@ class Monitors {
     for (const Sensor& sensor : binding_.sensors) {
       needed.push_back(still_variable(sensor));
       needed.push_back(last_variable(sensor));
+      needed.push_back(leaping_variable(sensor));
     }
     for (const std::string& name : needed) {
       if (names.insert(name)) continue;
@@ -148,6 +126,28 @@ class Monitors {
     rung.comment = "scans since the program began";
     rung.blocks.push_back(std::move(block));
     ladder_.rungs.push_back(std::move(rung));
+  }
+
+  // How far the counts are from the filtered ones tells how fast they change.
+  void rate(const Sensor& sensor) {
+    if (sensor.max_rate == 0.0) return;
+    const std::string leaping = leaping_variable(sensor);
+    const std::string filtered = filtered_variable(sensor);
+    graphic::Block count;
+    count.st_body = "IF ABS(" + as_dint(sensor.tag) + " - " + as_dint(filtered) + ") > " +
+                    std::to_string(internal::most_counts_from_filtered(sensor)) + " THEN " + leaping +
+                    " := " + leaping + " + 1; ELSE " + leaping + " := 0; END_IF;";
+    Rung counts;
+    counts.comment = "scans for which " + sensor.tag + " has changed faster than it can";
+    counts.blocks.push_back(std::move(count));
+    ladder_.rungs.push_back(std::move(counts));
+    raise({std::nullopt, MonitorKind::Rate,
+           sensor.label + " changes by no more than " + short_number(sensor.max_rate) + " in a second",
+           sensor.tag, sensor.name},
+          graphic::always(),
+          graphic::compare(leaping, graphic::CompareOp::Less, std::to_string(internal::kLeapingScans)));
+    read_.insert(filtered);
+    leaping_.insert(sensor.name);
   }
 
   void section(std::size_t action, const Expectation& expected) {
@@ -394,6 +394,10 @@ class Monitors {
       monitors.variables.push_back(
           variable(last_variable(sensor), binding_.tag(sensor.tag)->type, VariableSection::Local));
     }
+    for (const Sensor& sensor : binding_.sensors) {
+      if (leaping_.contains(sensor.name))
+        monitors.variables.push_back(variable(leaping_variable(sensor), "DINT", VariableSection::Local));
+    }
     for (const std::size_t action : paced_) {
       monitors.variables.push_back(variable(mark_variable(action), "DINT", VariableSection::Local));
       monitors.variables.push_back(variable(since_variable(action), "DINT", VariableSection::Local));
@@ -419,6 +423,7 @@ class Monitors {
   std::string next_label_;  // where the section before jumps to
   std::vector<std::size_t> watched_;
   std::set<std::string> moved_;     // sensors whose counts are compared with the last ones
+  std::set<std::string> leaping_;   // sensors whose rate is watched
   std::vector<std::size_t> paced_;  // actions whose level has to go on
   std::set<std::string> read_;      // globals that the rungs read
 };
@@ -444,9 +449,11 @@ const char* to_string(MonitorKind kind) {
     case MonitorKind::Motion:
       return "motion";
     case MonitorKind::Standstill:
+      return "standstill";
+    case MonitorKind::Rate:
       break;
   }
-  return "standstill";
+  return "rate";
 }
 
 result::Result<void> add_monitors(Translation& translation, const model::PlannedRun& run,

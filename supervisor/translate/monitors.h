@@ -12,12 +12,15 @@
 //                 sensor is frozen
 //   standstill    while its outputs are on: the level that it moves goes on, by half a unit in the nominal
 //                 time of three, 8 s at most (internal/pace.h)
+//   rate          in every scan: the counts of a sensor with `max_rate` change no faster than that; if they
+//   do,
+//                 the sensor has failed (internal/rate.h)
 //
 // PROGRAM monitors is a ladder diagram with a section for each action, which is jumped over while the action
-// does not run. An alarm is raised once: MON_SCAN[n] is its scan (counted from 1 in MON_NOW since the program
-// began), MON_VALUE[n] what its terminal showed (filtered counts, or 0 and 1), MON_COUNT the number of
-// alarms. A second chart, PROGRAM watching, changes its step when MON_COUNT does, so that whoever follows the
-// program hears of it as of any step.
+// does not run, behind what is watched all the time. An alarm is raised once: MON_SCAN[n] is its scan
+// (counted from 1 in MON_NOW since the program began), MON_VALUE[n] what its terminal showed (filtered
+// counts, or 0 and 1), MON_COUNT the number of alarms. A second chart, PROGRAM watching, changes its step
+// when MON_COUNT does, so that whoever follows the program hears of it as of any step.
 //
 // Pure functions.
 //

@@ -58,11 +58,11 @@ struct StepInfo {
   std::vector<std::string> assumed;   // Action: parts of its precondition that no sensor can check
 };
 
-enum class MonitorKind : std::uint8_t { Precondition, Invariant, Effect, Motion, Standstill };
+enum class MonitorKind : std::uint8_t { Precondition, Invariant, Effect, Motion, Standstill, Rate };
 
 // A monitor of the program: the reading that its rungs watch (monitors.h).
 struct Monitor {
-  std::size_t action = 0;  // index into the plan
+  std::optional<std::size_t> action;  // index into the plan; none: watched all the time
   MonitorKind kind = MonitorKind::Invariant;
   std::string text;     // for people: "level of a2 within 0.2 of 2"
   std::string reading;  // the variable whose value is kept

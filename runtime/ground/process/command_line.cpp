@@ -16,6 +16,8 @@
 #include <system_error>
 #include <vector>
 
+#include "runtime/ground/process/standard_output.h"
+
 namespace stepwright::process {
 namespace {
 
@@ -97,6 +99,7 @@ void end_with_a_word() {
 std::optional<int> parse(CLI::App& app, int argc, char** argv) {
   outlive_broken_pipes();
   end_with_a_word();
+  tell_lost_output();
   const std::string name = app.get_name();
   const std::string command = name.substr(name.rfind(' ') + 1);
   take_one_value_each(app);

@@ -145,6 +145,7 @@ void BindingReader::read_sensors(const TomlTable& sensors) {
     }
     sensor.max_bias_counts = table.number("max_bias_counts", sensor.max_bias_counts, {0.0, 65'535.0});
     sensor.max_drift = table.number("max_drift", kDrift * sensor.tolerance, {sensor.tolerance, 1e9});
+    sensor.max_rate = table.number("max_rate", sensor.max_rate, {0.0, 1e9});
     sensor.unit = table.text("unit", "");
     if (const std::vector<double> range = table.numbers("range"); range.size() == 2 && range[0] < range[1]) {
       sensor.range = {range[0], range[1]};

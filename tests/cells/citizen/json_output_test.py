@@ -1,4 +1,5 @@
-"""Every command with --json: standard output is one JSON document and nothing else, whatever the input is like."""
+"""Standard output of every command: with --json it is one JSON document and nothing else, whatever the input is like; what it does
+not take is told."""
 
 import json
 import pathlib
@@ -131,6 +132,19 @@ class JsonOutput(unittest.TestCase):
             with open(file, "wb") as out:
                 subprocess.run([STEPWRIGHT, "check", BENCH / "cell.toml", *spelling], stdout=out, stderr=subprocess.DEVNULL, check=True)
             self.assertTrue(json.loads(file.read_text(encoding="utf-8"))["sound"])
+
+    def test_a_full_disk_is_told_by_every_command(self):
+        commands = [("--help",)] + [(name, "--help") for name in re.findall(r"^  ([a-z][\w-]*) ", stepwright("--help").stdout, re.M)]
+        commands += [("explain", "E0110"), ("check", BENCH / "cell.toml"), ("plant", CELLS / "bench_model/plant.toml"), ("status", self.cell.config)]
+        for command in commands:
+            with self.subTest(command=command), open("/dev/full", "wb") as full:
+                result = subprocess.run([STEPWRIGHT, *command], stdout=full, stderr=subprocess.PIPE, text=True, check=False)
+                self.assertEqual(result.returncode, 1, result.stderr)
+                self.assertIn("E0002: standard output cannot be written: No space left on device", result.stderr)
+
+    def test_a_reader_that_has_gone_is_no_error(self):
+        result = subprocess.run(f"{STEPWRIGHT} reference cell | true", shell=True, stderr=subprocess.PIPE, text=True, check=False)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
 
 
 if __name__ == "__main__":

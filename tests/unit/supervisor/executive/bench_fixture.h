@@ -32,16 +32,22 @@ inline const PlanningService& bench_planning() {
   return planning;
 }
 
-// The bench with lines of its binding left out: of transmitters without noise and without bias.
-inline PlanningService bench_planning_without(const std::string& lines, const std::filesystem::path& folder) {
+// The bench with other lines of its binding in place of those that match `lines`.
+inline PlanningService bench_planning_with(const std::string& lines, const std::string& others,
+                                           const std::filesystem::path& folder) {
   PlanningOptions options = bench_planning_options();
   std::stringstream text;
   text << std::ifstream(options.binding).rdbuf();
   options.binding = folder / "binding.toml";
-  std::ofstream(options.binding) << std::regex_replace(text.str(), std::regex(lines), "");
+  std::ofstream(options.binding) << std::regex_replace(text.str(), std::regex(lines), others);
   auto opened = PlanningService::open(options);
   if (!opened) throw std::runtime_error(result::to_string(opened.error()));
   return std::move(*opened);
+}
+
+// And with lines left out: of transmitters without noise and without bias.
+inline PlanningService bench_planning_without(const std::string& lines, const std::filesystem::path& folder) {
+  return bench_planning_with(lines, "", folder);
 }
 
 inline assemblies::BenchParameters exact_bench() {

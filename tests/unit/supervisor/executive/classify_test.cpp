@@ -53,6 +53,16 @@ TEST(Classify, WhenALevelRisesThoughNothingFillsIt_ThenTheSensorLies) {
   EXPECT_EQ(kind_of(now), run::IncidentKind::Level);
 }
 
+TEST(Classify, WhenAReadingLeaps_ThenTheSensorHasFailedWhateverElseDiffers) {
+  Situation now;
+  now.leapt = {"S2"};
+  EXPECT_EQ(kind_of(now), run::IncidentKind::FailedSensor);
+  now.differences = {level("(level a1)", 5.0, 3.0)};
+  now.moving = {"(level a1)"};
+  EXPECT_EQ(kind_of(now), run::IncidentKind::FailedSensor);
+  EXPECT_TRUE(classify(now)->stops());
+}
+
 TEST(Classify, WhenAReadingHasCrept_ThenTheSensorDriftsOrSomethingLeaks) {
   Situation now;
   now.drift = Drift{"S2", "level of a1", 0.34};

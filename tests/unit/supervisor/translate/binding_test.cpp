@@ -104,6 +104,8 @@ const std::vector<Slip> kSlips = {
     {"WrongType", "start_s = 1.0", "start_s = \"1\"", "B0003", "times.start_s", "", 2},
     {"NegativeTimeout", "hold = []\ntimeout_s = 10", "hold = []\ntimeout_s = -10", "B0004", "timeout_s",
      "between", 29},
+    {"NegativeRate", "fluent = \"(lev v1)\"\n", "fluent = \"(lev v1)\"\nmax_rate = -1\n", "B0004", "max_rate",
+     "between", 12},
     {"MissingTimeout", "hold = []\ntimeout_s = 10", "hold = []", "B0005", "timeout_s", "", 24},
     {"MissingUntil", "until = { fact = \"(is-at ?v ?to)\" }\n", "", "B0005", "until", "fluent", 24},
     {"UntilBoth", "{ fact = \"(is-at ?v ?to)\" }", "{ fact = \"(is-at ?v ?to)\", fluent = \"(lev ?v)\" }",

@@ -1,0 +1,13 @@
+#pragma once
+
+// What a command has printed and the system did not take: a full disk behind `> file` is told, once, when the
+// process ends.
+
+namespace stepwright::process {
+
+// From now on a process that ends with success, and whose standard output could not be written, says so on
+// stderr (E0002) and ends with ExitCode::BadInput. A reader that has gone away (`| head`) is no such error.
+// Threads: the main one, once.
+void tell_lost_output();
+
+}  // namespace stepwright::process
