@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -19,6 +20,7 @@
 #include "plant_models/assemblies/tugger.h"
 #include "plant_models/bridge/plant_driver.h"
 #include "plant_models/bridge/port_map.h"
+#include "plant_models/core/names.h"
 #include "runtime/image/no_io.h"
 
 namespace stepwright::cell_runtime {
@@ -90,6 +92,13 @@ class PlantIo final : public CellIo, private host::PlantAccess {
   PlantIo(std::unique_ptr<core::Plant> plant, std::unique_ptr<PlantMemory> memory)
       : plant_(std::move(plant)), memory_(std::move(memory)) {
     for (const core::Quantity& truth : plant_->truths()) names_.push_back(truth.name);
+    for (std::size_t i = 0; i < plant_->faults().size(); ++i) {
+      const core::Quantity& fault = plant_->faults()[i];
+      core::FaultRange range = plant_->fault_range(i);
+      // Without an end nothing is known of it.
+      if (!std::isfinite(range.min) || !std::isfinite(range.max)) range.min = range.max = 0.0;
+      faults_.push_back({fault.name, fault.unit, fault.meaning, range.min, range.max, range.whole});
+    }
   }
 
   [[nodiscard]] result::Result<void> wire(const config::CellConfig& config) {
@@ -113,15 +122,28 @@ class PlantIo final : public CellIo, private host::PlantAccess {
   void read_values(std::span<double> values) const override {
     for (std::uint32_t i = 0; i < values.size(); ++i) values[i] = plant_->truth(core::TruthId(i));
   }
+  std::vector<host::PlantFault> faults() const override {
+    const std::lock_guard lock(faults_mutex_);
+    return faults_;
+  }
   result::Result<void> inject_fault(const std::string& name, double value) override {
     // `stepwright fault NAME --clear`: a value that is no number ends the fault.
-    if (std::isnan(value)) return plant_->clear_fault(name);
-    return plant_->inject_fault(name, value);
+    const bool ends = std::isnan(value);
+    auto done = ends ? plant_->clear_fault(name) : plant_->inject_fault(name, value);
+    if (!done) return done;
+    const std::lock_guard lock(faults_mutex_);
+    if (const auto index = core::index_of(plant_->faults(), name)) {
+      faults_[*index].holds = !ends;
+      faults_[*index].value = ends ? 0.0 : value;
+    }
+    return done;
   }
 
   std::unique_ptr<core::Plant> plant_;
   std::unique_ptr<PlantMemory> memory_;
   std::vector<std::string> names_;
+  mutable std::mutex faults_mutex_;
+  std::vector<host::PlantFault> faults_;  // guarded by faults_mutex_
   std::unique_ptr<RetainedPlantDriver> driver_;
 };
 
