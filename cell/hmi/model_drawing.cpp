@@ -70,11 +70,10 @@ class ModelDrawing {
                        "\" height=\"" + units(kBoxHeight) + "\"";
     out_ += "<g><title>" + markup::xml_escaped(name + " (" + type.name + ")") + "</title>\n<rect " + shape +
             " fill=\"var(--equipment)\" stroke=\"var(--line-strong)\"" + active(type, name) + "/>\n";
-    const auto has = [&](const char* port) {
-      return std::any_of(type.ports.begin(), type.ports.end(),
-                         [&](const PortSpec& one) { return one.name == port && one.role == Role::Node; });
-    };
-    if (has("level"))
+    const bool fills = std::any_of(type.ports.begin(), type.ports.end(), [](const PortSpec& one) {
+      return one.name == "level" && one.role == Role::Node && one.unit == "percent";
+    });
+    if (fills)
       out_ += "<rect " + shape + " fill=\"var(--liquid)\" data-fill=\"" + name +
               ".level\" data-from=\"0\" data-to=\"100\"/>\n";
     add_text(x + 8.0, y + 18.0, markup::xml_escaped(name), "font-weight=\"bold\"");

@@ -20,6 +20,8 @@ constexpr std::array kPlantFileKeys = {
     KeyWords{"plant.heat_capacity", "Of the liquid.", "", "", kFigure},
     KeyWords{"plant.gravity", "Where the plant stands.", "", "", kFigure},
     KeyWords{"plant.room_temperature", "Of the air around it.", "", "", kFigure},
+    KeyWords{"plant.communication_step", "Between two exchanges with components that are FMUs.", "", "",
+             kFigure},
 
     KeyWords{"solver", "How the equations are solved."},
     KeyWords{"solver.method",

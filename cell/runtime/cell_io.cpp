@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -19,7 +20,7 @@
 #include "plant_models/assemblies/tugger.h"
 #include "plant_models/bridge/plant_driver.h"
 #include "plant_models/bridge/port_map.h"
-#include "plant_models/components/model_plant.h"
+#include "plant_models/core/names.h"
 #include "runtime/image/no_io.h"
 
 namespace stepwright::cell_runtime {
@@ -91,6 +92,13 @@ class PlantIo final : public CellIo, private host::PlantAccess {
   PlantIo(std::unique_ptr<core::Plant> plant, std::unique_ptr<PlantMemory> memory)
       : plant_(std::move(plant)), memory_(std::move(memory)) {
     for (const core::Quantity& truth : plant_->truths()) names_.push_back(truth.name);
+    for (std::size_t i = 0; i < plant_->faults().size(); ++i) {
+      const core::Quantity& fault = plant_->faults()[i];
+      core::FaultRange range = plant_->fault_range(i);
+      // Without an end nothing is known of it.
+      if (!std::isfinite(range.min) || !std::isfinite(range.max)) range.min = range.max = 0.0;
+      faults_.push_back({fault.name, fault.unit, fault.meaning, range.min, range.max, range.whole});
+    }
   }
 
   [[nodiscard]] result::Result<void> wire(const config::CellConfig& config) {
@@ -101,41 +109,41 @@ class PlantIo final : public CellIo, private host::PlantAccess {
     return {};
   }
 
-  // The plant's process, which runs from here on.
-  [[nodiscard]] result::Result<void> start(const config::CellConfig& config) {
-    if (config.plant.kind == "model") model_ = static_cast<components::ModelPlant*>(plant_.get());
-    if (!config::is_stepped(config.plant.kind)) return {};
-    stepped_ = static_cast<stepped::SteppedPlant*>(plant_.get());
-    return stepped_->start(stepped_command(config));
-  }
+  // The plant's processes, which run from here on.
+  [[nodiscard]] result::Result<void> start() { return plant_->start(); }
 
   image::IoDriver& driver() override { return *driver_; }
   host::PlantAccess* plant() override { return this; }
-  bool alive() const override {
-    if (model_ != nullptr) return model_->trouble().empty();
-    return stepped_ == nullptr || !stepped_->failed();
-  }
-  std::string trouble() override {
-    if (model_ != nullptr) return model_->trouble();
-    return stepped_ == nullptr ? std::string() : stepped_->trouble();
-  }
+  bool alive() const override { return !plant_->failed(); }
+  std::string trouble() override { return plant_->trouble(); }
 
  private:
   std::span<const std::string> value_names() const override { return names_; }
   void read_values(std::span<double> values) const override {
     for (std::uint32_t i = 0; i < values.size(); ++i) values[i] = plant_->truth(core::TruthId(i));
   }
+  std::vector<host::PlantFault> faults() const override {
+    const std::lock_guard lock(faults_mutex_);
+    return faults_;
+  }
   result::Result<void> inject_fault(const std::string& name, double value) override {
     // `stepwright fault NAME --clear`: a value that is no number ends the fault.
-    if (std::isnan(value)) return plant_->clear_fault(name);
-    return plant_->inject_fault(name, value);
+    const bool ends = std::isnan(value);
+    auto done = ends ? plant_->clear_fault(name) : plant_->inject_fault(name, value);
+    if (!done) return done;
+    const std::lock_guard lock(faults_mutex_);
+    if (const auto index = core::index_of(plant_->faults(), name)) {
+      faults_[*index].holds = !ends;
+      faults_[*index].value = ends ? 0.0 : value;
+    }
+    return done;
   }
 
   std::unique_ptr<core::Plant> plant_;
-  stepped::SteppedPlant* stepped_ = nullptr;  // the same, where it is a process of its own,
-  components::ModelPlant* model_ = nullptr;   // or is described by a file
   std::unique_ptr<PlantMemory> memory_;
   std::vector<std::string> names_;
+  mutable std::mutex faults_mutex_;
+  std::vector<host::PlantFault> faults_;  // guarded by faults_mutex_
   std::unique_ptr<RetainedPlantDriver> driver_;
 };
 
@@ -205,26 +213,22 @@ result::Result<std::unique_ptr<core::Plant>> make_robot_cell(const config::Plant
   return std::unique_ptr<core::Plant>(std::move(*cell));
 }
 
-result::Result<std::unique_ptr<core::Plant>> make_stepped(const config::PlantConfig& plant) {
-  auto stepped = stepped_plant(plant);
-  if (!stepped) return result::forward(stepped);
-  return std::unique_ptr<core::Plant>(std::move(*stepped));
-}
-
-result::Result<std::unique_ptr<core::Plant>> make_plant(const config::PlantConfig& plant,
+// Its processes, if it has such, have not been started.
+result::Result<std::unique_ptr<core::Plant>> make_plant(const config::CellConfig& cell,
                                                         const Kept& left = std::nullopt) {
-  if (plant.kind == "model") return make_model(plant, left);
+  const config::PlantConfig& plant = cell.plant;
+  if (plant.kind == "model") return make_model(cell, left);
   if (plant.kind == "fleet") return make_fleet(plant, left);
   if (plant.kind == "tugger") return make_tugger(plant, left);
   if (plant.kind == "robot_cell") return make_robot_cell(plant, left);
-  if (config::is_stepped(plant.kind)) return make_stepped(plant);
+  if (config::is_stepped(plant.kind)) return stepped_plant(cell);
   return plant.kind == "sorting_line" ? make_line(plant, left) : make_bench(plant, left);
 }
 
 // Tries every scheduled fault on a plant that is thrown away, so that a misspelt one is found now and not an
 // hour on.
 result::Result<void> check_faults(const config::CellConfig& config) {
-  auto trial = make_plant(config.plant);
+  auto trial = make_plant(config);
   if (!trial) return result::forward(trial);
   result::Diagnostics problems;
   for (const config::ScheduledFault& fault : config.faults) {
@@ -275,10 +279,9 @@ result::Result<std::unique_ptr<core::Plant>> fresh_plant(const config::CellConfi
   if (config.plant.kind == "none")
     return result::fail("C0448", {config.file.string(), 0, 0}, "this cell has no simulated plant",
                         "[plant] kind = \"model\" is one of components");
-  auto plant = make_plant(config.plant);
-  if (!plant || !config::is_stepped(config.plant.kind)) return plant;
-  auto started = static_cast<stepped::SteppedPlant&>(**plant).start(stepped_command(config));
-  if (!started) return result::forward(started);
+  auto plant = make_plant(config);
+  if (!plant) return plant;
+  if (auto started = (*plant)->start(); !started) return result::forward(started);
   return plant;
 }
 
@@ -286,7 +289,7 @@ result::Diagnostics check_cell_io(const config::CellConfig& config) {
   if (config.plant.kind == "none") return check_no_plant(config);
   result::Diagnostics problems;
   if (auto faults = check_faults(config); !faults) problems = std::move(faults.error());
-  auto plant = make_plant(config.plant);
+  auto plant = make_plant(config);
   if (!plant) return problems;  // check_faults said why
   auto wired = bridge::check_wires(**plant, plant_wires(config),
                                    {config.image.input_bytes, config.image.output_bytes});
@@ -307,16 +310,16 @@ result::Result<std::unique_ptr<CellIo>> CellIo::create(const config::CellConfig&
   }
   if (config.plant.kind == "none") return std::make_unique<Unwired>();
   if (auto faults = check_faults(config); !faults) return result::forward(faults);
-  auto fresh = make_plant(config.plant);
+  auto fresh = make_plant(config);
   if (!fresh) return result::forward(fresh);
   auto memory = PlantMemory::open(config.plant_memory_path(), (*fresh)->kept_size());
   if (!memory) return result::forward(memory);
   const Kept left = (*memory)->left_behind();
-  auto plant = left ? make_plant(config.plant, left) : std::move(fresh);
+  auto plant = left ? make_plant(config, left) : std::move(fresh);
   if (!plant) return result::forward(plant);
   auto io = std::make_unique<PlantIo>(std::move(*plant), std::move(*memory));
   if (auto wired = io->wire(config); !wired) return result::forward(wired);
-  if (auto started = io->start(config); !started) return result::forward(started);
+  if (auto started = io->start(); !started) return result::forward(started);
   return io;
 }
 

@@ -14,12 +14,13 @@ components::ModelOptions options_of(const config::PlantConfig& plant) {
 
 }  // namespace
 
-result::Result<std::unique_ptr<core::Plant>> make_model(const config::PlantConfig& plant,
+result::Result<std::unique_ptr<core::Plant>> make_model(const config::CellConfig& cell,
                                                         const std::optional<std::vector<double>>& left) {
   std::optional<std::span<const double>> kept;
   if (left) kept = *left;
-  auto model =
-      components::ModelPlant::load(plant.file, components::library::catalogue(), options_of(plant), kept);
+  components::ModelOptions options = options_of(cell.plant);
+  options.processes = cell.state_dir / "fmu";
+  auto model = components::ModelPlant::load(cell.plant.file, components::library::catalogue(), options, kept);
   if (!model) return result::forward(model);
   return std::unique_ptr<core::Plant>(std::move(*model));
 }

@@ -16,7 +16,7 @@ namespace stepwright::cell_runtime {
 // Fails with what is wrong in the plant's file (components::ModelPlant::load()). `left`: as a killed runtime
 // left it.
 [[nodiscard]] result::Result<std::unique_ptr<core::Plant>> make_model(
-    const config::PlantConfig& plant, const std::optional<std::vector<double>>& left = std::nullopt);
+    const config::CellConfig& cell, const std::optional<std::vector<double>>& left = std::nullopt);
 
 // The terminals that the plant's file has; none if it cannot be read.
 std::vector<bridge::PortWire> model_wires(const config::PlantConfig& plant);

@@ -1,10 +1,11 @@
 #include "cell/runtime/stepped_plant.h"
 
-#include <array>
-#include <cstdio>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "plant_models/fmu/fmu_call.h"
+#include "plant_models/stepped/installed_peer.h"
 
 namespace stepwright::cell_runtime {
 namespace {
@@ -30,44 +31,43 @@ std::vector<core::FaultRange> ranges_of(const std::vector<config::SteppedQuantit
   return ranges;
 }
 
-}  // namespace
-
-result::Result<std::unique_ptr<stepped::SteppedPlant>> stepped_plant(const config::PlantConfig& plant) {
-  const config::SteppedPlantConfig& config = plant.stepped;
-  return std::make_unique<stepped::SteppedPlant>(stepped::SteppedDescription{
-      plant.kind, terminals_of(config.actuators), terminals_of(config.sensors), quantities_of(config.values),
-      quantities_of(config.faults), ranges_of(config.faults), config.step, plant.seed});
+std::vector<std::string> call_of(const config::CellConfig& cell) {
+  const config::SteppedPlantConfig& config = cell.plant.stepped;
+  if (cell.plant.kind == "shared") return config.command;
+  std::vector<std::pair<std::string, double>> parameters;
+  for (const config::SteppedParameterConfig& each : config.parameters)
+    parameters.emplace_back(each.name, each.value);
+  if (cell.plant.kind == "fmu") return fmu::fmu_call({config.file, cell.state_dir / "fmu", parameters});
+  std::vector<std::string> call = stepped::installed_peer(cell.plant.kind, parameters);
+  call.emplace_back("--");
+  for (const std::filesystem::path& source : config.sources)
+    call.push_back(std::filesystem::absolute(source).string());
+  return call;
 }
 
-stepped::StepCommand stepped_command(const config::CellConfig& cell) {
+// How its process is started: the person's own command, or the one of this installation that runs an FMU or a
+// program in ST.
+stepped::StepCommand command_of(const config::CellConfig& cell) {
   const config::SteppedPlantConfig& config = cell.plant.stepped;
   stepped::StepCommand command;
+  command.arguments = call_of(cell);
   command.folder = config.folder;
   command.patience = config.patience;
   command.beginning = config.beginning;
   command.where = config.where;
-  if (cell.plant.kind == "shared") {
-    command.arguments = config.command;
-    return command;
-  }
-  const std::filesystem::path programs = std::filesystem::read_symlink("/proc/self/exe").parent_path();
-  const std::string kind = "plant-" + cell.plant.kind;
-  command.arguments = {(programs / ("stepwright-" + kind)).string(), kind};
-  for (const config::SteppedParameterConfig& each : config.parameters) {
-    std::array<char, 40> number{};
-    std::snprintf(number.data(), number.size(), "%.17g", each.value);
-    command.arguments.insert(command.arguments.end(), {"--parameter", each.name, number.data()});
-  }
-  if (cell.plant.kind == "fmu") {
-    command.arguments.insert(command.arguments.end(),
-                             {"--folder", std::filesystem::absolute(cell.state_dir / "fmu").string(), "--",
-                              std::filesystem::absolute(config.file).string()});
-    return command;
-  }
-  command.arguments.emplace_back("--");
-  for (const std::filesystem::path& source : config.sources)
-    command.arguments.push_back(std::filesystem::absolute(source).string());
   return command;
+}
+
+}  // namespace
+
+std::unique_ptr<stepped::SteppedPlant> stepped_plant(const config::CellConfig& cell) {
+  const config::SteppedPlantConfig& config = cell.plant.stepped;
+  return std::make_unique<stepped::SteppedPlant>(
+      stepped::SteppedDescription{cell.plant.kind, terminals_of(config.actuators),
+                                  terminals_of(config.sensors), quantities_of(config.values),
+                                  quantities_of(config.faults), ranges_of(config.faults), config.step,
+                                  cell.plant.seed},
+      command_of(cell));
 }
 
 }  // namespace stepwright::cell_runtime

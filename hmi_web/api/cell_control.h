@@ -9,10 +9,12 @@
 
 #include <chrono>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "runtime/ground/result/result.h"
+#include "runtime/host/plant_fault.h"
 
 namespace stepwright::api {
 
@@ -55,6 +57,12 @@ class CellControl {
   // the runtime takes at once; what is refused is refused before anything is written.
   [[nodiscard]] virtual result::Result<void> write_together(
       const std::map<std::string, std::string, std::less<>>& values) = 0;
+
+  // Faults of the simulated plant, with what holds now; none of a plant that is real.
+  [[nodiscard]] virtual result::Result<std::vector<host::PlantFault>> faults() = 0;
+  // Makes one hold with a value in its unit, or without a value ends it.
+  [[nodiscard]] virtual result::Result<void> set_fault(const std::string& name,
+                                                       std::optional<double> value) = 0;
 
   // Everything that is forced in the runtime, whoever has forced it. D0008: its link cannot tell.
   [[nodiscard]] virtual result::Result<std::vector<ForcedPlace>> forced() = 0;

@@ -59,6 +59,7 @@ std::vector<Route> plan_routes(const Services& services);
 std::vector<Route> goal_routes(const Services& services);
 // Writing and forcing, for engineers.
 std::vector<Route> tag_routes(const Services& services);
+std::vector<Route> fault_routes(const Services& services);
 // History, alarms and their journal, for viewers.
 std::vector<Route> record_routes(const Services& services);
 // Groups of trends: looking for viewers, saving and removing for operators.

@@ -34,9 +34,9 @@ std::vector<Route> all_routes(const Services& services) {
   std::vector<Route> rows = server_routes();
   for (auto part :
        {session_routes(services), user_routes(services), audit_routes(services), plan_routes(services),
-        goal_routes(services), tag_routes(services), record_routes(services), alarm_routes(services),
-        trend_routes(services), notify_routes(services), recipe_routes(services), figure_routes(services),
-        drawing_routes(services), program_routes(services), change_routes(services),
+        goal_routes(services), tag_routes(services), fault_routes(services), record_routes(services),
+        alarm_routes(services), trend_routes(services), notify_routes(services), recipe_routes(services),
+        figure_routes(services), drawing_routes(services), program_routes(services), change_routes(services),
         screen_routes(services)}) {
     for (Route& row : part) rows.push_back(std::move(row));
   }

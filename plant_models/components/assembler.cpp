@@ -123,6 +123,15 @@ std::optional<std::uint32_t> Assembler::find_component(const std::string& name) 
   return found->second;
 }
 
+std::optional<std::pair<std::uint32_t, std::string>> Assembler::split_name(const std::string& name) const {
+  for (std::size_t dot = name.rfind('.'); dot != std::string::npos && dot > 0;
+       dot = name.rfind('.', dot - 1)) {
+    if (const auto component = find_component(name.substr(0, dot)))
+      return std::pair(*component, name.substr(dot + 1));
+  }
+  return std::nullopt;
+}
+
 // The port of a component that fits where none is named.
 std::optional<Assembler::PortId> Assembler::default_port(std::uint32_t component, PortId from,
                                                          const result::Location& where) {
@@ -159,9 +168,8 @@ std::optional<Assembler::PortId> Assembler::default_port(std::uint32_t component
 std::optional<Assembler::PortId> Assembler::find_port(const ConnectionText& connection, PortId from) {
   const std::string name = whole_name(connection.to, connection.prefix);
   if (const auto component = find_component(name)) return default_port(*component, from, connection.where);
-  const std::size_t dot = name.rfind('.');
-  const auto component = dot == std::string::npos ? std::nullopt : find_component(name.substr(0, dot));
-  if (!component) {
+  const auto split = split_name(name);
+  if (!split) {
     std::string hint = meant_or(connection.to, known_names());
     if (is_signal(spec(from).kind)) hint += "; a terminal stands in [terminals]";
     report("C0343", connection.where,
@@ -169,16 +177,15 @@ std::optional<Assembler::PortId> Assembler::find_port(const ConnectionText& conn
            std::move(hint));
     return std::nullopt;
   }
-  const auto& ports = text_.components[*component].type->ports;
+  const auto& [component, port] = *split;
+  const ComponentText& part = text_.components[component];
   std::vector<std::string> known;
-  for (std::uint32_t i = 0; i < ports.size(); ++i) {
-    if (ports[i].name == name.substr(dot + 1)) return first_port_[*component] + i;
-    known.push_back(ports[i].name);
+  for (std::uint32_t i = 0; i < part.type->ports.size(); ++i) {
+    if (part.type->ports[i].name == port) return first_port_[component] + i;
+    known.push_back(part.type->ports[i].name);
   }
   report("C0343", connection.where,
-         "'" + name.substr(0, dot) + "' (" + text_.components[*component].type->name + ") has no port '" +
-             name.substr(dot + 1) + "'",
-         meant_or(name.substr(dot + 1), known));
+         "'" + part.name + "' (" + part.type->name + ") has no port '" + port + "'", meant_or(port, known));
   return std::nullopt;
 }
 

@@ -30,6 +30,8 @@ class Assembler {
   std::optional<PortId> find_port(const ConnectionText& connection, PortId from);
   std::optional<PortId> default_port(std::uint32_t component, PortId from, const result::Location& where);
   std::optional<std::uint32_t> find_component(const std::string& name) const;
+  // "station.p1.in" as the component and what is behind its name, which may have dots, too.
+  std::optional<std::pair<std::uint32_t, std::string>> split_name(const std::string& name) const;
   std::vector<std::string> known_names() const;
 
   // Connections.

@@ -196,6 +196,8 @@ void Assembler::bind_component(std::uint32_t c) {
                  std::move(faults));
   if (component.state_count() > 0) model.with_states.push_back(c);
   if (component.root_count() > 0) model.with_roots.push_back(c);
+  if (ProcessPart* const process = component.process(); process != nullptr)
+    model.processes.push_back(process);
   model.states += component.state_count();
   model.roots += component.root_count();
 }

@@ -47,15 +47,13 @@ std::optional<Assembler::PortId> Assembler::find_output(const std::string& text,
   };
   std::optional<PortId> found;
   std::vector<std::string> known;
-  const std::size_t dot = name.rfind('.');
   if (const auto whole = find_component(name)) {
     found = output_of(*whole, {});
-  } else if (const auto component =
-                 dot == std::string::npos ? std::nullopt : find_component(name.substr(0, dot))) {
-    found = output_of(*component, name.substr(dot + 1));
-    for (const PortSpec& port : text_.components[*component].type->ports)
-      if (port.role == Role::Node && (port.kind == PortKind::Signal || port.kind == PortKind::Logic))
-        known.push_back(name.substr(0, dot + 1) + port.name);
+  } else if (const auto split = split_name(name)) {
+    const ComponentText& part = text_.components[split->first];
+    found = output_of(split->first, split->second);
+    for (const PortSpec& port : part.type->ports)
+      if (port.role == Role::Node && is_signal(port.kind)) known.push_back(part.name + "." + port.name);
   } else {
     known = known_names();
   }

@@ -59,9 +59,14 @@ enum class Event : std::uint8_t {
   Restart,  // a kink, or the state has jumped
 };
 
+class ProcessPart;
+
 class Component {
  public:
   virtual ~Component() = default;
+
+  // The same, if it is a process of its own.
+  virtual ProcessPart* process() { return nullptr; }
 
   // Writes the values that its type puts into `stage`, from states and from the inputs read by that stage.
   virtual void evaluate(std::uint32_t stage, const Frame& frame) const {

@@ -11,7 +11,8 @@ namespace {
 
 using settings::TomlTable;
 
-constexpr std::size_t kDeepest = 8;  // assemblies in assemblies
+constexpr std::size_t kDeepest = 8;         // assemblies in assemblies
+constexpr std::size_t kMostProcesses = 64;  // of one plant
 
 std::string short_text(double value) {
   std::array<char, 32> text{};
@@ -89,8 +90,12 @@ Quantity read_figure(const TomlTable& table, const ParameterSpec& spec, const Re
 }
 
 ComponentReader::ComponentReader(Catalogue catalogue, const Parameters& of_plant, const TomlTable& root,
-                                 ModelText& model)
-    : catalogue_(catalogue), of_plant_(of_plant), assemblies_(root.table("assemblies")), model_(model) {
+                                 const ModelOptions& options, ModelText& model)
+    : catalogue_(catalogue),
+      of_plant_(of_plant),
+      options_(options),
+      assemblies_(root.table("assemblies")),
+      model_(model) {
   const TomlTable types = root.table("types");
   for (const std::string& name : types.keys()) {
     if (find_type(name) != nullptr)
@@ -166,8 +171,30 @@ void ComponentReader::read_assembly(const TomlTable& table, const std::string& t
   }
 }
 
-void ComponentReader::read_part(const TomlTable& table, const ComponentType& type, const std::string& name,
+// The type of one component, which stands in a file of its own.
+const ComponentType* ComponentReader::read_file_type(const TomlTable& table, const ComponentType& type,
+                                                     const std::string& name, const Around& around) {
+  if (model_.file_types.size() >= kMostProcesses) {
+    table.report("type", "more than " + std::to_string(kMostProcesses) + " components of type '" + type.name +
+                             "', each of which is a process");
+    return nullptr;
+  }
+  auto whole = type.of_file(
+      table, {name, model_.file.parent_path(), model_.communication_step_s, around.replaced, options_});
+  if (!whole) {
+    table.accept_all();
+    return nullptr;
+  }
+  model_.file_types.push_back(std::move(*whole));
+  return &model_.file_types.back();
+}
+
+void ComponentReader::read_part(const TomlTable& table, const ComponentType& of_name, const std::string& name,
                                 const Around& around) {
+  const ComponentType* const found =
+      of_name.of_file ? read_file_type(table, of_name, name, around) : &of_name;
+  if (found == nullptr) return;
+  const ComponentType& type = *found;
   ComponentText part;
   part.name = name;
   part.type = &type;

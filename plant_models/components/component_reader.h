@@ -11,7 +11,6 @@ namespace stepwright::components {
 
 // The figure of a parameter, or its default; what is wrong is reported to the document. `replaced` is what a
 // value "$name" stands for.
-using Replaced = std::map<std::string, std::string, std::less<>>;
 Quantity read_figure(const settings::TomlTable& table, const ParameterSpec& spec, const Replaced& replaced);
 
 // What does not exist and could have been meant.
@@ -20,7 +19,7 @@ std::string meant_or(const std::string& word, const std::vector<std::string>& kn
 class ComponentReader {
  public:
   ComponentReader(Catalogue catalogue, const Parameters& of_plant, const settings::TomlTable& root,
-                  ModelText& model);
+                  const ModelOptions& options, ModelText& model);
 
   // Adds the component of that name, or all parts of one that is an assembly.
   void read(const settings::TomlTable& table, const std::string& name);
@@ -37,9 +36,12 @@ class ComponentReader {
   void read_part(const settings::TomlTable& table, const ComponentType& type, const std::string& name,
                  const Around& around);
   const ComponentType* find_type(const std::string& name) const;
+  const ComponentType* read_file_type(const settings::TomlTable& table, const ComponentType& type,
+                                      const std::string& name, const Around& around);
 
   Catalogue catalogue_;
   Parameters of_plant_;
+  const ModelOptions& options_;
   settings::TomlTable assemblies_;
   ModelText& model_;
 };

@@ -5,10 +5,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <limits>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -17,6 +19,10 @@
 #include "plant_models/components/component.h"
 #include "plant_models/components/unit.h"
 #include "runtime/ground/result/result.h"
+
+namespace stepwright::settings {
+class TomlTable;
+}
 
 namespace stepwright::components {
 
@@ -88,6 +94,19 @@ class Parameters {
   double weight() const { return density_kg_m3 * gravity_m_s2; }  // N/m3
 };
 
+// What assemblies put in the place of "$name".
+using Replaced = std::map<std::string, std::string, std::less<>>;
+struct ModelOptions;
+
+// Where a component stands whose type is in a file of its own.
+struct TypePlace {
+  std::string name;              // of the component
+  std::filesystem::path folder;  // of the plant's file
+  double step_s = 0.01;          // between two exchanges
+  const Replaced& replaced;
+  const ModelOptions& options;
+};
+
 struct ComponentType {
   std::string name{};
   std::string meaning{};
@@ -98,6 +117,9 @@ struct ComponentType {
   // What only several parameters together can have wrong, as text and hint; empty: nothing.
   std::function<std::pair<std::string, std::string>(const Parameters&)> wrong{};
   std::function<std::unique_ptr<Component>(const Parameters&)> make{};
+  // Of a type whose ports stand in a file that the component names: the type of that one component. Nothing
+  // if it is wrong, which is reported to the table.
+  std::function<std::optional<ComponentType>(const settings::TomlTable&, const TypePlace&)> of_file{};
 };
 
 using Catalogue = std::span<const ComponentType>;

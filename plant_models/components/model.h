@@ -84,6 +84,7 @@ struct Model {
   std::vector<std::uint32_t> first_root;
   std::vector<std::uint32_t> with_states;  // components
   std::vector<std::uint32_t> with_roots;
+  std::vector<ProcessPart*> processes;  // components that are, in their order
   std::size_t states = 0;
   std::size_t roots = 0;
   std::vector<double> values;  // as they are before anything is worked out: constants

@@ -68,16 +68,10 @@ void ModelPlant::set_fault(std::size_t fault, double si) {
   const ModelFault& at = model_->fault_at[fault];
   Component& component = *model_->components[at.component];
   // Sampled, so that what a sensor shows now can be kept.
-  sample(Sampled::All);
-  component.fault_changed(at.fault, si,
-                          {.t_s = static_cast<double>(now_.count()) * 1e-9,
-                           .time_ns = now_.count(),
-                           .sampling = true,
-                           .y = y_.data(),
-                           .v = sampled_.data()});
+  component.fault_changed(at.fault, si, sampled_frame());
   component.set_fault(at.fault, si);
   sampled_now_ = Sampled::Nothing;
-  changed_ = fault_changed_ = true;
+  changed_ = held_changed_ = true;
 }
 
 }  // namespace stepwright::components

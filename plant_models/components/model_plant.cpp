@@ -31,6 +31,8 @@ ode::CvodeSettings settings_of(const Model& model) {
 
 ModelPlant::ModelPlant(std::unique_ptr<Model> model)
     : model_(std::move(model)),
+      exchange_(model_->processes,
+                std::chrono::nanoseconds(std::llround(model_->text.communication_step_s * 1e9))),
       y_(model_->start()),
       before_(model_->states),
       after_(model_->states),
@@ -51,7 +53,8 @@ result::Result<std::unique_ptr<ModelPlant>> ModelPlant::load(const std::filesyst
   auto equations = ModelEquations::create(*plant->model_);
   if (!equations) return result::forward(equations);
   plant->equations_ = std::move(*equations);
-  const bool goes_on = left && left->size() == plant->kept_size() && left->back() == plant->mark_ &&
+  const bool goes_on = left && plant->model_->processes.empty() && left->size() == plant->kept_size() &&
+                       left->back() == plant->mark_ &&
                        std::all_of(left->begin(), left->end(), [](double x) { return std::isfinite(x); });
   if (goes_on) std::copy_n(left->begin(), plant->y_.size(), plant->y_.begin());
   plant->liquid_at_start_ = plant->all_liquid();
@@ -103,19 +106,55 @@ bool ModelPlant::restart(double t_s) {
   return solver_ == nullptr || solver_->restart(t_s, y_);
 }
 
+result::Result<void> ModelPlant::start() {
+  auto started = exchange_.start([this] {
+    settle(seconds(now_));
+    sampled_now_ = Sampled::Nothing;
+    return sampled_frame();
+  });
+  sampled_now_ = Sampled::Nothing;
+  changed_ = held_changed_ = exchange_.running();
+  return started;
+}
+
 core::PlantStatus ModelPlant::advance_to(std::chrono::nanoseconds time) {
   if (time <= now_ || failed_) return failed_ ? core::PlantStatus::Failed : core::PlantStatus::Good;
+  while (exchange_.running() && exchange_.end() <= time) {
+    if (advance_alone(exchange_.end()) != core::PlantStatus::Good) return core::PlantStatus::Failed;
+    const Answer answer = exchange_.finish();
+    failed_ = answer == Answer::Lost;
+    if (failed_) return core::PlantStatus::Failed;
+    if (answer == Answer::Changed) changed_ = held_changed_ = true;
+    sampled_now_ = Sampled::Nothing;
+  }
+  return advance_alone(time);
+}
+
+// False: a process is lost.
+bool ModelPlant::give_inputs() {
+  if (!exchange_.due()) return true;
+  sampled_now_ = Sampled::Nothing;
+  return exchange_.ask(sampled_frame());
+}
+
+// With what the processes have answered last.
+core::PlantStatus ModelPlant::advance_alone(std::chrono::nanoseconds time) {
+  if (time <= now_) return core::PlantStatus::Good;
   if (changed_) {
     // What was set and taken back at the same instant is no change.
     const double* values = equations_->values();
-    bool differs = fault_changed_;
+    bool differs = held_changed_;
     for (std::size_t i = 0; i < actuators_.size(); ++i)
       differs = differs || values[model_->actuator_at[i].slot] != actuators_[i];
     if (differs) {
       failed_ = !restart(seconds(now_));
       event_pending_ = false;
     }
-    changed_ = fault_changed_ = false;
+    changed_ = held_changed_ = false;
+  }
+  if (!failed_ && !give_inputs()) {
+    failed_ = true;
+    return core::PlantStatus::Failed;
   }
   failed_ = failed_ || !run_to(seconds(time));
   sampled_now_ = Sampled::Nothing;
@@ -130,7 +169,12 @@ core::PlantStatus ModelPlant::give_up() {
   return core::PlantStatus::Failed;
 }
 
-std::string ModelPlant::trouble() const {
+bool ModelPlant::failed() const {
+  return trouble_known_.load(std::memory_order_acquire) || exchange_.failed();
+}
+
+std::string ModelPlant::trouble() {
+  if (std::string lost = exchange_.trouble(); !lost.empty()) return lost;
   if (!trouble_known_.load(std::memory_order_acquire)) return {};
   std::array<char, 32> at{};
   std::snprintf(at.data(), at.size(), "%.3f", seconds(now_));
@@ -191,6 +235,13 @@ void ModelPlant::sample(Sampled wanted) const {
   sampled_now_ = wanted;
 }
 
+// All values at now_ as who reads them sees them.
+Frame ModelPlant::sampled_frame() const {
+  sample(Sampled::All);
+  return {
+      .t_s = seconds(now_), .time_ns = now_.count(), .sampling = true, .y = y_.data(), .v = sampled_.data()};
+}
+
 std::int16_t ModelPlant::sensor(core::SensorId id) const {
   assert(id.value < model_->sensors.size());
   sample(Sampled::Shown);
@@ -215,10 +266,6 @@ double ModelPlant::all_liquid() const {
       sum += component.liquid(s) * y_[model_->first_state[c] + s];
   }
   return sum;
-}
-
-std::string ModelPlant::stiffest() {
-  return y_.empty() ? std::string() : model_->names[stiffest_component()];
 }
 
 std::uint32_t ModelPlant::stiffest_component() {

@@ -19,6 +19,7 @@
 #include <string>
 #include <vector>
 
+#include "plant_models/components/exchange.h"
 #include "plant_models/components/model.h"
 #include "plant_models/components/model_equations.h"
 #include "plant_models/core/plant.h"
@@ -39,6 +40,11 @@ class ModelPlant final : public core::Plant {
   std::span<const core::Quantity> truths() const override { return model_->truths; }
   std::span<const core::Quantity> faults() const override { return model_->faults; }
   core::FaultRange fault_range(std::size_t fault) const override;
+  // Its parts that are processes.
+  [[nodiscard]] result::Result<void> start() override;
+  bool failed() const override;
+  // With the component that has its trouble.
+  std::string trouble() override;
   // Liquid that came from nowhere or went to nowhere.
   std::string violation() const override;
   const core::PlantDescription& description() const override { return description_; }
@@ -52,17 +58,15 @@ class ModelPlant final : public core::Plant {
   [[nodiscard]] result::Result<void> inject_fault(std::string_view name, double value) override;
   [[nodiscard]] result::Result<void> clear_fault(std::string_view name) override;
 
-  // The states, in the order of the components, and then what makes sure that they are of the same plant.
+  // The states, in the order of the components, and then what makes sure that they are of the same plant. One
+  // with parts that are processes does not go on from them: those begin anew.
   std::size_t kept_size() const override { return model_->states + 1; }
   void keep(std::span<double> numbers) const override;
 
   ode::CvodeStatistics statistics() const { return solver_ ? solver_->statistics() : ode::CvodeStatistics{}; }
   std::span<const double> state() const { return y_; }
-  // The component whose state changes fastest, beside its tolerance: where a solver that gives up has its
-  // trouble.
-  std::string stiffest();
-  // Why it has failed, with that component; empty while it runs. Any thread.
-  std::string trouble() const;
+  // It has failed for a process, and not for its equations. Any thread.
+  bool lost_process() const { return exchange_.failed(); }
 
  private:
   explicit ModelPlant(std::unique_ptr<Model> model);
@@ -70,11 +74,15 @@ class ModelPlant final : public core::Plant {
   Frame frame(double t_s);
   void settle(double t_s);
   bool restart(double t_s);
+  core::PlantStatus advance_alone(std::chrono::nanoseconds time);
+  bool give_inputs();
   bool run_to(double t_s);
   bool handle_event();
   enum class Sampled : std::uint8_t { Nothing, Shown, All };
   void sample(Sampled wanted) const;
+  Frame sampled_frame() const;
   double all_liquid() const;
+  // Whose state changes fastest, beside its tolerance: where a solver that gives up has its trouble.
   std::uint32_t stiffest_component();
   core::PlantStatus give_up();
   double mark() const;
@@ -83,6 +91,7 @@ class ModelPlant final : public core::Plant {
   std::unique_ptr<Model> model_;
   std::unique_ptr<ModelEquations> equations_;
   std::unique_ptr<ode::CvodeSolver> solver_;  // null for a plant without states
+  Exchange exchange_;
   core::PlantDescription description_;
   std::vector<double> y_;       // at now_
   std::vector<double> before_;  // derivatives around an event
@@ -93,9 +102,9 @@ class ModelPlant final : public core::Plant {
   std::chrono::nanoseconds now_{0};
   double mark_ = 0.0;
   double liquid_at_start_ = 0.0;  // m3
-  bool changed_ = false;          // an actuator or a fault may have changed at now_
-  bool fault_changed_ = false;
-  bool event_pending_ = false;  // the solver stands at a root that has not been handled
+  bool changed_ = false;          // an actuator, a fault or an answer may have changed at now_
+  bool held_changed_ = false;     // a fault or an answer of a process has
+  bool event_pending_ = false;    // the solver stands at a root that has not been handled
   bool failed_ = false;
   std::uint32_t failed_component_ = 0;
   std::atomic<bool> trouble_known_{false};  // then time and component of the failure do not change any more

@@ -87,7 +87,8 @@ result::Result<ModelText> read_model(settings::TomlDocument& document, const std
       read_figure(solver,
                   {.name = "longest_step", .unit = "s", .fallback = "0.1 s", .low = 1e-6, .high = 3600.0}, {})
           .value;
-  ComponentReader reader(catalogue, of_plant, root, model);
+  model.communication_step_s = plant_figure(plant, "communication_step", "s", "10 ms", 1e-6, 60.0);
+  ComponentReader reader(catalogue, of_plant, root, options, model);
   const TomlTable components = root.table("components");
   for (const std::string& name : components.keys()) {
     if (model.components.size() > kMostComponents) {

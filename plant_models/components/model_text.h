@@ -69,7 +69,8 @@ struct SolverText {
 struct ModelText {
   std::string name{};
   std::filesystem::path file;
-  std::list<ComponentType> own_types;  // described in the file itself
+  std::list<ComponentType> own_types;   // described in the file itself
+  std::list<ComponentType> file_types;  // of one component each, whose file describes it
   std::vector<ComponentText> components;
   std::map<std::string, std::string, std::less<>>
       port_names;  // of assemblies: "station.in" is "station.p1.in"
@@ -77,11 +78,14 @@ struct ModelText {
   std::vector<AliasText> truths;
   std::vector<AliasText> faults;
   SolverText solver;
+  double communication_step_s = 0.01;  // between two exchanges with parts that are processes
 };
 
 struct ModelOptions {
   std::uint64_t seed = 1;
   bool uncertainty = true;
+  std::filesystem::path processes = {};  // where parts that are processes have a folder each
+  std::filesystem::path programs = {};   // where their programs are; empty: beside the program that asks
 };
 
 // Fails with everything that is wrong in the file: C0001 to C0006, C0341 (unit), C0342 (unknown type).

@@ -64,6 +64,17 @@ class Plant {
   // The true state at now(), which no controller may read: for reports and viewers.
   virtual double truth(TruthId id) const = 0;
 
+  // Starts the processes that it is made of, if it is. Without them it has its terminals and faults, and does
+  // not move: enough to check a cell. Fails with R0151 to R0155.
+  [[nodiscard]] virtual result::Result<void> start() { return {}; }
+
+  // It cannot go on. Any thread.
+  virtual bool failed() const { return false; }
+
+  // Why it cannot go on, in one sentence; empty while it can. A process of it that is lost is ended. The
+  // thread that started it.
+  virtual std::string trouble() { return {}; }
+
   // What has happened up to now() that must not, whoever controls the plant: vehicles that met, liquid that
   // came from nowhere. Empty: nothing. For reports.
   virtual std::string violation() const { return {}; }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <map>
 #include <pugixml.hpp>
 #include <utility>
 
@@ -11,6 +12,7 @@ namespace stepwright::fmu {
 namespace {
 
 constexpr std::size_t kMostVariables = 200'000;
+constexpr std::size_t kMostUnits = 10'000;
 constexpr std::size_t kMostMistakes = 20;
 
 constexpr std::array<std::pair<const char*, VariableType>, 14> kTypes = {
@@ -61,6 +63,8 @@ class Reader {
       return tl::unexpected(std::move(mistakes_));
     }
     read_root(root);
+    read_units(root.child("UnitDefinitions"));
+    read_types(root.child("TypeDefinitions"));
     for (const pugi::xml_node variable : root.child("ModelVariables").children()) {
       if (variable.type() != pugi::node_element || mistakes_.size() >= kMostMistakes) continue;
       if (found_.variables.size() >= kMostVariables) {
@@ -124,6 +128,31 @@ class Reader {
                "export it with its solver (needsExecutionTool = \"false\")");
   }
 
+  void read_units(pugi::xml_node list) {
+    for (const pugi::xml_node unit : list.children("Unit")) {
+      const pugi::xml_node base = unit.child("BaseUnit");
+      if (!base || found_.units.size() >= kMostUnits) continue;
+      UnitDefinition definition{.name = unit.attribute("name").value(),
+                                .factor = base.attribute("factor").as_double(1.0),
+                                .offset = base.attribute("offset").as_double(0.0)};
+      constexpr std::array<const char*, 5> kBases = {"m", "kg", "s", "K", "A"};
+      for (std::size_t i = 0; i < kBases.size(); ++i)
+        definition.exponents[i] = base.attribute(kBases[i]).as_int();
+      definition.other = base.attribute("mol").as_int() != 0 || base.attribute("cd").as_int() != 0;
+      found_.units.push_back(std::move(definition));
+    }
+  }
+
+  // Units of types that variables are declared by: FMI 2 has <SimpleType><Real unit>, FMI 3 <Float64Type
+  // unit>.
+  void read_types(pugi::xml_node list) {
+    for (const pugi::xml_node type : list.children()) {
+      const pugi::xml_node real = found_.version == FmiVersion::V2 ? type.child("Real") : type;
+      if (const pugi::xml_attribute unit = real.attribute("unit"))
+        unit_of_type_.emplace(type.attribute("name").value(), unit.value());
+    }
+  }
+
   void read_variable(pugi::xml_node node) {
     ModelVariable variable;
     pugi::xml_node typed = node;
@@ -137,7 +166,10 @@ class Reader {
     variable.type = type_of(typed.name()).value_or(VariableType::Other);
     variable.causality = node.attribute("causality").as_string("local");
     variable.variability = node.attribute("variability").value();
+    variable.description = node.attribute("description").value();
     variable.unit = typed.attribute("unit").value();
+    const auto declared = unit_of_type_.find(typed.attribute("declaredType").value());
+    if (variable.unit.empty() && declared != unit_of_type_.end()) variable.unit = declared->second;
     variable.start = number_of(typed.attribute("start").value());
     variable.is_array = static_cast<bool>(node.child("Dimension"));
     const pugi::xml_attribute reference = node.attribute("valueReference");
@@ -156,6 +188,7 @@ class Reader {
   std::string_view xml_;
   const std::string& name_;
   ModelDescription found_;
+  std::map<std::string, std::string> unit_of_type_;
   result::Diagnostics mistakes_;
   std::size_t counted_ = 0;
   std::uint32_t line_ = 1;
@@ -167,6 +200,12 @@ const ModelVariable* ModelDescription::find(std::string_view variable) const {
   const auto found = std::find_if(variables.begin(), variables.end(),
                                   [&](const ModelVariable& each) { return each.name == variable; });
   return found == variables.end() ? nullptr : &*found;
+}
+
+const UnitDefinition* ModelDescription::find_unit(std::string_view unit) const {
+  const auto found =
+      std::find_if(units.begin(), units.end(), [&](const UnitDefinition& each) { return each.name == unit; });
+  return found == units.end() ? nullptr : &*found;
 }
 
 result::Result<ModelDescription> parse_description(std::string_view xml, const std::string& name) {

@@ -5,6 +5,7 @@
 //
 // Thread-safe: pure.
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -35,13 +36,23 @@ enum class VariableType : std::uint8_t {
   Other,  // strings, binaries, clocks: no numbers
 };
 
+// <Unit>: SI = factor * figure + offset.
+struct UnitDefinition {
+  std::string name;
+  double factor = 1.0;
+  double offset = 0.0;
+  std::array<int, 5> exponents{};  // of m, kg, s, K, A
+  bool other = false;              // it has mol or cd as well
+};
+
 struct ModelVariable {
   std::string name;
   std::uint32_t reference = 0;  // its value reference
   VariableType type = VariableType::Real;
   std::string causality = "local";
   std::string variability;
-  std::string unit;
+  std::string description;  // a word of it for people
+  std::string unit;         // its own, or that of its declared type
   double start = 0.0;
   bool is_array = false;  // FMI 3: it has dimensions
   std::uint32_t line = 0;
@@ -56,8 +67,10 @@ struct ModelDescription {
   bool variable_steps = true;        // canHandleVariableCommunicationStepSize
   std::optional<double> fixed_step;  // FMI 3: fixedInternalStepSize, s
   std::vector<ModelVariable> variables;
+  std::vector<UnitDefinition> units;  // those with a <BaseUnit>
 
   const ModelVariable* find(std::string_view variable) const;
+  const UnitDefinition* find_unit(std::string_view unit) const;
 };
 
 // `name` is that of the file, for diagnostics.

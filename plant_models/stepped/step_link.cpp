@@ -72,6 +72,8 @@ result::Result<std::unique_ptr<StepLink>> StepLink::start(const StepNames& names
                                                           const StepCommand& command) {
   auto area = StepArea::make(names, seed);
   if (!area) return result::forward(area);
+  const std::size_t known = std::min(command.first_actuators.size(), area->actuators());
+  for (std::size_t i = 0; i < known; ++i) area->set_actuator(i, command.first_actuators[i]);
   const std::string program =
       command.arguments.empty() ? std::string() : find_program(command.arguments.front(), command.folder);
   if (program.empty()) {
@@ -140,7 +142,7 @@ LinkFailure StepLink::answer(std::chrono::milliseconds patience) {
   }
 }
 
-bool StepLink::step(std::int64_t time_ns, std::int64_t step_ns) {
+bool StepLink::ask(std::int64_t time_ns, std::int64_t step_ns) {
   if (failure_.load(std::memory_order_relaxed) != LinkFailure::None) return false;
   StepHeader& header = area_.header();
   header.time_ns.store(time_ns, std::memory_order_relaxed);
@@ -148,6 +150,12 @@ bool StepLink::step(std::int64_t time_ns, std::int64_t step_ns) {
   header.step.store(++steps_, std::memory_order_release);
   failed_at_ns_.store(time_ns, std::memory_order_relaxed);
   if (send(socket_, &kStepByte, 1, MSG_NOSIGNAL | MSG_DONTWAIT) != 1) return fail(LinkFailure::Ended);
+  return true;
+}
+
+bool StepLink::finish() {
+  if (failure_.load(std::memory_order_relaxed) != LinkFailure::None) return false;
+  const StepHeader& header = area_.header();
   if (const LinkFailure why = answer(command_.patience); why != LinkFailure::None) return fail(why);
   if (header.status.load(std::memory_order_acquire) != static_cast<std::uint32_t>(PeerStatus::Good))
     return fail(LinkFailure::Told);

@@ -29,6 +29,7 @@ struct StepCommand {
   std::filesystem::path folder = {};          // its working folder, from which relative programs are taken
   std::chrono::milliseconds patience{1'000};  // for the answer to a step
   std::chrono::milliseconds beginning{30'000};  // until it is ready
+  std::vector<double> first_actuators = {};     // what the plant finds there at its beginning; else 0
   result::Location where = {};                  // for diagnostics
 };
 
@@ -59,7 +60,10 @@ class StepLink {
 
   StepArea& area() { return area_; }
   // Has the plant run up to `time_ns`, for `step_ns`. False if the link has failed, now or before.
-  bool step(std::int64_t time_ns, std::int64_t step_ns);
+  bool step(std::int64_t time_ns, std::int64_t step_ns) { return ask(time_ns, step_ns) && finish(); }
+  // The two halves of a step; between them the plant runs, and the area is its own.
+  bool ask(std::int64_t time_ns, std::int64_t step_ns);
+  bool finish();
   // A number of the plant is of no use; the step counts as failed.
   void refuse_number(std::string_view name);
 

@@ -33,8 +33,9 @@ std::int16_t counts_of(const SteppedTerminal& terminal, double number) {
 
 }  // namespace
 
-SteppedPlant::SteppedPlant(SteppedDescription description)
+SteppedPlant::SteppedPlant(SteppedDescription description, StepCommand command)
     : about_(std::move(description)),
+      command_(std::move(command)),
       actuator_ports_(ports_of(about_.actuators)),
       sensor_ports_(ports_of(about_.sensors)),
       truths_(about_.values),
@@ -52,15 +53,15 @@ SteppedPlant::SteppedPlant(SteppedDescription description)
   fresh_.resize(about_.sensors.size() + about_.values.size());
 }
 
-result::Result<void> SteppedPlant::start(const StepCommand& command) {
+result::Result<void> SteppedPlant::start() {
   auto link = StepLink::start({names_of(about_.actuators), names_of(about_.sensors), names_of(about_.values),
                                names_of(about_.faults)},
-                              about_.seed, command);
+                              about_.seed, command_);
   if (!link) return result::forward(link);
   link_ = std::move(*link);
   // All actuators are off until the program says otherwise: 0 counts.
   for (std::uint32_t i = 0; i < about_.actuators.size(); ++i) set_actuator(core::ActuatorId(i), 0);
-  if (!sample()) return result::fail("R0155", command.where, link_->trouble());
+  if (!sample()) return result::fail("R0155", command_.where, link_->trouble());
   return {};
 }
 

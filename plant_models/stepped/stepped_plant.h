@@ -43,13 +43,13 @@ struct SteppedDescription {
 
 class SteppedPlant final : public core::Plant {
  public:
-  explicit SteppedPlant(SteppedDescription description);
+  // `command`: how start() starts its process.
+  explicit SteppedPlant(SteppedDescription description, StepCommand command = {});
 
-  // Starts the process; fails as StepLink::start.
-  [[nodiscard]] result::Result<void> start(const StepCommand& command);
-  // What has become of the process; nothing without trouble. The thread that started it.
-  std::string trouble() { return link_ ? link_->trouble() : std::string(); }
-  bool failed() const { return link_ && link_->failed(); }
+  // Fails as StepLink::start.
+  [[nodiscard]] result::Result<void> start() override;
+  std::string trouble() override { return link_ ? link_->trouble() : std::string(); }
+  bool failed() const override { return link_ && link_->failed(); }
 
   std::span<const core::Port> actuators() const override { return actuator_ports_; }
   std::span<const core::Port> sensors() const override { return sensor_ports_; }
@@ -75,6 +75,7 @@ class SteppedPlant final : public core::Plant {
   [[nodiscard]] result::Result<void> set_fault(std::string_view name, double value);
 
   SteppedDescription about_;
+  StepCommand command_;
   std::vector<core::Port> actuator_ports_;
   std::vector<core::Port> sensor_ports_;
   std::vector<core::Quantity> truths_;  // values, then what the analogue sensors measure

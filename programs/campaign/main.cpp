@@ -1,7 +1,6 @@
 // `stepwright campaign CELL`: a cell many times in simulated time, disturbed at random, every run judged.
 
 #include <fmt/format.h>
-#include <stdlib.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -9,7 +8,6 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -18,6 +16,7 @@
 #include "runtime/ground/process/command_line.h"
 #include "runtime/ground/process/files.h"
 #include "runtime/ground/process/interruption.h"
+#include "runtime/ground/process/temporary_folder.h"
 
 namespace stepwright::campaign {
 namespace {
@@ -58,25 +57,6 @@ void describe(CLI::App& app, Arguments& arguments) {
   app.add_option("--set", arguments.overrides, "KEY=VALUE that wins over the cell's file");
   app.footer("Exit codes: 0 no run was lost or violated, 1 wrong input, 4 interrupted, 5 one was.");
 }
-
-// States of the runs; gone at the end.
-class TemporaryStates {
- public:
-  TemporaryStates() {
-    std::string pattern = (config::temporary_folder() / "stepwright-XXXXXX").string();
-    if (mkdtemp(pattern.data()) != nullptr) path_ = pattern;
-  }
-  TemporaryStates(const TemporaryStates&) = delete;
-  TemporaryStates& operator=(const TemporaryStates&) = delete;
-  ~TemporaryStates() {
-    std::error_code ignored;
-    if (!path_.empty()) std::filesystem::remove_all(path_, ignored);
-  }
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 int list(const CellBase& base) {
   for (const OfferedFault& fault : base.offered)
@@ -127,7 +107,7 @@ int run(Arguments arguments) {
   }
   const auto file = processes::find_cell(arguments.cell);
   if (!file) return fail(file.error(), ExitCode::BadInput);
-  const TemporaryStates states;
+  const process::TemporaryFolder states(config::temporary_folder());
   if (states.path().empty()) {
     return fail(result::fail("M0042", {config::temporary_folder().string(), 0, 0},
                              "no folder for the state of the runs can be made here")

@@ -118,6 +118,18 @@ Result<void> DdsCellControl::write_together(const std::map<std::string, std::str
   return {};
 }
 
+Result<std::vector<host::PlantFault>> DdsCellControl::faults() {
+  if (!source_.client().runtime_alive()) return result::fail(api::kNobodyAnswers, {}, "no runtime answers");
+  return source_.client().faults();
+}
+
+Result<void> DdsCellControl::set_fault(const std::string& name, std::optional<double> value) {
+  constexpr double kEnds = std::numeric_limits<double>::quiet_NaN();
+  auto done = source_.client().ask(service::InjectFault{name, value.value_or(kEnds)});
+  if (!done) return result::forward(done);
+  return {};
+}
+
 Result<std::vector<api::ForcedPlace>> DdsCellControl::forced() {
   // Asked often, from where nobody waits for a runtime to come.
   if (!source_.client().runtime_alive()) return result::fail(api::kNobodyAnswers, {}, "no runtime answers");

@@ -26,6 +26,8 @@ class DdsCellControl : public api::CellControl {
                                     std::chrono::milliseconds duration) override;
   result::Result<void> unforce(const std::string& name) override;
   result::Result<void> write_together(const std::map<std::string, std::string, std::less<>>& values) override;
+  result::Result<std::vector<host::PlantFault>> faults() override;
+  result::Result<void> set_fault(const std::string& name, std::optional<double> value) override;
   result::Result<std::vector<api::ForcedPlace>> forced() override;
   result::Result<api::ForcedPlace> as_forced(const std::string& name, const std::string& value) override;
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -13,6 +14,7 @@
 #include "plant_models/components/step_answer.h"
 #include "runtime/ground/process/command_line.h"
 #include "runtime/ground/process/files.h"
+#include "runtime/ground/process/temporary_folder.h"
 
 namespace stepwright::plant_program {
 namespace {
@@ -148,15 +150,37 @@ ExitCode write(const std::string& file, const std::string& text) {
   return unwritten.empty() ? ExitCode::Done : fail(unwritten);
 }
 
-result::Result<std::unique_ptr<ModelPlant>> load(const PlantArguments& arguments) {
-  return ModelPlant::load(arguments.file, components::library::catalogue(), {.seed = arguments.seed});
+// `processes`: the folder for its parts that are processes.
+result::Result<std::unique_ptr<ModelPlant>> load(const PlantArguments& arguments,
+                                                 const std::filesystem::path& processes = {}) {
+  return ModelPlant::load(arguments.file, components::library::catalogue(),
+                          {.seed = arguments.seed, .processes = processes});
+}
+
+std::filesystem::path temporary_place() {
+  std::error_code none;
+  const std::filesystem::path place = std::filesystem::temp_directory_path(none);
+  return none ? std::filesystem::path("/tmp") : place;
+}
+
+// The plant with its processes.
+result::Result<std::unique_ptr<ModelPlant>> start(const PlantArguments& arguments,
+                                                  const process::TemporaryFolder& folder) {
+  if (folder.path().empty())
+    return result::fail("M0004", {}, "no temporary folder can be made for the plant's processes",
+                        "TMPDIR names a folder that can be written");
+  auto plant = load(arguments, folder.path());
+  if (!plant) return plant;
+  if (auto started = (*plant)->start(); !started) return result::forward(started);
+  return plant;
 }
 
 // Runs the plant and writes what it answers.
 ExitCode answer(const PlantArguments& arguments) {
   auto actions = actions_of(arguments);
   if (!actions) return fail(actions.error());
-  auto plant = load(arguments);
+  const process::TemporaryFolder folder(temporary_place());
+  auto plant = start(arguments, folder);
   if (!plant) return fail(plant.error());
   const std::chrono::nanoseconds interval(
       std::max<std::int64_t>(1, std::llround(arguments.interval_s * 1e9)));
@@ -169,17 +193,12 @@ ExitCode answer(const PlantArguments& arguments) {
       write(arguments.svg_file, components::to_svg(*answered, (*plant)->model().text.name));
   if (drawn != ExitCode::Done) return drawn;
   if (!answered->failed) return ExitCode::Done;
-  const std::string stiff = (*plant)->stiffest();
-  const std::string hint = (stiff.empty() ? std::string() : "'" + stiff + "' changes fastest; ") +
-                           "[solver] method = \"implicit\" is for stiff plants";
-  result::Diagnostics problems;
-  problems.push_back(
-      {"C0351",
-       result::Severity::Error,
-       {arguments.file, 0, 0},
-       "the solver gave up at " + std::to_string(answered->times_s.back()) + " s: no step is small enough",
-       hint});
-  return fail(problems, ExitCode::RuntimeFault);
+  return fail({{(*plant)->lost_process() ? "C0337" : "C0351",
+                result::Severity::Error,
+                {arguments.file, 0, 0},
+                (*plant)->trouble(),
+                {}}},
+              ExitCode::RuntimeFault);
 }
 
 }  // namespace
@@ -200,8 +219,10 @@ ExitCode run_plant(const PlantArguments& arguments) {
                     !arguments.faults.empty();
   const bool lists = !runs || !arguments.json_file.empty();
   if (lists) {
-    auto trial = load(arguments);
-    const double speed = trial ? measure_speed(**trial) : 0.0;
+    const process::TemporaryFolder folder(temporary_place());
+    auto trial = start(arguments, folder);
+    if (!trial) return fail(trial.error());
+    const double speed = measure_speed(**trial);
     if (!to_stdout) print_plant(**plant, speed);
     const ExitCode written =
         write(arguments.json_file,

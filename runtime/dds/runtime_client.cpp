@@ -124,6 +124,18 @@ result::Result<Forces> RuntimeClient::forces() {
   return Forces{std::move(reply->digest), std::move(*places)};
 }
 
+result::Result<std::vector<host::PlantFault>> RuntimeClient::faults() {
+  std::vector<host::PlantFault> faults;
+  for (;;) {
+    auto reply = ask(service::ReadFaults{faults.size()});
+    if (!reply) return result::forward(reply);
+    auto part = service::decode_faults(reply->data);
+    if (!part) return result::forward(part);
+    faults.insert(faults.end(), part->begin(), part->end());
+    if (part->empty() || faults.size() >= reply->total_bytes) return faults;
+  }
+}
+
 result::Result<std::vector<std::byte>> RuntimeClient::program() {
   std::vector<std::byte> container;
   std::string digest;

@@ -29,6 +29,7 @@
 #include "runtime/dds/health.h"
 #include "runtime/dds/types.h"
 #include "runtime/ground/result/result.h"
+#include "runtime/host/plant_fault.h"
 #include "runtime/image/force_table.h"
 #include "runtime/service/requests.h"
 
@@ -81,6 +82,8 @@ class RuntimeClient {
   [[nodiscard]] result::Result<void> acknowledge(std::uint64_t event_sequence);
   // What is forced in the runtime now, whoever has forced it.
   [[nodiscard]] result::Result<Forces> forces();
+  // Faults of the simulated plant, with what holds now; none without one.
+  [[nodiscard]] result::Result<std::vector<host::PlantFault>> faults();
   // The container that is loaded now: for a viewer or a restarted supervisor.
   [[nodiscard]] result::Result<std::vector<std::byte>> program();
 

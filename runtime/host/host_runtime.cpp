@@ -81,6 +81,7 @@ HostRuntime::HostRuntime(const HostConfig& config, image::IoDriver& driver, Plan
                          std::unique_ptr<SnapshotWriter> snapshots, std::unique_ptr<SnapshotReader> reader)
     : config_(config),
       io_(driver, config.input_bytes, config.output_bytes),
+      plant_(plant),
       plant_names_(plant == nullptr ? std::span<const std::string>{} : plant->value_names()),
       snapshots_(std::move(snapshots)),
       reader_(std::move(reader)),
@@ -129,6 +130,10 @@ Forces HostRuntime::forces() const {
     forces.places.push_back(force);
   }
   return forces;
+}
+
+std::vector<PlantFault> HostRuntime::faults() const {
+  return plant_ == nullptr ? std::vector<PlantFault>() : plant_->faults();
 }
 
 bool HostRuntime::submit(const Command& command) {

@@ -63,6 +63,7 @@ class HostRuntime final : public RuntimePort {
   void clear() override;
   int snapshot_descriptor() const override;
   Forces forces() const override;
+  std::vector<PlantFault> faults() const override;
   [[nodiscard]] result::Result<void> record(std::uint64_t ticket,
                                             const record::RecordingOptions& options) override;
   record::RecordingStatus recording() const override { return recorder_.status(); }
@@ -104,6 +105,7 @@ class HostRuntime final : public RuntimePort {
 
   HostConfig config_;
   AreaDriver io_;
+  const PlantAccess* plant_;
   std::span<const std::string> plant_names_;
   std::unique_ptr<SnapshotWriter> snapshots_;
   std::unique_ptr<SnapshotReader> reader_;

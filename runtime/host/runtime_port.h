@@ -15,6 +15,7 @@
 #include "runtime/ground/result/result.h"
 #include "runtime/host/command.h"
 #include "runtime/host/messages.h"
+#include "runtime/host/plant_fault.h"
 #include "runtime/record/recorder.h"
 
 namespace stepwright::host {
@@ -57,6 +58,8 @@ class RuntimePort {
 
   // The forces, as of the newest completion, event or end of a force.
   virtual Forces forces() const { return {}; }
+  // Faults of the simulated plant, with what holds now; none without one.
+  virtual std::vector<PlantFault> faults() const { return {}; }
   // Begins a recording; the completion carries `ticket`. CommandKind::RecordEnd ends it. Fails with R0051 or
   // R0052, or R0006 if too many commands are under way.
   [[nodiscard]] virtual result::Result<void> record(std::uint64_t ticket,

@@ -20,10 +20,11 @@ std::uint64_t random_incarnation() {
 }  // namespace
 
 RemoteRuntime::RemoteRuntime(const RemoteConfig& config, std::unique_ptr<RegisterLine> line,
-                             std::unique_ptr<host::SnapshotWriter> snapshots)
+                             std::unique_ptr<host::SnapshotWriter> snapshots, const host::PlantAccess* plant)
     : config_(config),
       line_(std::move(line)),
       snapshots_(std::move(snapshots)),
+      plant_(plant),
       incarnation_(random_incarnation()) {}
 
 result::Result<std::unique_ptr<RemoteRuntime>> RemoteRuntime::create(const RemoteConfig& config,
@@ -33,7 +34,8 @@ result::Result<std::unique_ptr<RemoteRuntime>> RemoteRuntime::create(const Remot
   const auto names = plant == nullptr ? std::span<const std::string>{} : plant->value_names();
   auto snapshots = host::SnapshotWriter::create(names);
   if (!snapshots) return result::forward(snapshots);
-  std::unique_ptr<RemoteRuntime> self(new RemoteRuntime(config, std::move(line), std::move(*snapshots)));
+  std::unique_ptr<RemoteRuntime> self(
+      new RemoteRuntime(config, std::move(line), std::move(*snapshots), plant));
   if (!self->queues_.ok()) return result::fail("R0001", {}, "the system gives no more descriptors");
   self->loop_ = std::make_unique<LineLoop>(self->config_, *self->line_, driver, plant, *self->snapshots_,
                                            self->queues_);
@@ -99,6 +101,10 @@ host::RuntimeStatus RemoteRuntime::status() const {
 host::Forces RemoteRuntime::forces() const {
   RemoteFigures figures = queues_.figures();
   return {std::move(figures.status.program_digest), std::move(figures.forces)};
+}
+
+std::vector<host::PlantFault> RemoteRuntime::faults() const {
+  return plant_ == nullptr ? std::vector<host::PlantFault>() : plant_->faults();
 }
 
 std::span<const std::byte> RemoteRuntime::program() const {

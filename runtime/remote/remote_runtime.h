@@ -9,7 +9,8 @@
 //   auto server = service::Server::create({socket, 1s}, **runtime);
 //
 // Threads: create, use and destroy it on one thread (the service's); it brings its own for the line. Driver
-// and plant are called by that one only and must outlive the runtime.
+// and plant are called by that one, but for what PlantAccess lets any thread ask, and must outlive the
+// runtime.
 
 #include <chrono>
 #include <memory>
@@ -51,17 +52,19 @@ class RemoteRuntime final : public host::RuntimePort {
   void clear() override { news().clear(); }
   int snapshot_descriptor() const override { return snapshots_->descriptor(); }
   host::Forces forces() const override;
+  std::vector<host::PlantFault> faults() const override;
   [[nodiscard]] result::Result<void> record(std::uint64_t ticket,
                                             const record::RecordingOptions& options) override;
 
  private:
   RemoteRuntime(const RemoteConfig& config, std::unique_ptr<RegisterLine> line,
-                std::unique_ptr<host::SnapshotWriter> snapshots);
+                std::unique_ptr<host::SnapshotWriter> snapshots, const host::PlantAccess* plant);
   host::Notifier& news() const { return queues_.news(); }
 
   const RemoteConfig config_;
   std::unique_ptr<RegisterLine> line_;
   std::unique_ptr<host::SnapshotWriter> snapshots_;
+  const host::PlantAccess* plant_;  // for what any thread may ask
   std::uint64_t incarnation_;
   mutable LineQueues queues_;
   std::unique_ptr<LineLoop> loop_;

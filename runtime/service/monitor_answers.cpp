@@ -1,6 +1,8 @@
 #include "runtime/service/monitor_answers.h"
 
+#include <algorithm>
 #include <bit>
+#include <cmath>
 
 #include "runtime/base/byte_reader.h"
 #include "runtime/host/limits.h"
@@ -11,6 +13,9 @@ namespace {
 
 constexpr std::size_t kForceBytes = 22;
 constexpr std::size_t kFixedBytes = 128;
+constexpr std::size_t kMostFaultBytes = 2 * host::kMaxNameBytes + kMaxMeaningBytes + 64;
+constexpr std::uint8_t kWhole = 1;
+constexpr std::uint8_t kHolds = 2;
 
 std::vector<std::byte> finish(const record::Encoder& out) {
   return {out.bytes().begin(), out.bytes().end()};
@@ -55,6 +60,45 @@ result::Result<std::vector<image::Force>> decode_forces(std::span<const std::byt
     if (!right) return malformed();
   }
   return forces;
+}
+
+std::vector<std::byte> encode_faults(std::span<const host::PlantFault> faults) {
+  std::vector<std::byte> buffer(host::kMaxChunkBytes);
+  record::Encoder out(buffer);
+  for (const host::PlantFault& fault : faults) {
+    if (host::kMaxChunkBytes - out.bytes().size() < kMostFaultBytes) break;
+    const auto text = [&out](const std::string& whole, std::size_t most) {
+      out.put_block(std::as_bytes(std::span(whole)).first(std::min(whole.size(), most)));
+    };
+    text(fault.name, host::kMaxNameBytes);
+    text(fault.unit, host::kMaxNameBytes);
+    text(fault.meaning, kMaxMeaningBytes);
+    out.put(fault.low).put(fault.high).put(fault.value);
+    out.put(static_cast<std::uint8_t>((fault.whole ? kWhole : 0) | (fault.holds ? kHolds : 0)));
+  }
+  return finish(out);
+}
+
+result::Result<std::vector<host::PlantFault>> decode_faults(std::span<const std::byte> data) {
+  if (data.size() > host::kMaxChunkBytes) return malformed();
+  base::ByteReader in(data);
+  std::vector<host::PlantFault> faults;
+  while (in.ok() && !in.at_end()) {
+    host::PlantFault& fault = faults.emplace_back();
+    fault.name = read_text(in);
+    fault.unit = read_text(in);
+    fault.meaning = read_text(in);
+    fault.low = in.read<double>();
+    fault.high = in.read<double>();
+    fault.value = in.read<double>();
+    const auto flags = in.read<std::uint8_t>();
+    fault.whole = (flags & kWhole) != 0;
+    fault.holds = (flags & kHolds) != 0;
+    if (!std::isfinite(fault.low) || !std::isfinite(fault.high) || !std::isfinite(fault.value))
+      return malformed();
+  }
+  if (!in.ok()) return malformed();
+  return faults;
 }
 
 std::vector<std::byte> encode_recording(const record::RecordingStatus& status) {

@@ -83,6 +83,11 @@ struct ResendEvents {
 
 // The list of forces: Reply::data, see monitor_answers.h, in the program of Reply::digest. Observers may ask.
 struct ReadForces {};
+// Faults of the simulated plant from the given one on: Reply::data (monitor_answers.h), as many as fit;
+// Reply::total_bytes says how many there are. Observers may ask.
+struct ReadFaults {
+  std::uint64_t first = 0;
+};
 // Simulated clock only: that many scans, then it stands still until the next Step or Continue; Reply::offset
 // is the last of them. 0: stands still at once.
 struct Step {
@@ -100,9 +105,10 @@ struct EndRecording {};
 // How the recording stands: Reply::data, see monitor_answers.h. Observers may ask.
 struct ReadRecording {};
 
-using RequestBody = std::variant<Start, Stop, Acknowledge, Force, Unforce, Write, InjectFault, DownloadBegin,
-                                 DownloadChunk, DownloadCommit, ReadProgram, ResendEvents, ReadForces, Step,
-                                 Continue, BeginRecording, EndRecording, ReadRecording, Reload, WriteBlock>;
+using RequestBody =
+    std::variant<Start, Stop, Acknowledge, Force, Unforce, Write, InjectFault, DownloadBegin, DownloadChunk,
+                 DownloadCommit, ReadProgram, ResendEvents, ReadForces, Step, Continue, BeginRecording,
+                 EndRecording, ReadRecording, Reload, WriteBlock, ReadFaults>;
 
 struct Request {
   std::uint64_t client = 0;

@@ -296,6 +296,7 @@ void Server::State::request(Session& session, const Request& request) {
   const bool reads = std::holds_alternative<ReadProgram>(request.body) ||
                      std::holds_alternative<ResendEvents>(request.body) ||
                      std::holds_alternative<ReadForces>(request.body) ||
+                     std::holds_alternative<ReadFaults>(request.body) ||
                      std::holds_alternative<ReadRecording>(request.body);
   if (session.role != Role::Controller && !reads) {
     Reply reply;

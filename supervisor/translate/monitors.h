@@ -13,8 +13,7 @@
 //   standstill    while its outputs are on: the level that it moves goes on, by half a unit in the nominal
 //                 time of three, 8 s at most (internal/pace.h)
 //   rate          in every scan: the counts of a sensor with `max_rate` change no faster than that; if they
-//   do,
-//                 the sensor has failed (internal/rate.h)
+//                 do, the sensor has failed (internal/rate.h)
 //
 // PROGRAM monitors is a ladder diagram with a section for each action, which is jumped over while the action
 // does not run, behind what is watched all the time. An alarm is raised once: MON_SCAN[n] is its scan

@@ -172,7 +172,7 @@ ARROWS = {
     "plant_models/ode": ["plant_models/core"],
     "plant_models/body2d": ["plant_models/core"],
     "plant_models/components": ["plant_models/ode", "runtime/ground/markup", "runtime/ground/settings"],
-    "plant_models/components/library": ["plant_models/components"],
+    "plant_models/components/library": ["plant_models/components", "plant_models/fmu"],
     "plant_models/assemblies": ["plant_models/ode", "plant_models/body2d"],
     "plant_models/bridge": ["plant_models/core", "runtime/image"],
     "plant_models/stepped": ["plant_models/core", "runtime/ground/process"],
@@ -205,7 +205,7 @@ ARROWS = {
     "cell/hall": ["cell/config", "plant_models/assemblies", "supervisor/ltl/scene", "supervisor/map"],
     "cell/robot": ["cell/config", "plant_models/assemblies", "runtime/ground/process", "supervisor/motion/kinematics"],
     "cell/runtime": [
-        "cell/config", "cell/device_status", "cell/hall", "cell/robot", "plant_models/assemblies", "plant_models/bridge", "plant_models/components/library", "plant_models/stepped", "runtime/io_memory", "runtime/service", "supervisor/map",
+        "cell/config", "cell/device_status", "cell/hall", "cell/robot", "plant_models/assemblies", "plant_models/bridge", "plant_models/components/library", "plant_models/fmu", "plant_models/stepped", "runtime/io_memory", "runtime/service", "supervisor/map",
     ],
     "cell/binding": [
         "cell/missions/planning", "cell/runtime", "plant_models/bridge", "plant_models/components/library", "supervisor/pddl/action", "supervisor/translate",

@@ -34,6 +34,7 @@ Catalogue catalogue() {
                                                     axis_type(),
                                                     push_button_type(),
                                                     lamp_type(),
+                                                    fmu_type(),
                                                     first_order_type(),
                                                     double_tank_type(),
                                                     pendulum_type()};

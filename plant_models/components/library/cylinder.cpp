@@ -113,14 +113,8 @@ ComponentType cylinder_type() {
                       .high = 1000.0,
                       .rest = 1.0,
                       .meaning = "it takes so many times its time"},
-                     {.name = "stuck_extended",
-                      .low = 0.0,
-                      .high = 1.0,
-                      .meaning = "the switch at the outer end shows this"},
-                     {.name = "stuck_retracted",
-                      .low = 0.0,
-                      .high = 1.0,
-                      .meaning = "the switch at the inner end shows this"}},
+                     contact_fault("stuck_extended", "the switch at the outer end shows this"),
+                     contact_fault("stuck_retracted", "the switch at the inner end shows this")},
           .make = [](const Parameters& p) { return std::make_unique<Cylinder>(p); }};
 }
 

@@ -33,7 +33,7 @@ ComponentType heater_type() {
           .parameters = {{.name = "power",
                           .unit = "W",
                           .fallback = "",
-                          .low = -1e9,
+                          .low = 1e-3,
                           .high = 1e9,
                           .meaning = "when it is fully on"},
                          {.name = "time_constant",

@@ -43,6 +43,9 @@ ComponentType axis_type();
 ComponentType push_button_type();
 ComponentType lamp_type();
 
+// What others have modelled.
+ComponentType fmu_type();
+
 // Plants that controllers are tuned on.
 ComponentType first_order_type();
 ComponentType double_tank_type();

@@ -195,6 +195,10 @@ bool TomlTable::has(std::string_view key) const {
   return as_table(node_)->get(key) != nullptr;
 }
 
+void TomlTable::accept_all() const {
+  for (const std::string& key : keys()) static_cast<void>(find(key));
+}
+
 bool TomlTable::has_table(std::string_view key) const {
   return has(key) && as_table(node_)->get(key)->is_table();
 }

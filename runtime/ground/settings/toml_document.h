@@ -64,6 +64,8 @@ class TomlTable {
 
   TomlTable table(std::string_view key) const;                // missing: an empty table
   std::vector<TomlTable> tables(std::string_view key) const;  // [[key]]; missing: none
+  // No key of this table is reported as unknown: where it cannot be known which ones it may have.
+  void accept_all() const;
   // The keys of this table in file order; asking marks none of them as known.
   std::vector<std::string> keys() const;
 

@@ -150,7 +150,8 @@ template <typename A, Like<ReadProgram> T>
 void fields(A& a, T& m) {
   a(m.offset);
 }
-template <typename A, Like<ResendEvents> T>
+template <typename A, typename T>
+requires Like<T, ResendEvents> || Like<T, ReadFaults>
 void fields(A& a, T& m) {
   a(m.first);
 }

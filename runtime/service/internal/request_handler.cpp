@@ -152,7 +152,8 @@ std::optional<host::Command> to_command(const RequestBody& body) {
 // What only reads is performed again instead of remembered: its answer is large, or the events themselves.
 bool remembered(const RequestBody& body) {
   return !std::holds_alternative<ReadProgram>(body) && !std::holds_alternative<ResendEvents>(body) &&
-         !std::holds_alternative<ReadForces>(body) && !std::holds_alternative<ReadRecording>(body);
+         !std::holds_alternative<ReadForces>(body) && !std::holds_alternative<ReadRecording>(body) &&
+         !std::holds_alternative<ReadFaults>(body);
 }
 
 }  // namespace
@@ -229,6 +230,13 @@ result::Result<bool> RequestHandler::perform(const Request& request, std::uint64
     host::Forces forces = port_.forces();
     reply.digest = std::move(forces.program_digest);
     reply.data = encode_forces(forces.places);
+    return true;
+  }
+  if (const auto* body = std::get_if<ReadFaults>(&request.body)) {
+    const std::vector<host::PlantFault> faults = port_.faults();
+    reply.total_bytes = faults.size();
+    reply.data =
+        encode_faults(std::span(faults).subspan(std::min<std::uint64_t>(body->first, faults.size())));
     return true;
   }
   if (std::holds_alternative<ReadRecording>(request.body)) {

@@ -41,12 +41,12 @@ stepped::SteppedDescription tank(const std::string& prefix) {
 // Steps a second; 0 and a word if it does not run.
 double measure(const char* what, std::vector<std::string> command, double seconds,
                const std::string& prefix = {}) {
-  stepped::SteppedPlant plant(tank(prefix));
   stepped::StepCommand start;
   start.arguments = std::move(command);
   start.beginning = std::chrono::minutes(5);
   start.patience = std::chrono::minutes(1);
-  if (auto started = plant.start(start); !started) {
+  stepped::SteppedPlant plant(tank(prefix), std::move(start));
+  if (auto started = plant.start(); !started) {
     std::fprintf(stderr, "%s: %s\n", what, result::to_string(started.error()).c_str());
     return 0.0;
   }

@@ -13,9 +13,9 @@ HERE = pathlib.Path(__file__).parent
 
 
 class SteppedCell(Cell):
-    """`file` of this folder with changes (text, other text) to it."""
+    """`file` of this folder with changes (text, other text) to it. `limits`: its [plant] says how long a process may take."""
 
-    def __init__(self, file, *changes):
+    def __init__(self, file, *changes, limits=True):
         super().__init__()
         shutil.copytree(HERE, self.folder, dirs_exist_ok=True)
         text = (HERE / file).read_text(encoding="utf-8")
@@ -26,7 +26,7 @@ class SteppedCell(Cell):
         text += "\n[plant]\n" if "[plant]" not in text else ""
         text = text.replace("[plant]\n", "[plant]\n" + "".join(
             f"{key} = {value}\n" for key, value in (("timeout_ms", 60_000), ("start_timeout_ms", 120_000))
-            if key not in text), 1)
+            if limits and key not in text), 1)
         self.config.write_text(text, encoding="utf-8")
 
     def check(self):
@@ -76,12 +76,15 @@ class SteppedCell(Cell):
         found = dict(re.findall(r"(\S+) = (\S+)", text))
         return [found[name] for name in names]
 
-    def plant_process(self):
-        """The process that the runtime has started."""
+    def plant_processes(self, count):
+        """The processes that the runtime has started."""
         children = pathlib.Path(f"/proc/{self.runtime.pid}/task/{self.runtime.pid}/children")
         pids = [int(each) for each in children.read_text(encoding="ascii").split()]
-        assert len(pids) == 1, pids
-        return pids[0]
+        assert len(pids) == count, pids
+        return pids
+
+    def plant_process(self):
+        return self.plant_processes(1)[0]
 
 
 def gone(pid):

@@ -2,6 +2,7 @@
 
 import { getContext, setContext } from 'svelte';
 
+import type { PlantFault } from '../faults/faults';
 import type { Topic } from '../help/topics';
 import { ask, sentences, type Method, type Reply } from './api';
 
@@ -18,6 +19,7 @@ export type Dialog =
   | { kind: 'block'; places?: string[] }
   | { kind: 'unblock' | 'return'; name: string }
   | { kind: 'force'; tag: string; type: string; value: string }
+  | { kind: 'fault'; deed: 'set' | 'clear'; fault: PlantFault }
   | { kind: 'alarm'; deed: 'shelve' | 'suppress' | 'remove'; alarm: string; text: string; most: number }
   | { kind: 'help'; topic: Topic; title: string }
   // `done` is told the recipe to be shown then.

@@ -35,6 +35,8 @@ export default {
   keys_history: 'Im Diagramm: Pfeiltasten verschieben, + und − zoomen, 0 springt zum Neuesten.',
   shows_recipes: 'Benannte Sätze von Werten für Variablen. Vergleichen Sie ein Rezept mit dem laufenden Programm oder mit einem anderen; ≠ steht an allem, was abweicht. Beim Laden werden alle Werte gesetzt oder keiner.',
   colours_recipes: 'Gelber Rand: Das Rezept oder ein Wert darin passt nicht zum Programm.',
+  shows_faults: 'Was an der simulierten Anlage fehlerhaft sein kann: Bereich, Einheit und was jetzt besteht, wer es auch gesetzt hat. Ingenieure setzen einen Fehler oder beenden ihn, mit einem Grund für das Protokoll.',
+  colours_faults: 'Gelb: Der Fehler besteht.',
   shows_screen: 'Bilder, die Leute dieser Anlage gezeichnet haben, mit ihren Werten. Die Knöpfe oben wechseln das Bild. Was sich setzen lässt, fragt nach, wo es so gezeichnet ist, sagt, dass geschrieben wird, und warum, wenn es abgelehnt ist; jedes Schreiben steht im Audit-Trail.',
   colours_screen: 'Blau: aktiv. Gelb, gestrichelt: nicht wie es sein soll. Rot mit dickem Rand: ein Alarm. Blass: der Wert ist nicht bekannt. Gestrichelter Knopf: nicht für Ihre Rolle.',
   keys_screen: 'Tab geht von Teil zu Teil, Enter öffnet oder drückt es; in einem Sollwert Ziffern, dann Enter.',

@@ -32,6 +32,8 @@ export default {
   keys_history: 'In the chart: arrows pan, + and − zoom, 0 goes to the newest.',
   shows_recipes: 'Named sets of values for tags. Compare one with the running program or with another one; ≠ stands at what differs. Loading sets all values or none.',
   colours_recipes: 'An amber edge: the recipe, or a value in it, does not fit the program.',
+  shows_faults: 'What can be wrong with the simulated plant: range, unit, and what holds now, whoever has set it. Engineers set a fault or end it, with a reason for the audit trail.',
+  colours_faults: 'Amber: the fault holds.',
   shows_screen: 'Screens that people of this plant have drawn, with their live values. The buttons above change the screen. What can be set asks for a confirmation where one is declared, says that it is being written, and why if it is refused; every write is in the audit trail.',
   colours_screen: 'Blue: active. Amber, dashed: not as it should be. Red with a thick edge: an alarm. Pale: the value is not known. A dashed button: not for your role.',
   keys_screen: 'Tab goes from one part to the next, Enter opens or presses it; in a set point digits, then Enter.',

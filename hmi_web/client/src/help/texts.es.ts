@@ -35,6 +35,8 @@ export default {
   keys_history: 'En el gráfico: las flechas desplazan, + y − amplían y reducen, 0 va a lo último.',
   shows_recipes: 'Conjuntos de valores con nombre. Compare una receta con el programa en marcha o con otra; ≠ marca lo que difiere. Al cargar se aplican todos los valores o ninguno.',
   colours_recipes: 'Borde ámbar: la receta, o un valor de ella, no encaja en el programa.',
+  shows_faults: 'Lo que puede fallar en la planta simulada: rango, unidad y lo que está presente, lo haya provocado quien sea. Los ingenieros provocan un fallo o lo terminan, con un motivo para el registro de auditoría.',
+  colours_faults: 'Ámbar: el fallo está presente.',
   shows_screen: 'Pantallas que ha dibujado la gente de esta planta, con sus valores. Los botones de arriba cambian de pantalla. Lo que se fija pide confirmación donde está previsto, dice que se está escribiendo y por qué si se rechaza; toda escritura está en el registro de auditoría.',
   colours_screen: 'Azul: activo. Ámbar, a trazos: no está como debe. Rojo con borde grueso: una alarma. Pálido: valor desconocido. Botón a trazos: no es para su rol.',
   keys_screen: 'Tab va de una parte a la siguiente, Intro la abre o la pulsa; en una consigna, cifras y luego Intro.',

@@ -35,6 +35,8 @@ export default {
   keys_history: 'Dans le graphique : les flèches déplacent, + et − zooment, 0 va au plus récent.',
   shows_recipes: 'Jeux de valeurs nommés. Comparez une recette au programme en cours ou à une autre ; ≠ marque ce qui diffère. Le chargement applique toutes les valeurs ou aucune.',
   colours_recipes: 'Bord ambre : la recette, ou l’une de ses valeurs, ne convient pas au programme.',
+  shows_faults: 'Ce qui peut clocher dans l’installation simulée : plage, unité et ce qui est présent, quel qu’en soit l’auteur. Les ingénieurs provoquent un défaut ou y mettent fin, avec un motif pour le journal d’audit.',
+  colours_faults: 'Ambre : le défaut est présent.',
   shows_screen: 'Écrans dessinés par les gens de cette installation, avec leurs valeurs. Les boutons du haut changent d’écran. Ce qui se règle demande confirmation là où c’est prévu, dit que l’écriture est en cours, et pourquoi si elle est refusée ; chaque écriture figure au journal d’audit.',
   colours_screen: 'Bleu : actif. Ambre, tireté : anormal. Rouge à bord épais : une alarme. Pâle : valeur inconnue. Bouton tireté : pas pour votre rôle.',
   keys_screen: 'Tab va d’un élément au suivant, Entrée l’ouvre ou l’actionne ; dans une consigne, des chiffres puis Entrée.',

@@ -3,7 +3,7 @@
 
 export const TOPICS = [
   'synoptic', 'sfc', 'plan', 'incidents', 'trend', 'state', 'replans', 'scan', 'tags', 'monitors', 'result',
-  'alarms', 'history', 'recipes', 'screen', 'overview', 'screen-editor', 'scan-details', 'program-details', 'change-details',
+  'alarms', 'history', 'recipes', 'faults', 'screen', 'overview', 'screen-editor', 'scan-details', 'program-details', 'change-details',
   'plan-floor', 'automaton', 'arms', 'floor', 'vehicles', 'mission', 'gantt', 'goals',
 ] as const;
 

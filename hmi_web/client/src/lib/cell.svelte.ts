@@ -82,6 +82,7 @@ export class Cell {
   // What the cell and the declarations say of tags beside their values.
   readonly notes: TagNotes = $derived.by(() => new TagNotes(this.hello?.tags, this.program?.tags));
   scanOpen = $state(false); // the scan in detail is asked for
+  faultsOpen = $state(false); // so are the faults of a simulated plant
   programOpen = $state(false); // so are the sources of the program
   changeOpen = $state(false); // so is what changes it
   programTag = $state(''); // a tag whose uses are asked for there; empty: none

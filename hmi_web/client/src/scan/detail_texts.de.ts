@@ -57,7 +57,7 @@ export default {
   runtime_stopped: 'gestoppt',
   runtime_fault: 'Störung',
   runtime_empty: 'leer',
-  io_simulated_plant: 'Eine simulierte Anlage im Laufzeitsystem: Sie kann nicht ausfallen.',
+  io_simulated_plant: 'Eine simulierte Anlage, die das Laufzeitsystem mit jedem Zyklus weiterrechnet.',
   io_shared_memory: 'Ein anderer Prozess auf demselben Rechner, über gemeinsamen Speicher; schweigt er zu lange, geht das Laufzeitsystem in den sicheren Zustand.',
   io_modbus: 'Geräte über Modbus, durch den Modbus-Client.',
   io_nothing: 'Nichts: Ausgänge wirken nirgends, Eingänge bleiben 0.',

@@ -54,7 +54,7 @@ export default {
   runtime_stopped: 'stopped',
   runtime_fault: 'fault',
   runtime_empty: 'empty',
-  io_simulated_plant: 'A simulated plant inside the runtime: it cannot be lost.',
+  io_simulated_plant: 'A simulated plant that the runtime steps with each scan.',
   io_shared_memory: 'Another process on the runtime’s machine, through shared memory; when it is silent for too long the runtime goes to its safe state.',
   io_modbus: 'Devices over Modbus, through the Modbus client.',
   io_nothing: 'Nothing: outputs go nowhere, and inputs stay 0.',

@@ -57,7 +57,7 @@ export default {
   runtime_stopped: 'parado',
   runtime_fault: 'fallo',
   runtime_empty: 'vacío',
-  io_simulated_plant: 'Una planta simulada dentro del autómata: no se puede perder.',
+  io_simulated_plant: 'Una planta simulada que el autómata hace avanzar con cada ciclo.',
   io_shared_memory: 'Otro proceso de la misma máquina, por memoria compartida; si calla demasiado tiempo, el autómata pasa a su estado seguro.',
   io_modbus: 'Dispositivos por Modbus, a través del cliente Modbus.',
   io_nothing: 'Nada: las salidas no llegan a ninguna parte y las entradas quedan en 0.',

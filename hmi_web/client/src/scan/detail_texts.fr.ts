@@ -57,7 +57,7 @@ export default {
   runtime_stopped: 'arrêté',
   runtime_fault: 'défaut',
   runtime_empty: 'vide',
-  io_simulated_plant: 'Une installation simulée dans l’automate : elle ne peut pas être perdue.',
+  io_simulated_plant: 'Une installation simulée que l’automate fait avancer à chaque cycle.',
   io_shared_memory: 'Un autre processus de la même machine, par mémoire partagée ; s’il reste muet trop longtemps, l’automate passe en position de sécurité.',
   io_modbus: 'Appareils en Modbus, par le client Modbus.',
   io_nothing: 'Rien : les sorties n’agissent sur rien, les entrées restent à 0.',

@@ -6,6 +6,7 @@
 
 #include <map>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -61,6 +62,25 @@ class FakeCell : public CellControl {
     const std::lock_guard lock(mutex_);
     for (const auto& [name, value] : values) values_[name] = value;
     return {};
+  }
+  result::Result<std::vector<host::PlantFault>> faults() override {
+    const std::lock_guard lock(mutex_);
+    if (!failure_.empty()) return result::fail(failure_, {}, "as the test wants it");
+    return faults_;
+  }
+  // Takes what is in the range.
+  result::Result<void> set_fault(const std::string& name, std::optional<double> value) override {
+    if (auto noted = note("fault " + name); !noted) return noted;
+    const std::lock_guard lock(mutex_);
+    for (host::PlantFault& fault : faults_) {
+      if (fault.name != name) continue;
+      if (value && (*value < fault.low || *value > fault.high))
+        return result::fail("C0312", {}, "fault '" + name + "' cannot have that value");
+      fault.holds = value.has_value();
+      fault.value = value.value_or(0.0);
+      return {};
+    }
+    return result::fail("C0311", {}, "the plant has no fault named '" + name + "'");
   }
   result::Result<std::vector<ForcedPlace>> forced() override {
     const std::lock_guard lock(mutex_);
@@ -145,6 +165,8 @@ class FakeCell : public CellControl {
   mutable std::mutex mutex_;
   std::vector<std::string> asked_;
   std::map<std::string, std::string> values_ = {{"MAIN.valve", "FALSE"}};
+  std::vector<host::PlantFault> faults_ = {{"t1.leak", "percent/s", "it leaks", 0.0, 5.0},
+                                           {"v1.stuck", "", "1: it stays", 0.0, 1.0, true}};
   std::string goal_form_;
   std::string outlook_;
   std::string failure_;

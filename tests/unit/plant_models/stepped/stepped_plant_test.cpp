@@ -38,15 +38,15 @@ StepCommand command(std::vector<std::string> how, std::chrono::milliseconds pati
 
 std::unique_ptr<SteppedPlant> started(std::vector<std::string> how = {},
                                       std::chrono::milliseconds patience = 60s) {
-  auto plant = std::make_unique<SteppedPlant>(tank());
-  const auto done = plant->start(command(std::move(how), patience));
+  auto plant = std::make_unique<SteppedPlant>(tank(), command(std::move(how), patience));
+  const auto done = plant->start();
   EXPECT_TRUE(done) << result::to_string(done.error());
   return plant;
 }
 
 result::Diagnostic refusal(const StepCommand& how) {
-  SteppedPlant plant(tank());
-  auto done = plant.start(how);
+  SteppedPlant plant(tank(), how);
+  auto done = plant.start();
   return done ? result::Diagnostic{} : done.error().front();
 }
 

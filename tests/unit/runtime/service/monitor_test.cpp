@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <random>
 
 #include "runtime/service/monitor_answers.h"
@@ -32,6 +33,47 @@ TEST(Monitoring, WhenVariablesAreForced_ThenObserversReadTheList) {
   EXPECT_EQ((*forces)[0].end_ns, image::kNoEnd);
   EXPECT_LE((*forces)[1].end_ns, 60'000'000'000) << "the time that is left";
   EXPECT_EQ(reply->digest, *digest);
+}
+
+std::vector<host::PlantFault> many_faults(std::size_t count) {
+  std::vector<host::PlantFault> faults;
+  for (std::size_t i = 0; i < count; ++i)
+    faults.push_back({"t" + std::to_string(i) + ".leak", "percent/s", std::string(200, 'x'), -1.0, 5.0,
+                      i % 2 == 0, i % 3 == 0, i % 3 == 0 ? 0.5 : 0.0});
+  return faults;
+}
+
+TEST(Monitoring, WhenFaultsAreManyMore_ThenPartsOfThemComeWhole) {
+  const auto faults = many_faults(500);
+  std::vector<host::PlantFault> read;
+  while (read.size() < faults.size()) {
+    const auto data = encode_faults(std::span(faults).subspan(read.size()));
+    EXPECT_LE(data.size(), host::kMaxChunkBytes);
+    const auto part = decode_faults(data);
+    ASSERT_TRUE(part);
+    ASSERT_FALSE(part->empty());
+    read.insert(read.end(), part->begin(), part->end());
+  }
+  EXPECT_EQ(read, faults);
+}
+
+TEST(Monitoring, WhenAnAnswerOfFaultsIsCutOrNoNumber_ThenItIsRefused) {
+  auto data = encode_faults(many_faults(2));
+  for (std::size_t size = 1; size < data.size(); ++size) {
+    const auto read = decode_faults(std::span(data).first(size));
+    EXPECT_TRUE(!read || read->size() == 1) << size;
+  }
+  const host::PlantFault endless{"leak", "", "", 0.0, std::numeric_limits<double>::infinity()};
+  EXPECT_FALSE(decode_faults(encode_faults({&endless, 1})));
+}
+
+TEST(Monitoring, WhenThereIsNoSimulatedPlant_ThenObserversReadNoFaults) {
+  ServiceHarness harness;
+  const auto observer = harness.connect(Role::Observer);
+  const auto reply = observer->call(ReadFaults{7}, kPatience);
+  ASSERT_TRUE(reply);
+  EXPECT_EQ(reply->total_bytes, 0u);
+  EXPECT_TRUE(reply->data.empty());
 }
 
 TEST(Monitoring, WhenAForceHasATime_ThenItEndsAlthoughItsClientIsGone) {

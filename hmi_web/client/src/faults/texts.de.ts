@@ -1,0 +1,30 @@
+import type { Translation } from '../lib/language.svelte';
+import type english from './texts.en';
+
+export default {
+  open: 'Fehler der Anlage',
+  openHolding: { one: 'Fehler der Anlage ({count} besteht)', other: 'Fehler der Anlage ({count} bestehen)' },
+  title: 'Fehler der simulierten Anlage',
+  region: 'Fehler der simulierten Anlage',
+  lead: 'Fehler, die die simulierte Anlage haben kann. Einer, der gesetzt ist, besteht, bis er beendet wird.',
+  holding: { one: '{count} besteht', other: '{count} bestehen' },
+  search: 'Name oder Bedeutung',
+  fault: 'Fehler',
+  rangeColumn: 'Bereich',
+  range: '{low} bis {high}',
+  anyValue: 'beliebiger Wert {unit}',
+  whole: 'ganze Zahlen',
+  now: 'Jetzt',
+  not: 'besteht nicht',
+  actions: 'Aktionen',
+  set: 'Setzen',
+  setOne: 'Den Fehler {name} setzen',
+  setLead: 'Die Anlage hat den Fehler sofort. Wer sie steuert, erfährt nichts davon.',
+  clear: 'Beenden',
+  clearOne: 'Den Fehler {name} beenden',
+  clearLead: 'Was er an der Anlage bewirkt hat, bleibt.',
+  value: 'Wert',
+  reason: 'Grund, für das Protokoll',
+  noNumber: 'Das ist keine Zahl.',
+  noneFound: 'Kein Fehler heißt so.',
+} satisfies Translation<typeof english>;

@@ -1,0 +1,30 @@
+import type { Translation } from '../lib/language.svelte';
+import type english from './texts.en';
+
+export default {
+  open: 'Fallos de la planta',
+  openHolding: { one: 'Fallos de la planta ({count} presente)', other: 'Fallos de la planta ({count} presentes)' },
+  title: 'Fallos de la planta simulada',
+  region: 'fallos de la planta simulada',
+  lead: 'Fallos que la planta simulada puede tener. Uno provocado dura hasta que se termina.',
+  holding: { one: '{count} presente', other: '{count} presentes' },
+  search: 'Nombre o significado',
+  fault: 'Fallo',
+  rangeColumn: 'Rango',
+  range: '{low} a {high}',
+  anyValue: 'cualquier valor {unit}',
+  whole: 'números enteros',
+  now: 'Ahora',
+  not: 'ausente',
+  actions: 'acciones',
+  set: 'Provocar',
+  setOne: 'Provocar el fallo {name}',
+  setLead: 'La planta tiene el fallo de inmediato. Lo que la controla no recibe aviso.',
+  clear: 'Terminar',
+  clearOne: 'Terminar el fallo {name}',
+  clearLead: 'Lo que le hizo a la planta permanece.',
+  value: 'Valor',
+  reason: 'Motivo, para el registro de auditoría',
+  noNumber: 'Esto no es un número.',
+  noneFound: 'Ningún fallo se llama así.',
+} satisfies Translation<typeof english>;

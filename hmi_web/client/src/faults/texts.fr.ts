@@ -1,0 +1,30 @@
+import type { Translation } from '../lib/language.svelte';
+import type english from './texts.en';
+
+export default {
+  open: 'Défauts de l’installation',
+  openHolding: { one: 'Défauts de l’installation ({count} présent)', other: 'Défauts de l’installation ({count} présents)' },
+  title: 'Défauts de l’installation simulée',
+  region: 'défauts de l’installation simulée',
+  lead: 'Défauts que l’installation simulée peut avoir. Un défaut provoqué reste jusqu’à ce qu’on y mette fin.',
+  holding: { one: '{count} présent', other: '{count} présents' },
+  search: 'Nom ou signification',
+  fault: 'Défaut',
+  rangeColumn: 'Plage',
+  range: '{low} à {high}',
+  anyValue: 'toute valeur {unit}',
+  whole: 'nombres entiers',
+  now: 'Actuellement',
+  not: 'absent',
+  actions: 'actions',
+  set: 'Provoquer',
+  setOne: 'Provoquer le défaut {name}',
+  setLead: 'L’installation a aussitôt le défaut. Ce qui la commande n’en est pas averti.',
+  clear: 'Terminer',
+  clearOne: 'Terminer le défaut {name}',
+  clearLead: 'Ce qu’il a fait à l’installation reste.',
+  value: 'Valeur',
+  reason: 'Motif, pour le journal d’audit',
+  noNumber: 'Ce n’est pas un nombre.',
+  noneFound: 'Aucun défaut ne porte ce nom.',
+} satisfies Translation<typeof english>;

@@ -1,0 +1,16 @@
+#pragma once
+
+// How the process of an FMU is called. Thread-safe: pure.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "plant_models/fmu/fmu_plant.h"
+
+namespace stepwright::fmu {
+
+// `programs`: as stepped::installed_peer().
+std::vector<std::string> fmu_call(const FmuOptions& options, const std::filesystem::path& programs = {});
+
+}  // namespace stepwright::fmu

@@ -1,0 +1,26 @@
+#pragma once
+
+// A folder of its own for as long as the object lives. Threads: one.
+//
+//   const TemporaryFolder folder(std::filesystem::temp_directory_path());
+//   if (folder.path().empty()) ...
+
+#include <filesystem>
+
+namespace stepwright::process {
+
+class TemporaryFolder {
+ public:
+  // In a folder that is there. Without a path if none can be made.
+  explicit TemporaryFolder(const std::filesystem::path& in);
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace stepwright::process
