@@ -15,15 +15,27 @@ using nlohmann::json;
 
 constexpr std::size_t kMostShown = 20;
 
-std::string row(const std::string& name, const Tally& tally) {
-  return fmt::format("{:<24} {:>7} {:>7} {:>7} {:>7} {:>9}\n", name, tally.runs,
+// Where there is no planner there is no goal: a cell has held its process values.
+const char* word(Verdict verdict, bool planned) {
+  return verdict == Verdict::GoalReached && !planned ? "held" : to_string(verdict);
+}
+
+// As wide as the longest name.
+std::size_t first_column(const Campaign& campaign) {
+  std::size_t wide = 24;
+  for (const auto& [fault, tally] : campaign.by_fault) wide = std::max(wide, fault.size());
+  return wide;
+}
+
+std::string row(const std::string& name, const Tally& tally, std::size_t wide) {
+  return fmt::format("{:<{}} {:>7} {:>7} {:>7} {:>7} {:>9}\n", name, wide, tally.runs,
                      tally.count(Verdict::GoalReached), tally.count(Verdict::SafeStop),
                      tally.count(Verdict::Lost), tally.count(Verdict::Violated));
 }
 
-std::string head(const char* what, bool planned) {
-  return fmt::format("{:<24} {:>7} {:>7} {:>7} {:>7} {:>9}\n", what, "runs", planned ? "goal" : "held",
-                     "safe", "lost", "violated");
+std::string head(const char* what, const Campaign& campaign, std::size_t wide) {
+  return fmt::format("{:<{}} {:>7} {:>7} {:>7} {:>7} {:>9}\n", what, wide, "runs",
+                     word(Verdict::GoalReached, campaign.planned), "safe", "lost", "violated");
 }
 
 json to_json(const Tally& tally) {
@@ -70,12 +82,13 @@ std::string table(const Campaign& campaign) {
   const auto out = std::back_inserter(text);
   if (campaign.without_range > 0)
     fmt::format_to(out, "; {} more have no range and are not tried", campaign.without_range);
-  fmt::format_to(out, "\nundisturbed: {}{}{}\n\n", to_string(campaign.undisturbed.verdict),
+  fmt::format_to(out, "\nundisturbed: {}{}{}\n\n", word(campaign.undisturbed.verdict, campaign.planned),
                  campaign.undisturbed.why.empty() ? "" : ": ", campaign.undisturbed.why);
-  text += head("disturbance", campaign.planned);
-  for (const auto& [kind, tally] : campaign.by_kind) text += row(kind, tally);
-  if (!campaign.by_fault.empty()) text += "\n" + head("fault", campaign.planned);
-  for (const auto& [fault, tally] : campaign.by_fault) text += row(fault, tally);
+  const std::size_t wide = first_column(campaign);
+  text += head("disturbance", campaign, wide);
+  for (const auto& [kind, tally] : campaign.by_kind) text += row(kind, tally, wide);
+  if (!campaign.by_fault.empty()) text += "\n" + head("fault", campaign, wide);
+  for (const auto& [fault, tally] : campaign.by_fault) text += row(fault, tally, wide);
   if (!campaign.causes.empty()) text += "\ncauses\n";
   for (const auto& [cause, runs] : campaign.causes) fmt::format_to(out, "  {:<22} {:>7}\n", cause, runs);
   fmt::format_to(out, "\n{:.1f} s\n", campaign.wall_s);

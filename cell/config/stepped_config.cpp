@@ -8,7 +8,7 @@ namespace {
 
 using settings::TomlTable;
 
-constexpr std::size_t kMostValues = 128;    // as runtime/host/limits.h
+constexpr std::size_t kMostValues = 1'024;  // as runtime/host/limits.h
 constexpr std::size_t kMostNameBytes = 64;  // likewise
 constexpr std::size_t kMostTerminals = 4096;
 

@@ -1,9 +1,12 @@
 #include "cell/runtime/model_plant.h"
 
+#include <chrono>
+#include <string>
 #include <utility>
 
 #include "plant_models/components/library/catalogue.h"
 #include "plant_models/components/model_plant.h"
+#include "runtime/host/plant_values.h"
 
 namespace stepwright::cell_runtime {
 namespace {
@@ -23,6 +26,20 @@ result::Result<std::unique_ptr<core::Plant>> make_model(const config::CellConfig
   auto model = components::ModelPlant::load(cell.plant.file, components::library::catalogue(), options, kept);
   if (!model) return result::forward(model);
   return std::unique_ptr<core::Plant>(std::move(*model));
+}
+
+result::Diagnostics check_model(const config::PlantConfig& plant) {
+  const result::Location where{plant.file.string(), 0, 0};
+  auto model = components::ModelPlant::load(plant.file, components::library::catalogue(), options_of(plant));
+  if (!model) return {};
+  std::vector<std::string> names;
+  for (const core::Quantity& truth : (*model)->truths()) names.push_back(truth.name);
+  result::Diagnostics problems = host::check_plant_values(names, where);
+  constexpr auto kScan = std::chrono::milliseconds(10);
+  for (int scan = 0; scan < 100 && !(*model)->failed(); ++scan) (void)(*model)->advance(kScan);
+  if ((*model)->failed())
+    problems.push_back({"C0351", result::Severity::Error, where, (*model)->trouble(), {}});
+  return problems;
 }
 
 std::vector<bridge::PortWire> model_wires(const config::PlantConfig& plant) {

@@ -258,8 +258,13 @@ class ProjectReader {
     task.interval_us = 0;
     const std::string interval = node.attribute("interval").value();
     if (!interval.empty()) {
-      if (const auto us = interval_us(interval)) {
+      const auto us = interval_us(interval);
+      if (us && (*us > 0 || !task.single.empty())) {
         task.interval_us = *us;
+      } else if (us) {
+        context_.error(node, code::kNotPlcopen,
+                       "task '" + task.name + "' has the interval '" + interval + "': it would never wait",
+                       "how often it runs, such as T#20ms");
       } else {
         const std::string hint = "write it as T#20ms, in whole microseconds";
         context_.error(

@@ -41,7 +41,7 @@ std::string text_of(const TomlTable& table, const std::string& key, const Replac
 
 std::string meant_or(const std::string& word, const std::vector<std::string>& known) {
   const std::string meant = settings::closest(word, known);
-  if (!meant.empty()) return "did you mean '" + meant + "'?";
+  if (!meant.empty() && meant != word) return "did you mean '" + meant + "'?";
   std::string text;
   constexpr std::size_t kMost = 40;
   for (std::size_t i = 0; i < known.size() && i < kMost; ++i) text += (i == 0 ? "" : ", ") + known[i];

@@ -7,12 +7,15 @@
 #include <cstdio>
 
 #include "plant_models/components/describe.h"
+#include "plant_models/ode/subnormals.h"
 #include "runtime/base/hash64.h"
 
 namespace stepwright::components {
 namespace {
 
-constexpr int kMostSettlings = 16;  // modes that change modes
+constexpr int kMostSettlings = 16;   // modes that change modes
+constexpr int kMostEvents = 10'000;  // within kEventSpan_s: what is built has fewer
+constexpr double kEventSpan_s = 1e-3;
 
 double seconds(std::chrono::nanoseconds time) {
   return static_cast<double>(time.count()) * 1e-9;
@@ -164,7 +167,7 @@ core::PlantStatus ModelPlant::advance_alone(std::chrono::nanoseconds time) {
 }
 
 core::PlantStatus ModelPlant::give_up() {
-  failed_component_ = stiffest_component();
+  failed_component_ = endless_events_ ? last_event_component_ : stiffest_component();
   trouble_known_.store(true, std::memory_order_release);
   return core::PlantStatus::Failed;
 }
@@ -179,6 +182,9 @@ std::string ModelPlant::trouble() {
   std::array<char, 32> at{};
   std::snprintf(at.data(), at.size(), "%.3f", seconds(now_));
   const std::string& name = model_->names[failed_component_];
+  if (endless_events_)
+    return "the plant cannot go on at " + std::string(at.data()) + " s: an event of '" + name +
+           "' happens again and again without time between";
   return std::string("the plant's solver gave up at ") + at.data() + " s: no step is small enough" +
          (name.empty() ? std::string() : "; '" + name + "' changes fastest") +
          (model_->text.solver.implicit ? "" : " ([solver] method = \"implicit\" is for stiff plants)");
@@ -186,10 +192,18 @@ std::string ModelPlant::trouble() {
 
 bool ModelPlant::run_to(double t_s) {
   if (solver_ == nullptr) return true;
+  const ode::SubnormalsFlushed flushed;
+  int events = 0;
+  double events_since_s = solver_->time();
   while (solver_->time() < t_s || (event_pending_ && solver_->time() <= t_s)) {
     if (event_pending_) {
       event_pending_ = false;
-      if (!handle_event()) return false;
+      if (solver_->time() - events_since_s > kEventSpan_s) {
+        events = 0;
+        events_since_s = solver_->time();
+      }
+      endless_events_ = ++events > kMostEvents;
+      if (endless_events_ || !handle_event()) return false;
       continue;
     }
     const ode::StepOutcome outcome = solver_->step();
@@ -214,6 +228,7 @@ bool ModelPlant::handle_event() {
     const int* of_component = signs.data() + model_->first_root[c];
     if (std::all_of(of_component, of_component + component.root_count(), [](int sign) { return sign == 0; }))
       continue;
+    last_event_component_ = c;
     most = std::max(most, component.handle(at, of_component, y_.data()));
   }
   if (most == Event::None) return true;

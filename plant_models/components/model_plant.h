@@ -106,6 +106,8 @@ class ModelPlant final : public core::Plant {
   bool held_changed_ = false;     // a fault or an answer of a process has
   bool event_pending_ = false;    // the solver stands at a root that has not been handled
   bool failed_ = false;
+  bool endless_events_ = false;
+  std::uint32_t last_event_component_ = 0;
   std::uint32_t failed_component_ = 0;
   std::atomic<bool> trouble_known_{false};  // then time and component of the failure do not change any more
 };

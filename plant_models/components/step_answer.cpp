@@ -64,6 +64,13 @@ result::Result<void> act(core::Plant& plant, const AnswerAction& action) {
   return {};
 }
 
+// Whole nanoseconds, as the plant counts; after all that it can count where it is later.
+std::chrono::nanoseconds time_of(const AnswerAction& action) {
+  constexpr double kLatest_s = 9e9;
+  return std::chrono::nanoseconds(
+      static_cast<std::int64_t>(std::llround(std::min(action.at_s, kLatest_s) * 1e9)));
+}
+
 // What does not change says nothing.
 void drop_constants(StepAnswer& answer) {
   std::erase_if(answer.columns, [](const AnswerColumn& column) {
@@ -86,24 +93,29 @@ result::Result<StepAnswer> record_answer(core::Plant& plant, const AnswerRequest
     answer.times_s.push_back(static_cast<double>(plant.now().count()) * 1e-9);
     for (std::size_t i = 0; i < read->size(); ++i) answer.columns[i].values.push_back((*read)[i]());
   };
-  const auto do_next = [&](double until_s) -> result::Result<void> {
-    for (; next < actions.size() && actions[next].at_s <= until_s; ++next)
+  // False: the plant has failed.
+  const auto run_to = [&](std::chrono::nanoseconds time) {
+    return time <= plant.now() || plant.advance(time - plant.now()) == core::PlantStatus::Good;
+  };
+  // What is to be done before `time`, each at its own.
+  const auto act_before = [&](std::chrono::nanoseconds time) -> result::Result<void> {
+    for (; next < actions.size() && time_of(actions[next]) < time && !answer.failed; ++next) {
+      answer.failed = !run_to(time_of(actions[next]));
       if (auto done = act(plant, actions[next]); !done) return result::forward(done);
+    }
     return {};
   };
   note();
   const std::chrono::nanoseconds end(static_cast<std::int64_t>(std::llround(request.seconds * 1e9)));
-  while (plant.now() < end) {
-    const double now_s = static_cast<double>(plant.now().count()) * 1e-9;
-    if (auto done = do_next(now_s + 1e-9); !done) return result::forward(done);
-    if (plant.advance(request.interval) != core::PlantStatus::Good) {
-      answer.failed = true;
-      break;
-    }
-    note();
+  while (plant.now() < end && !answer.failed) {
+    const std::chrono::nanoseconds row = plant.now() + request.interval;
+    if (auto done = act_before(row); !done) return result::forward(done);
+    answer.failed = answer.failed || !run_to(row);
+    if (!answer.failed) note();
   }
   // What comes after the end is checked as well.
-  if (auto done = do_next(1e300); !done) return result::forward(done);
+  for (; next < actions.size(); ++next)
+    if (auto done = act(plant, actions[next]); !done) return result::forward(done);
   if (request.values.empty()) drop_constants(answer);
   return answer;
 }

@@ -1,6 +1,7 @@
 // `stepwright campaign CELL`: a cell many times in simulated time, disturbed at random, every run judged.
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -77,11 +78,12 @@ int write(const Arguments& arguments, const Campaign& campaign) {
 
 int run_all(const Arguments& arguments, const CellBase& base) {
   const process::Interruption interruption;
+  const bool terminal = isatty(STDERR_FILENO) != 0;
   const auto told = [&](std::uint64_t done) {
-    fmt::print(stderr, "\r{} of {}", done, arguments.options.runs);
+    if (terminal) fmt::print(stderr, "\r{} of {}", done, arguments.options.runs);
   };
   const Campaign campaign = run_campaign(base, arguments.options, told, interruption.flag());
-  fmt::print(stderr, "\n");
+  if (terminal) fmt::print(stderr, "\n");
   fmt::print("{}", table(campaign));
   if (const int exit = write(arguments, campaign); exit != to_int(ExitCode::Done)) return exit;
   if (!campaign.failures.empty() || failed(campaign.undisturbed)) return to_int(ExitCode::RuntimeFault);

@@ -2,6 +2,8 @@
 // forces, watch, snapshot, step, continue, record, trace.
 
 #include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdlib>
 #include <functional>
 #include <string>
 
@@ -11,6 +13,13 @@
 
 namespace stepwright::monitor {
 namespace {
+
+// To the plant what is not a number is the end of a fault.
+std::string refuse_no_number(const std::string& text) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  return end != text.c_str() && *end == '\0' && std::isfinite(value) ? "" : "'" + text + "' is not a number";
+}
 
 // All commands with their arguments; the one that was parsed runs.
 class Commands {
@@ -71,7 +80,7 @@ void Commands::add_faults() {
   CLI::App* command = add("fault", "make a fault of the simulated plant hold, or end it",
                           [this](const auto& config) { return fault(config, fault_); });
   command->add_option("name", fault_.name, "as `stepwright campaign CELL --list` names it")->required();
-  auto* value = command->add_option("value", fault_.value, "in the fault's unit");
+  auto* value = command->add_option("value", fault_.value, "in the fault's unit")->check(refuse_no_number);
   auto* clear = command->add_flag("--clear", fault_.clear, "it ends");
   value->excludes(clear);
   command->require_option(3, 0);  // --config, the name and one of the two

@@ -24,7 +24,7 @@ int main(int argc, char** argv) {
   app.add_option("file", arguments.file, "the plant, TOML (plant_models/doc/components.md)");
   app.add_flag("--types", arguments.types,
                "list the types of components, with their parameters, ports and faults");
-  app.add_option("--seconds", arguments.seconds, "of simulated time that it is run for")
+  app.add_option("--seconds", arguments.seconds, "of simulated time that it is run for (60)")
       ->check(process::refuse_seconds);
   app.add_option("--interval", arguments.interval_s, "seconds from row to row")
       ->check(process::refuse_seconds);

@@ -15,6 +15,7 @@
 #include "runtime/ground/process/command_line.h"
 #include "runtime/ground/process/files.h"
 #include "runtime/ground/process/temporary_folder.h"
+#include "runtime/host/plant_values.h"
 
 namespace stepwright::plant_program {
 namespace {
@@ -24,6 +25,11 @@ using components::ComponentType;
 using components::ModelPlant;
 using nlohmann::json;
 using result::ExitCode;
+
+// Of simulated time.
+double seconds_of(const PlantArguments& arguments) {
+  return arguments.seconds.value_or(60.0);
+}
 
 ExitCode fail(const result::Diagnostics& diagnostics, ExitCode code = ExitCode::BadInput) {
   (void)process::fail(diagnostics, code);
@@ -175,6 +181,29 @@ result::Result<std::unique_ptr<ModelPlant>> start(const PlantArguments& argument
   return plant;
 }
 
+result::Diagnostics why_it_failed(ModelPlant& plant, const PlantArguments& arguments) {
+  return {{plant.lost_process() ? "C0337" : "C0351",
+           result::Severity::Error,
+           {arguments.file, 0, 0},
+           plant.trouble(),
+           {}}};
+}
+
+// A runtime has bounds that a plant alone has not.
+void warn_of_bounds(const ModelPlant& plant, const PlantArguments& arguments) {
+  std::vector<std::string> names;
+  for (const core::Quantity& truth : plant.model().truths) names.push_back(truth.name);
+  result::Diagnostics problems = host::check_plant_values(names, {arguments.file, 0, 0});
+  for (result::Diagnostic& problem : problems) problem.severity = result::Severity::Warning;
+  if (!problems.empty()) (void)process::fail(problems, ExitCode::Done);
+}
+
+void print_end(const components::StepAnswer& answer) {
+  std::printf("after %g s\n", answer.times_s.back());
+  for (const components::AnswerColumn& column : answer.columns)
+    std::printf("  %-28s %12.6g %s\n", column.name.c_str(), column.values.back(), column.unit.c_str());
+}
+
 // Runs the plant and writes what it answers.
 ExitCode answer(const PlantArguments& arguments) {
   auto actions = actions_of(arguments);
@@ -185,20 +214,15 @@ ExitCode answer(const PlantArguments& arguments) {
   const std::chrono::nanoseconds interval(
       std::max<std::int64_t>(1, std::llround(arguments.interval_s * 1e9)));
   auto answered =
-      components::record_answer(**plant, {arguments.seconds, interval, arguments.values, *actions});
+      components::record_answer(**plant, {seconds_of(arguments), interval, arguments.values, *actions});
   if (!answered) return fail(answered.error());
   if (const ExitCode code = write(arguments.csv_file, components::to_csv(*answered)); code != ExitCode::Done)
     return code;
   const ExitCode drawn =
       write(arguments.svg_file, components::to_svg(*answered, (*plant)->model().text.name));
   if (drawn != ExitCode::Done) return drawn;
-  if (!answered->failed) return ExitCode::Done;
-  return fail({{(*plant)->lost_process() ? "C0337" : "C0351",
-                result::Severity::Error,
-                {arguments.file, 0, 0},
-                (*plant)->trouble(),
-                {}}},
-              ExitCode::RuntimeFault);
+  if (arguments.csv_file.empty() && arguments.svg_file.empty()) print_end(*answered);
+  return answered->failed ? fail(why_it_failed(**plant, arguments), ExitCode::RuntimeFault) : ExitCode::Done;
 }
 
 }  // namespace
@@ -216,13 +240,15 @@ ExitCode run_plant(const PlantArguments& arguments) {
   if (!plant) return fail(plant.error());
   const bool to_stdout = arguments.csv_file == "-" || arguments.svg_file == "-" || arguments.json_file == "-";
   const bool runs = !arguments.csv_file.empty() || !arguments.svg_file.empty() || !arguments.sets.empty() ||
-                    !arguments.faults.empty();
+                    !arguments.faults.empty() || !arguments.values.empty() || arguments.seconds;
+  warn_of_bounds(**plant, arguments);
   const bool lists = !runs || !arguments.json_file.empty();
   if (lists) {
     const process::TemporaryFolder folder(temporary_place());
     auto trial = start(arguments, folder);
     if (!trial) return fail(trial.error());
     const double speed = measure_speed(**trial);
+    if ((*trial)->failed()) return fail(why_it_failed(**trial, arguments), ExitCode::RuntimeFault);
     if (!to_stdout) print_plant(**plant, speed);
     const ExitCode written =
         write(arguments.json_file,

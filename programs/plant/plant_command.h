@@ -4,6 +4,7 @@
 // faults, says how fast it runs, and notes how it answers without a controller.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,7 @@ namespace stepwright::plant_program {
 struct PlantArguments {
   std::string file;
   bool types = false;
-  double seconds = 60.0;
+  std::optional<double> seconds;  // given: it runs
   double interval_s = 0.01;
   std::vector<std::string> sets;
   std::vector<std::string> faults;

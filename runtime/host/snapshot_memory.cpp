@@ -14,6 +14,7 @@
 #include <cstring>
 
 #include "runtime/host/limits.h"
+#include "runtime/host/plant_values.h"
 
 namespace stepwright::host {
 namespace {
@@ -111,10 +112,8 @@ tl::unexpected<result::Diagnostics> refused(const std::string& what) {
 
 result::Result<std::unique_ptr<SnapshotWriter>> SnapshotWriter::create(
     std::span<const std::string> plant_names) {
-  const auto too_long = [](const std::string& name) { return name.size() > kMaxNameBytes; };
-  if (plant_names.size() > kMaxPlantValues || std::any_of(plant_names.begin(), plant_names.end(), too_long)) {
-    return result::fail("R0004", {}, "the plant has too many values, or one with too long a name");
-  }
+  if (auto wrong = check_plant_values(plant_names, {}); !wrong.empty())
+    return tl::unexpected(std::move(wrong));
   std::unique_ptr<SnapshotWriter> self(new SnapshotWriter());
   const int writable = memfd_create("stepwright-snapshot", MFD_CLOEXEC | MFD_ALLOW_SEALING);
   if (writable < 0) return refused("no shared memory for snapshots");

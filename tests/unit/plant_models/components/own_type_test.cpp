@@ -35,6 +35,31 @@ TEST(OwnType, WhenAStateDecays_ThenItDoesSoExponentially) {
   EXPECT_NEAR(rig.truth("r.concentration"), 2.0 * std::exp(-1.0), 1e-5);
 }
 
+TEST(OwnType, WhenAnEventHappensWithoutEnd_ThenThePlantFailsAndNamesTheComponent) {
+  ModelRig rig(R"toml([types.saw]
+states.x = { unit = "1", start = "0", derivative = "1 / tick" }
+parameters.tick = { unit = "s", default = "1 s" }
+outputs.now = { unit = "1", value = "x" }
+events.tooth = { when = "x - 1e-9", set = { x = "0 * x" } }
+[components.calm]
+type = "tank"
+volume = "1 m3"
+[components.s]
+type = "saw"
+)toml");
+  EXPECT_FALSE(rig.run(1.0));
+  EXPECT_NE(rig.plant().trouble().find("an event of 's' happens again and again"), std::string::npos)
+      << rig.plant().trouble();
+}
+
+// Nothing is left of what decays for long, and no number takes longer than another one.
+TEST(OwnType, WhenAStateHasDecayedForLong_ThenItIsZero) {
+  ModelRig rig(kReactor + "[components.r]\ntype = \"reactor\"\nfirst = \"2 g/l\"\nrate = \"20 1/s\"\n");
+  ASSERT_TRUE(rig.run(60.0));
+  const double left = rig.truth("r.concentration");
+  EXPECT_TRUE(left == 0.0 || std::isnormal(left)) << left;
+}
+
 TEST(OwnType, WhenAnEventHappens_ThenItSetsItsStates) {
   // A ball that bounces: after each impact it has 0.8 of its speed.
   ModelRig rig(R"toml([types.ball]
