@@ -40,6 +40,13 @@ TEST(ArmsCampaign, WhenAJointSticks_ThenTheRunEndsWithThatJointBeforeAnythingIsT
   }
 }
 
+// Whichever paths are drawn, the left arm comes too near to the right one if it goes home first.
+TEST(ArmsCampaign, WhenTheFirstArmHasNoWayBesideTheOther_ThenTheOtherGoesFirst) {
+  const ArmsRun run = run_arms(235);
+  EXPECT_EQ(run.kind, "move");
+  EXPECT_EQ(run.verdict, Verdict::GoalReached) << run.story << ": " << run.why;
+}
+
 // It goes back by the way that it came, and around.
 TEST(ArmsCampaign, WhenAPostIsPutIntoTheWay_ThenTheOrderIsDoneAllTheSame) {
   for (const std::uint64_t seed : {7U, 15U, 23U}) {
