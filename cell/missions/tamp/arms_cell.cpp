@@ -113,6 +113,7 @@ result::Result<ArmsPlanning> open_arms_planning(const config::CellConfig& config
   options.program = program_options();
   options.program.interval_us = config.clock.interval_us;
   options.program.camera_every = table.pictures;
+  options.program.following_rad = table.following_rad;
   options.seed = table.seed;
   options.most_s = table.time_s;
   options.watchers = cell_monitors::watchers_of(*monitors);

@@ -118,10 +118,11 @@ class ExactChecker::Scene {
   }
 
  private:
-  // Where links are, and the centres of their spheres, link after link.
+  // Where links are, the centres of their spheres, link after link, and those of the spheres around bodies.
   struct Placement {
     std::vector<Transform> links;
     std::vector<Vector3> centres;
+    std::vector<Vector3> around;
   };
 
   // Whether a joint is above a link.
@@ -170,12 +171,18 @@ class ExactChecker::Scene {
     std::vector<double> all = rest_;
     for (std::size_t k = 0; k < coordinates_.size(); ++k)
       all[static_cast<std::size_t>(coordinates_[k])] = configuration[k];
-    Placement placed{std::vector<Transform>(robot_.links.size()), {}};
+    Placement placed{std::vector<Transform>(robot_.links.size()), {}, {}};
     kinematics_.place(all, placed.links);
     placed.centres.reserve(first_sphere_.back());
     for (std::size_t link = 0; link < spheres_.links.size(); ++link)
       for (const Sphere& each : spheres_.links[link].spheres)
         placed.centres.push_back(placed.links[link] * each.centre_m);
+    placed.around.reserve(placed_.size());
+    for (const Placed& each : placed_) {
+      const Vector3& centre = each.solid.around().centre_m;
+      placed.around.push_back(each.link < 0 ? centre
+                                            : placed.links[static_cast<std::size_t>(each.link)] * centre);
+    }
     return placed;
   }
 
@@ -187,13 +194,8 @@ class ExactChecker::Scene {
 
   // The distance of the spheres around them, below zero where they overlap.
   double gap_around(const CheckedPair& pair, const Placement& placement) const {
-    const auto centre = [&](const Placed& placed) {
-      return placed.link < 0
-                 ? placed.solid.around().centre_m
-                 : placement.links[static_cast<std::size_t>(placed.link)] * placed.solid.around().centre_m;
-    };
-    const Placed &a = placed_[pair.a], &b = placed_[pair.b];
-    return distance(centre(a), centre(b)) - a.solid.around().radius_m - b.solid.around().radius_m;
+    return distance(placement.around[pair.a], placement.around[pair.b]) -
+           placed_[pair.a].solid.around().radius_m - placed_[pair.b].solid.around().radius_m;
   }
 
   // Of the spheres of their links, which contain them: not more than the distance of the bodies. Far below

@@ -61,12 +61,19 @@ class ArmsMission final : public run::Mission {
 
  private:
   enum class Kind : std::uint8_t { Look, Follow, Halt };  // of the program that runs
+  // Of an arm's drives.
+  struct Fault {
+    std::size_t arm = 0;
+    int joint = 0;         // that does not follow, from 1; 0: a drive has tripped
+    double at_rad = 0.0;   // where it was then
+    double off_rad = 0.0;  // and how far from its set point
+  };
   // Why the arms were stopped, and whose retries that uses up.
   struct Surprise {
     run::Cause cause;
-    std::string about;  // a thing, or an arm's fingers
-    bool ends = false;  // nothing that a plan could mend
-    int arm = -1;       // of a drive's fault: what it may have met is looked for
+    std::string about;             // a thing, or an arm's fingers
+    bool ends = false;             // nothing that a plan could mend
+    std::optional<Fault> fault{};  // what the arm may have met is looked for
   };
 
   // arms_mission.cpp: from start to end.
@@ -100,6 +107,8 @@ class ArmsMission final : public run::Mission {
   std::optional<Seen> new_obstacle() const;
   std::optional<Seen> met_by(std::size_t arm) const;
   bool judge_fault();
+  run::Cause cause_of(const Surprise& fault) const;
+  void note_cause(const run::Cause& cause);
   std::optional<PreparedArms> retreat() const;
   std::string obstacles() const;
   std::vector<motion::JointPath> ways_back() const;
@@ -123,6 +132,7 @@ class ArmsMission final : public run::Mission {
   // arms_mission_plan.cpp: from rest to the next plan.
   bool replan(const run::Cause& cause) override;
   bool look_and_plan();
+  bool look_at_fault();
   bool at_home() const;
   bool judge_end();
   bool plan_because(const run::Cause& cause);
@@ -161,7 +171,7 @@ class ArmsMission final : public run::Mission {
   Kind kind_ = Kind::Look;
   std::optional<PreparedArms> driven_;  // the plan; none where a restarted supervisor does not know it
   std::optional<ArmsReader> reader_;    // of the program that runs
-  ArmsReading reading_, before_;        // the newest, and the one before
+  ArmsReading reading_;                 // the newest
   std::vector<Report> newest_;          // while arms work, the last two reports
   std::vector<double> came_;            // progress of each arm in the plan that was driven last
   std::optional<Surprise> fault_;       // of a drive, until the camera has looked at what is there

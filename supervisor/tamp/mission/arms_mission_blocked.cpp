@@ -21,6 +21,7 @@ constexpr double kSameObstacle_m = 0.03;  // of two reports, or of a plan and a 
 // An arm that has met an obstacle is so near to what is taken to stand there: capsules are larger than the
 // arm, and the obstacle than it must be.
 constexpr double kMet_m = 0.03;
+constexpr double kStands_rad = 5e-4;   // what encoders say of a joint that stands differs by less
 constexpr int kMostBlocked = 2;        // plans around what an arm has met; then the run ends
 constexpr double kBackEvery_s = 0.05;  // places of the way back
 constexpr std::size_t kMostBack = 60;
@@ -72,23 +73,48 @@ std::optional<Seen> ArmsMission::met_by(std::size_t arm) const {
 // around, or the run ends with that fault.
 bool ArmsMission::judge_fault() {
   if (!fault_) return true;
-  Surprise fault = *std::exchange(fault_, std::nullopt);
-  const auto met = met_by(at(fault.arm));
-  if (!met) return give_up(fault.cause);
-  fault.cause.kind = IncidentKind::Position;
-  fault.cause.devices.clear();
-  fault.cause.evidence.push_back(fault.about + " is blocked: something stands there, at " + place_of(*met));
+  const Surprise fault = *std::exchange(fault_, std::nullopt);
+  run::Cause cause = cause_of(fault);
+  const auto met = met_by(fault.fault->arm);
+  if (!met) {
+    note_cause(cause);
+    return give_up(cause);
+  }
+  cause.kind = IncidentKind::Position;
+  cause.devices.clear();
+  cause.evidence.push_back(fault.about + " is blocked: something stands there, at " + place_of(*met));
   if (++tries_[fault.about] > kMostBlocked) {
-    fault.cause.evidence.push_back(fmt::format("that is the {}. time, and the last", tries_[fault.about]));
-    return give_up(fault.cause);
+    cause.evidence.push_back(fmt::format("that is the {}. time, and the last", tries_[fault.about]));
+    return give_up(cause);
   }
-  if (!record_.incidents.empty()) {
-    record_.incidents.back().kind = fault.cause.kind;
-    record_.incidents.back().evidence = fault.cause.evidence;
-  }
-  if (!record_.replans.empty()) record_.replans.back().cause = run::sentence_of(fault.cause.evidence);
-  met_ = at(fault.arm);
+  note_cause(cause);
+  met_ = fault.fault->arm;
   return true;
+}
+
+// A joint that stands where it was in spite of its set points is stuck, one that has gone on is elsewhere.
+run::Cause ArmsMission::cause_of(const Surprise& fault) const {
+  run::Cause cause = fault.cause;
+  const Fault& what = *fault.fault;
+  if (what.joint == 0) return cause;
+  const ArmReading& now = reading_.arms[what.arm];
+  const bool stands = std::abs(now.joints[at(what.joint - 1)] - what.at_rad) < kStands_rad;
+  const std::string& who = planning_.cell().arms[what.arm].name;
+  cause.evidence = {
+      stands ? fmt::format("joint {} of the {} arm does not move, {:.3f} rad behind its path: it is stuck",
+                           what.joint, who, what.off_rad)
+             : fmt::format("joint {} of the {} arm has left its path by {:.3f} rad", what.joint, who,
+                           what.off_rad)};
+  return cause;
+}
+
+// What is known by now of the newest incident.
+void ArmsMission::note_cause(const run::Cause& cause) {
+  if (!record_.incidents.empty()) {
+    record_.incidents.back().kind = cause.kind;
+    record_.incidents.back().evidence = cause.evidence;
+  }
+  if (!record_.replans.empty()) record_.replans.back().cause = run::sentence_of(cause.evidence);
 }
 
 // Back from what an arm has met, before anything else is planned: nothing, if there is no need or no way.

@@ -30,8 +30,7 @@ double apart(const scene::Pose& a, const scene::Pose& b) {
 }  // namespace
 
 void ArmsMission::see(std::span<const std::byte> image) {
-  before_ = std::exchange(reading_, reader_->read(image));
-  if (before_.arms.empty()) before_ = reading_;
+  reading_ = reader_->read(image);
   record_.observed.clear();
   // A program shows what the one before has left, until it begins.
   if (kind_ != Kind::Look && reading_.stage != CellStage::Begins) {

@@ -28,7 +28,7 @@ bool ArmsMission::replan(const run::Cause& cause) {
 bool ArmsMission::look_and_plan() {
   const bool retreated = driven_ && driven_->retreats;
   const bool after_a_plan = kind_ == Kind::Follow && reading_.stage == CellStage::Done && !retreated;
-  if (!look() || !judge_fault()) return false;
+  if (!(fault_ ? look_at_fault() : look())) return false;
   for (std::size_t k = 0; k < believed_.size(); ++k)
     if (observed_.state.things[k].holder < 0) believed_[k] = observed_.state.things[k].pose;
   for (std::size_t arm = 0; arm < held_.size(); ++arm) held_[arm] = observed_.state.arms[arm].holds;
@@ -40,6 +40,11 @@ bool ArmsMission::look_and_plan() {
       return launch(*std::move(prepared), "the " + arm + " arm goes back by the way that it came");
   }
   return after_a_plan ? judge_end() : plan_rest();
+}
+
+// One picture shows what an arm has met, whether or not it has all things.
+bool ArmsMission::look_at_fault() {
+  return picture() && judge_fault() && (observed_.wrong.empty() || look());
 }
 
 // A plan has come to its end: the joints and the camera say whether that is the end of the order.

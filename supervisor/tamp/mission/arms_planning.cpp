@@ -15,7 +15,8 @@ namespace {
 
 using std::chrono::steady_clock;
 
-constexpr std::size_t kTries = 3;  // where no way home is found, or motions bring the arms too near
+// Where no way home is found, or motions bring the arms too near: with other paths, and the other arm first.
+constexpr std::size_t kTries = 3;
 
 // Counted work, so that all machines end alike: configurations that failed, motions that searches of paths
 // have checked, plans of tasks. Some seconds on one core; plans that are found take a thousandth of it.
@@ -132,7 +133,11 @@ result::Result<PreparedArms> ArmsPlanning::plan(const ArmsPlanRequest& request) 
     prepared.start = request.state;
     prepared.strangers = request.strangers;
     auto first = way_home(cell_with(request.strangers, request.state), request.state, request.order->wanted,
-                          {.seed = seed, .leaves = true, .back = request.back, .known = &options_.cell});
+                          {.seed = seed,
+                           .leaves = true,
+                           .last_first = tried % 2 == 1,
+                           .back = request.back,
+                           .known = &options_.cell});
     if (!first) {
       why = first.error();
       continue;

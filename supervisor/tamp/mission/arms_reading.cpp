@@ -34,6 +34,9 @@ result::Result<ArmsReader> ArmsReader::create(std::span<const std::byte> contain
     one.width = find(names.width);
     one.progress = find(names.progress);
     one.error = find(names.error);
+    one.failed_joint = find(names.failed_joint);
+    one.failed_at = find(names.failed_at);
+    one.failed_by = find(names.failed_by);
     one.waiting = find(names.waiting);
     one.grasp_switch = find(names.grip_seen);
     made.arms_.push_back(std::move(one));
@@ -86,6 +89,9 @@ ArmsReading ArmsReader::read(std::span<const std::byte> image) const {
     arm.width_m = number(each.width);
     arm.progress = number(each.progress);
     arm.error = static_cast<int>(number(each.error));
+    arm.failed_joint = static_cast<int>(std::clamp(number(each.failed_joint), 0.0, 7.0));
+    arm.failed_at_rad = number(each.failed_at);
+    arm.failed_by_rad = number(each.failed_by);
     arm.waiting = on(each.waiting);
     arm.grasp_switch = on(each.grasp_switch);
     now.arms.push_back(arm);

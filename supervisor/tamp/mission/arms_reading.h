@@ -30,6 +30,9 @@ struct ArmReading {
   double width_m = 0.0;         // between the fingers
   double progress = 0.0;        // schedule::Wait
   int error = 0;                // of the group of axes, or of a block
+  int failed_joint = 0;         // the one that did not follow, from 1; 0: none
+  double failed_at_rad = 0.0;   // where it was then
+  double failed_by_rad = 0.0;   // and how far from its set point
   bool waiting = false;         // for the other arm
   bool grasp_switch = false;    // the fingers press on something
 };
@@ -59,7 +62,7 @@ class ArmsReader {
  private:
   struct Arm {
     std::array<reader::Variable, 7> joints;
-    reader::Variable width, progress, error, waiting, grasp_switch;
+    reader::Variable width, progress, error, failed_joint, failed_at, failed_by, waiting, grasp_switch;
   };
   struct Slot {
     reader::Variable kind, x, y, z, yaw;

@@ -17,8 +17,6 @@ using run::IncidentKind;
 
 namespace {
 
-constexpr double kBehind_rad = 0.15;    // a joint that does not follow is so far from its path
-constexpr double kMoves_rad = 0.005;    // between two news
 constexpr double kFingers_m = 0.004;    // fingers that move do it by more
 constexpr double kArrived_rad = 0.015;  // a joint that is where a plan has ended is so near to it
 
@@ -69,35 +67,21 @@ ArmsMission::Surprise ArmsMission::surprise() const {
   }
 }
 
-// A joint that stays where it is in spite of its set points is stuck, unless something holds it.
+// A drive's own fault, or a joint that does not follow: whether it stands is seen later (judge_fault).
 ArmsMission::Surprise ArmsMission::drive_fault(std::size_t arm, const std::string& who) const {
   Surprise made{{IncidentKind::FailedActuator, {fmt::format("a drive of the {} arm has tripped", who)}},
-                "the way of the " + who + " arm",
-                false,
-                static_cast<int>(arm)};
-  const schedule::ScheduledStep* step = step_of(arm);
-  if (step == nullptr || !step->motion) return made;
-  const double share = reading_.arms[arm].progress - std::floor(reading_.arms[arm].progress);
-  motion::Configuration planned(7);
-  step->motion->path.at(step->motion->law.at(share * step->duration_s).place, planned);
-  double worst_rad = kBehind_rad;
-  for (std::size_t j = 0; j < planned.size(); ++j) {
-    const double now_rad = reading_.arms[arm].joints[j];
-    const double off_rad = std::abs(planned[j] - now_rad);
-    if (off_rad <= worst_rad) continue;
-    worst_rad = off_rad;
-    const bool moves = std::abs(now_rad - before_.arms[arm].joints[j]) > kMoves_rad;
-    made.cause.evidence = {
-        moves ? fmt::format("joint {} of the {} arm has left its path by {:.2f} rad", j + 1, who, off_rad)
-              : fmt::format("joint {} of the {} arm does not move, {:.2f} rad behind its path: it is stuck",
-                            j + 1, who, off_rad)};
-    made.cause.devices = {fmt::format("{} joint {}", who, j + 1)};
-  }
+                "the way of the " + who + " arm"};
+  const ArmReading& now = reading_.arms[arm];
+  made.fault = Fault{arm, now.failed_joint, now.failed_at_rad, std::abs(now.failed_by_rad)};
+  if (now.failed_joint == 0) return made;
+  made.cause.evidence = {fmt::format("joint {} of the {} arm does not follow, it is {:.3f} rad off its path",
+                                     now.failed_joint, who, made.fault->off_rad)};
+  made.cause.devices = {fmt::format("{} joint {}", who, now.failed_joint)};
   return made;
 }
 
-// The joint that is farthest from where the plan that has ended has it. One that is stuck near the end of its
-// path is never far enough from it for its drive to trip.
+// The joint that is farthest from where the plan that has ended has it. Where joints may be that far off
+// their set points, one that is stuck near the end of its path does not stop the arm.
 std::optional<ArmsMission::Surprise> ArmsMission::short_of_end() const {
   if (!driven_) return std::nullopt;
   std::optional<Surprise> found;
@@ -124,7 +108,7 @@ std::optional<ArmsMission::Surprise> ArmsMission::short_of_end() const {
 
 Decision ArmsMission::answer(Surprise what) {
   if (what.ends) return {run::Verdict::GiveUp, std::move(what.cause)};
-  if (what.arm >= 0) {  // judged by what is seen there (judge_fault)
+  if (what.fault) {  // judged by what is seen there (judge_fault)
     fault_ = what;
     return {run::Verdict::Replan, std::move(what.cause)};
   }

@@ -166,6 +166,7 @@ result::Result<WayHome> way_home(const scene::RobotCell& cell, const scene::Geom
                                  const std::vector<Wanted>& wanted, const WayHomeOptions& options) {
   std::vector<std::size_t> arms;
   for (std::size_t k = 0; k < cell.arms.size(); ++k) arms.push_back(k);
+  if (options.last_first) std::ranges::reverse(arms);
   HomeFinder finder(cell, wanted, options);
   if (finder.go(start, arms)) return finder.take();
   const std::string why = finder.why();

@@ -26,7 +26,8 @@ struct WayHome {
 
 struct WayHomeOptions {
   std::uint64_t seed = 1;
-  bool leaves = false;  // see certify.h
+  bool leaves = false;      // see certify.h
+  bool last_first = false;  // the last arm goes before the first one
   // Of each arm: from where it is along the way that it came. One that touches something where it is goes
   // back there first, as far as it takes; whatever it meets that `known` has not is what it leaves.
   std::vector<motion::JointPath> back{};

@@ -89,6 +89,9 @@ class ArmsProjectWriter {
       one.progress = "progress_" + name;
       one.state = "state_" + name;
       one.error = "error_" + name;
+      one.failed_joint = "group_" + name + ".FailedJoint";
+      one.failed_at = "group_" + name + ".FailedAt";
+      one.failed_by = "group_" + name + ".FailedBy";
       one.standing = "standing_" + name;
       one.waiting = "waiting_" + name;
       one.grasped = "grasped_" + name;

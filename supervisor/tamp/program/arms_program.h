@@ -79,16 +79,18 @@ struct ArmsStep {
 
 // Names of global variables that others read. Those of an arm end with "_" and its name.
 struct ArmVariables {
-  std::vector<std::string> joints;  // LREAL, rad, as measured: "joint_left_1"
-  std::string width;                // LREAL, m: between the fingers, as measured
-  std::vector<std::string> angles;  // INT, 0.0001 rad: the same as terminals say it, "pos_left_1"
-  std::string opening;              // INT, 0.1 mm: likewise
-  std::string progress;             // LREAL: schedule::Wait
-  std::string state, error;         // INT, UINT: of the group of axes (MC_GROUP_STATE, ErrorID)
-  std::string standing;             // BOOL: set points do not change
-  std::string waiting;              // BOOL: it stands or slows down for the other arm
-  std::string grasped;              // BOOL: the fingers hold something of the width that is meant
-  std::string grip_seen;            // BOOL: the grasp switch itself
+  std::vector<std::string> joints;   // LREAL, rad, as measured: "joint_left_1"
+  std::string width;                 // LREAL, m: between the fingers, as measured
+  std::vector<std::string> angles;   // INT, 0.0001 rad: the same as terminals say it, "pos_left_1"
+  std::string opening;               // INT, 0.1 mm: likewise
+  std::string progress;              // LREAL: schedule::Wait
+  std::string state, error;          // INT, UINT: of the group of axes (MC_GROUP_STATE, ErrorID)
+  std::string failed_joint;          // INT: the one that did not follow, from 1; 0: none
+  std::string failed_at, failed_by;  // LREAL, rad: where it was then, and how far from its set point
+  std::string standing;              // BOOL: set points do not change
+  std::string waiting;               // BOOL: it stands or slows down for the other arm
+  std::string grasped;               // BOOL: the fingers hold something of the width that is meant
+  std::string grip_seen;             // BOOL: the grasp switch itself
 };
 
 struct CameraVariables {
@@ -123,7 +125,8 @@ struct ArmsProgramOptions {
   // would brake from there within it, more beyond. Joints that lag differently would leave the path. 0: not.
   double lead_s = 0.025;
   std::array<double, 7> brake_rad_s2{8, 8, 9.6, 9.6, 16, 16, 16};
-  double following_rad = 0.25;                   // most that a joint may be off its set point
+  // Most that a joint may be off its set point, besides what it moves between two scans: MaxFollowingError.
+  double following_rad = 0.004;
   double start_rad = 0.02;                       // most that an arm may be off the schedule's beginning
   double squeeze_m = 0.004;                      // how far below a thing's width fingers are told to close
   double width_m = 0.003;                        // most that a held thing's width may be off

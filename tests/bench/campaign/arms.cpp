@@ -106,13 +106,27 @@ std::string touched(const ArmsRun& run, const assemblies::RobotCell& plant, doub
   return {};
 }
 
+// What a report has to say of a joint that is stuck: "joint 4 of the right arm does not move", of
+// "stuck_right_4".
+std::string named_joint(const std::string& fault) {
+  const std::size_t joint = fault.rfind('_'), arm = fault.find('_') + 1;
+  return fmt::format("joint {} of the {} arm does not move", fault.substr(joint + 1),
+                     fault.substr(arm, joint - arm));
+}
+
+// Likewise of a drive that trips: "a drive of the right arm has tripped", of "overcurrent_right_4".
+std::string named_drive(const std::string& fault) {
+  const std::size_t joint = fault.rfind('_'), arm = fault.find('_') + 1;
+  return fmt::format("a drive of the {} arm has tripped", fault.substr(arm, joint - arm));
+}
+
 // Empty if the disturbance can give that reason.
 std::string wrong_stop(const ArmsRun& run) {
   const std::string& message = run.record.message;
-  const auto says = [&](const char* words) { return message.find(words) != std::string::npos; };
+  const auto says = [&](const std::string& words) { return message.find(words) != std::string::npos; };
   if (run.record.incidents.empty() || message.empty()) return "given up without a reason";
-  if (run.kind == "stuck") return says("stuck") || says("tripped") ? "" : "stopped for: " + message;
-  if (run.kind == "trip") return says("tripped") ? "" : "stopped for: " + message;
+  if (run.kind == "stuck") return says(named_joint(run.fault)) ? "" : "stopped for: " + message;
+  if (run.kind == "trip") return says(named_drive(run.fault)) ? "" : "stopped for: " + message;
   if (run.kind == "block") return says("in the way") || says("is blocked") ? "" : "stopped for: " + message;
   // What lies on the floor, or was moved out of reach, has no plan.
   if (run.kind == "camera" && (says("is not seen") || says("does not show"))) return {};
@@ -156,6 +170,7 @@ ArmsRun run_arms(std::uint64_t seed) {
   run.order = kOrders.at(order);
   const std::vector<PlantFault> faults = faults_of(run.kind, random);
   run.story = run.order;
+  if (!faults.empty()) run.fault = faults.front().name;
   for (const PlantFault& fault : faults)
     fmt::format_to(std::back_inserter(run.story), ", {} = {:g} at {:g} s", fault.name, fault.value,
                    fault.at_s);

@@ -28,6 +28,7 @@ struct ArmsRun {
   std::string kind;   // "drop"
   std::string order;  // "P5"
   std::string story;  // both, with the fault and its time
+  std::string fault;  // "stuck_right_4", the first one; empty: none
   Verdict verdict = Verdict::Lost;
   std::string why;  // of a lost run
   run::RunRecord record;

@@ -16,6 +16,9 @@ constexpr std::array kTampKeys = {
     KeyWords{"tamp.time_s", "Wall time until there is a plan."},
     KeyWords{"tamp.seed", "The same seed has the same plan, unless the time was over."},
     KeyWords{"tamp.retries", "Of one thing that slips, is missed or was moved.", "tries"},
+    KeyWords{"tamp.following_rad",
+             "A joint farther from its set point, besides what it moves between two scans, has failed: its "
+             "arm brakes."},
     KeyWords{"tamp.pictures_ms", "Between pictures of the camera while the arms work."},
     KeyWords{"tamp.hold_s", "So long the arms wait for somebody."},
     KeyWords{"tamp.attended", "Somebody can see to what the arms cannot do; `false`: then the run ends."},

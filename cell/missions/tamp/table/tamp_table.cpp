@@ -36,6 +36,7 @@ std::shared_ptr<const MissionTable> read_tamp_table(const settings::TomlTable& t
   mission->time_s = tamp.number("time_s", mission->time_s, {0.01, 86'400.0});
   mission->seed = static_cast<std::uint64_t>(tamp.integer("seed", 1, {0, 1'000'000'000}));
   mission->retries = static_cast<int>(tamp.integer("retries", mission->retries, {0, 1000}));
+  mission->following_rad = tamp.number("following_rad", mission->following_rad, {0.001, 1.0});
   mission->pictures =
       std::chrono::milliseconds(tamp.integer("pictures_ms", mission->pictures.count(), {100, 60'000}));
   mission->hold = std::chrono::seconds(tamp.integer("hold_s", mission->hold.count(), {0, 31'536'000}));

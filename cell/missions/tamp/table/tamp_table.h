@@ -10,6 +10,7 @@
 //   time_s = 60.0                   # of wall time until there is a plan, for a machine that is far too slow
 //   seed = 1                        # the same seed has the same plan, or none, unless the time was over
 //   retries = 3                     # of one thing that slips, is missed or was moved
+//   following_rad = 0.004           # a joint farther from its set point has failed
 //   pictures_ms = 250               # between pictures of the camera while the arms work
 //   hold_s = 3600                   # so long the arms wait for somebody
 //   attended = true                 # somebody can see to what the arms cannot do; false: then the run ends
@@ -51,6 +52,7 @@ struct TampTable final : MissionTable {
   double time_s = 60.0;
   std::uint64_t seed = 1;
   int retries = 3;
+  double following_rad = 0.004;  // besides what the joint moves between two scans
   std::chrono::milliseconds pictures{250};
   std::chrono::seconds hold{3'600};
   bool attended = true;

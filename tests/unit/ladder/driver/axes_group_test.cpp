@@ -41,6 +41,21 @@ END_VAR
 END_PROGRAM
 )";
 
+// A drive that is 0.7 of its way to the set point from scan to scan.
+constexpr const char* kLagging = R"(PROGRAM main
+VAR
+  g : AXES_GROUP := (Joints := 1, MaxFollowingError := [0.006]); enable : MC_GroupEnable; go : MC_MoveDirectAbsolute;
+  run : MC_RunAxesGroup; cycle : TIME := T#10ms; target : MC_JOINTS := [2.0]; stuck : BOOL;
+END_VAR
+  IF NOT stuck THEN
+    g.ActualPosition[1] := g.ActualPosition[1] + 0.7 * (g.SetPosition[1] - g.ActualPosition[1]);
+  END_IF;
+  enable(Execute := TRUE, AxesGroup := g);
+  go(Execute := TRUE, Position := target, AxesGroup := g);
+  run(CYCLE := cycle, AxesGroup := g);
+END_PROGRAM
+)";
+
 // The program in both engines, always with the same inputs.
 class Pair {
  public:
@@ -303,6 +318,30 @@ TEST_P(AxesGroup, Commands_WhenOthersComeInBetween_ThenEveryJointKeepsItsLimitsA
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, AxesGroup, testing::Range(1U, 25U));
+
+// The set point is far ahead then, and the joint needs some scans to be there again.
+TEST(AxesGroup, WhenAScanIsLate_ThenAJointThatCatchesUpHasFollowed) {
+  EngineProgram program(support::compile_st(kLagging), EngineKind::Vm);
+  const auto put = [&](const char* path, auto value) {
+    std::memcpy(&program.memory()[program.variable(path).address], &value, sizeof value);
+  };
+  const auto power = [&] {
+    return program.memory()[program.variable("main.g.DriveOn").address] != std::byte{0};
+  };
+  std::int64_t now_ns = 0;
+  const auto scans = [&](int count) {
+    for (int k = 0; k < count; ++k) ASSERT_TRUE(program.scan(now_ns += 10'000'000));
+  };
+  scans(100);
+  put("main.cycle", std::int64_t{50'000'000});
+  scans(1);
+  put("main.cycle", std::int64_t{10'000'000});
+  scans(40);
+  EXPECT_TRUE(power());
+  put("main.stuck", std::uint8_t{1});
+  scans(3);
+  EXPECT_FALSE(power());
+}
 
 }  // namespace
 }  // namespace stepwright::driver_test

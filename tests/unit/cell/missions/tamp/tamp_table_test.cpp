@@ -24,7 +24,7 @@ Reading read(const std::string& lines, const std::string& orders = kOrder) {
 }
 
 TEST(TampTable, WhenItHasOrders_ThenTheyAreReadWithTheirPlaces) {
-  const Reading reading = read("order = \"P1\"\nretries = 2\nseed = 7\n");
+  const Reading reading = read("order = \"P1\"\nretries = 2\nfollowing_rad = 0.01\n");
   ASSERT_TRUE(reading.problems.empty()) << result::to_string(reading.problems);
   const auto* table = table_as<TampTable>(reading.table);
   ASSERT_NE(table, nullptr);
@@ -32,7 +32,7 @@ TEST(TampTable, WhenItHasOrders_ThenTheyAreReadWithTheirPlaces) {
   EXPECT_EQ(table->orders[0].goal, "(in cup1 red-region)");
   EXPECT_EQ(table->orders[0].where.line, 8u);
   EXPECT_EQ(table->retries, 2);
-  EXPECT_EQ(table->seed, 7u);
+  EXPECT_EQ(table->following_rad, 0.01);
   EXPECT_EQ(table->unattended(), (std::vector<std::string>{"tamp.attended=false"}));
 }
 
@@ -42,6 +42,7 @@ TEST(TampTable, WhenSomethingIsWrong_ThenItIsToldAtItsLine) {
   };
   EXPECT_EQ(line(read("order = \"P9\"\n")), 3u);
   EXPECT_EQ(line(read("time_s = 0\n")), 3u);
+  EXPECT_EQ(line(read("following_rad = 0\n")), 3u);
   EXPECT_EQ(line(read("domain = \"nowhere.pddl\"\n")), 3u);
   EXPECT_EQ(line(read("", std::string(kOrder) + kOrder)), 7u) << "two of a name";
   EXPECT_EQ(line(read("", std::string(kOrder) + "[[tamp.requests]]\nat_s = 1\nrequest = \"fly\"\n")), 8u);

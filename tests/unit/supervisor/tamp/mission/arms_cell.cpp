@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kSlots = 4;
 
-ArmsPlanning open(const std::string& goal) {
+ArmsPlanning open(const std::string& goal, double following_rad) {
   ArmsPlanningOptions options;
   options.cell = paper_cell();
   const std::string domain = STEPWRIGHT_SOURCE_DIR "/tests/cells/robot_cell/stacking_arms.pddl";
@@ -22,6 +22,7 @@ ArmsPlanning open(const std::string& goal) {
       result::value_or_throw(read_order(options.cell, goal, goal, "test")),
       result::value_or_throw(read_order(options.cell, "across", "(in cup1 red-region)", "test"))};
   options.terminals = program::cell_terminals_in_a_row(options.cell.arms.size(), kSlots);
+  options.program.following_rad = following_rad;
   options.most_s = 600.0;
   return result::value_or_throw(ArmsPlanning::open(std::move(options)));
 }
@@ -45,8 +46,8 @@ const scene::RobotCell& paper_cell() {
 }
 
 ArmsCell::ArmsCell(const std::string& goal, std::vector<support::PlantFault> faults, std::uint64_t seed,
-                   std::vector<assemblies::FixedBody> blockages)
-    : planning_(open(goal)),
+                   std::vector<assemblies::FixedBody> blockages, double following_rad)
+    : planning_(open(goal, following_rad)),
       controller_(plant_of(seed, std::move(blockages)), bridge::default_robot_cell_wires(arms(), kSlots),
                   {program::input_bytes_in_a_row(2, kSlots), program::output_bytes_in_a_row(2)},
                   std::move(faults)) {}

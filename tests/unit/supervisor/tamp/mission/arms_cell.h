@@ -23,7 +23,8 @@ const scene::RobotCell& paper_cell();
 class ArmsCell {
  public:
   explicit ArmsCell(const std::string& goal, std::vector<support::PlantFault> faults = {},
-                    std::uint64_t seed = 1, std::vector<assemblies::FixedBody> blockages = {});
+                    std::uint64_t seed = 1, std::vector<assemblies::FixedBody> blockages = {},
+                    double following_rad = program::ArmsProgramOptions{}.following_rad);
 
   ArmsMissionOptions options() const { return {.cell = "arms", .attended = false}; }
   run::RunRecord run(ArmsMissionOptions options, ArmsMission::Observer observer = {});

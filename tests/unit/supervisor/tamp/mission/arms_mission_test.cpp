@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <thread>
 #include <utility>
@@ -138,6 +139,35 @@ TEST(ArmsMission, WhenAJointIsStuck_ThenTheRunEndsSafeAndSaysWhichOne) {
   EXPECT_EQ(record.phase, Phase::Safe) << story(record);
   EXPECT_NE(record.message.find("joint 1 of the right arm does not move"), std::string::npos)
       << record.message;
+  EXPECT_EQ(cell.contacts(), 0.0);
+}
+
+// Where drives may lag that much, nothing stops the arm, and it is not at home.
+TEST(ArmsMission, WhenAJointSticksJustBeforeTheEnd_ThenTheRunEndsWithThatJoint) {
+  constexpr double kLoose_rad = 0.25;
+  ArmsCell first(kUp, {}, 1, {}, kLoose_rad);
+  const double home_rad = first.planning().cell().arms[1].home[1];
+  double at_s = 0.0;
+  first.controller().on_scan = [&](std::span<const std::byte>) {
+    if (std::abs(first.truth("true_right_2") - home_rad) > 0.05) at_s = first.controller().now_s();
+  };
+  expect_done(first, first.run(first.options()));
+  ArmsCell cell(kUp, {{at_s, "stuck_right_2", 1.0}}, 1, {}, kLoose_rad);
+  const run::RunRecord record = cell.run(cell.options());
+  EXPECT_EQ(record.phase, Phase::Safe) << story(record);
+  EXPECT_NE(record.message.find("joint 2 of the right arm is 0.0"), std::string::npos) << record.message;
+  EXPECT_NE(record.message.find("it is stuck"), std::string::npos) << record.message;
+}
+
+TEST(ArmsMission, WhenAJointTurnsByItself_ThenTheRunEndsSafeAndSaysThatItHasLeftItsPath) {
+  ArmsCell cell(kUp, {{3.2, "runaway_right_1", 1.0}});
+  const run::RunRecord record = cell.run(cell.options());
+  EXPECT_EQ(record.phase, Phase::Safe) << story(record);
+  EXPECT_NE(record.message.find("joint 1 of the right arm has left its path"), std::string::npos)
+      << record.message;
+  ASSERT_EQ(record.incidents.size(), 1u);
+  EXPECT_EQ(run::sentence_of(record.incidents[0].evidence), record.message);
+  EXPECT_EQ(record.replans[0].cause, record.message) << "what was not known when the arm stopped";
   EXPECT_EQ(cell.contacts(), 0.0);
 }
 

@@ -160,6 +160,52 @@ TEST(ArmsProgramRun, WhenAnArmIsLate_ThenTheOtherOneStandsOnItsPathUntilItHasPas
   expect_done(cups, rig);
 }
 
+// The share of what a joint may be off its set point that any joint has needed.
+double share_of_following(const test::PlannedArms& planned, const std::vector<std::byte>& container) {
+  test::ArmsRig rig(planned.cell, {});
+  rig.load(container);
+  double most = 0.0;
+  while (rig.time_s() < 200.0 && at_work(rig)) {
+    rig.scan();
+    for (const char* group : {"group_left.", "group_right."}) {
+      if (rig.number(std::string(group) + "DriveOn") == 0.0) continue;
+      const double period_s = rig.number(std::string(group) + "LongPeriod");
+      for (int k = 1; k <= 7; ++k) {
+        const auto of = [&](const char* what) {
+          return rig.number(std::string(group) + what + "[" + std::to_string(k) + "]");
+        };
+        const double off_rad = std::abs(of("SetPosition") - of("ActualPosition"));
+        most = std::max(most, off_rad / (of("MaxFollowingError") + std::abs(of("SetVelocity")) * period_s));
+      }
+    }
+  }
+  EXPECT_EQ(rig.step(kCellChart), "DONE") << where(rig);
+  return most;
+}
+
+TEST(ArmsProgramRun, WhenNothingIsWrong_ThenJointsFollowWithAMargin) {
+  for (const char* problem : {"p1", "p2", "p3", "p4", "p5", "p6", "two_cups"})
+    EXPECT_LT(share_of_following(test::planned_once(problem), following(problem)), 0.7) << problem;
+}
+
+// By less than fingers have room, wherever on its way it was; the program names it.
+TEST(ArmsProgramRun, WhenAJointSticks_ThenItsArmStandsBeforeTheHandIsOffItsPath) {
+  const test::PlannedArms& p1 = test::planned_once("p1");
+  for (const int joint : {1, 2, 4, 6}) {
+    test::ArmsRig rig(p1.cell, {});
+    rig.load(following("p1"));
+    run_to(rig, "LINEAR");
+    rig.run_for(0.2);
+    rig.fault("stuck_right_" + std::to_string(joint), 1.0);
+    EXPECT_FALSE(rig.run(rig.time_s() + 20.0)) << joint;
+    EXPECT_EQ(rig.step(kCellChart), "DRIVE_FAULT") << where(rig);
+    EXPECT_EQ(rig.number("group_right.FailedJoint"), joint);
+    EXPECT_LT(std::abs(rig.number("group_right.FailedBy")), 0.02) << joint;
+    rig.run_for(1.0);
+    EXPECT_EQ(rig.incidents(), 0.0) << joint << ": " << rig.incident_texts();
+  }
+}
+
 TEST(ArmsProgramRun, WhenSomethingGoesWrong_ThenItEndsInTheStepOfItsCauseAndTheArmsStand) {
   struct Case {
     const char* during;  // of the right arm's steps
@@ -173,6 +219,7 @@ TEST(ArmsProgramRun, WhenSomethingGoesWrong_ThenItEndsInTheStepOfItsCauseAndTheA
                         {"TRANSFER", "drop_right", 1.0, "LOST_GRASP", 2},
                         {"APPROACH", "overcurrent_right_3", 1.0, "DRIVE_FAULT", 2},
                         {"TRANSFER", "runaway_right_7", 2.0, "DRIVE_FAULT", 2},
+                        {"LINEAR", "stuck_right_2", 1.0, "DRIVE_FAULT", 2},
                         {"APPROACH", "press_estop", 1.0, "EMERGENCY_STOP", 0}};
   const std::vector<std::byte> observing = test::compiled(
       program_of(test::planned_once("p1"), ArmsProgramKind::Observe, {.reports = 1, .reset = 1}));
