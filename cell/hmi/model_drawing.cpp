@@ -13,9 +13,11 @@ using components::PortKind;
 using components::PortSpec;
 using components::Role;
 
-constexpr double kBoxWidth = 130.0;
+constexpr double kLeastWidth = 130.0;
+constexpr double kMostWidth = 260.0;
+constexpr double kLetter = 8.4;  // of a name, bold
 constexpr double kBoxHeight = 76.0;
-constexpr double kColumn = 190.0;
+constexpr double kGap = 60.0;
 constexpr double kRow = 104.0;
 constexpr double kEdge = 20.0;
 constexpr std::size_t kMostLines = 2;         // of values in a box
@@ -28,14 +30,15 @@ const char* sign_of(const std::string& unit) {
 class ModelDrawing {
  public:
   ModelDrawing(const components::Model& model, PicturePoints& points)
-      : model_(model), points_(points), layout_(components::lay_out(model)) {}
+      : model_(model), points_(points), layout_(components::lay_out(model)), width_(box_width(model)) {}
 
   std::string draw() {
     for (const core::Quantity& truth : model_.truths)
       points_.truth(truth.name, truth.name, sign_of(truth.unit), truth.name.ends_with(".level"), truth.name);
     out_ = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " +
-           units(2.0 * kEdge + layout_.columns * kColumn) + " " + units(2.0 * kEdge + layout_.rows * kRow) +
-           "\">\n<title>" + markup::xml_escaped(model_.text.name) + "</title>\n";
+           units(2.0 * kEdge + layout_.columns * (width_ + kGap)) + " " +
+           units(2.0 * kEdge + layout_.rows * kRow) + "\">\n<title>" + markup::xml_escaped(model_.text.name) +
+           "</title>\n";
     if (model_.names.size() <= kMostComponents) {
       for (const components::ModelLink& link : model_.links) add_link(link);
       for (std::uint32_t i = 0; i < model_.names.size(); ++i) add_box(i);
@@ -44,18 +47,31 @@ class ModelDrawing {
   }
 
  private:
-  double left(std::uint32_t component) const { return kEdge + layout_.placed[component].column * kColumn; }
+  // So that the longest name stands in its box.
+  static double box_width(const components::Model& model) {
+    std::size_t longest = 0;
+    for (const std::string& name : model.names) longest = std::max(longest, name.size());
+    return std::clamp(16.0 + kLetter * static_cast<double>(longest), kLeastWidth, kMostWidth);
+  }
+
+  double left(std::uint32_t component) const {
+    return kEdge + layout_.placed[component].column * (width_ + kGap);
+  }
   double top(std::uint32_t component) const { return kEdge + layout_.placed[component].row * kRow; }
 
-  // Out of the right of one and into the left of the other; back underneath.
+  // Out of the right of one and into the left of the other; back, and past what stands between, in the free
+  // space between two rows.
   void add_link(const components::ModelLink& link) {
     const bool wet = link.kind == PortKind::Fluid;
-    const double x0 = left(link.from) + kBoxWidth, y0 = top(link.from) + 0.5 * kBoxHeight;
+    const double x0 = left(link.from) + width_, y0 = top(link.from) + 0.5 * kBoxHeight;
     const double x1 = left(link.to), y1 = top(link.to) + 0.5 * kBoxHeight;
-    const bool on = x1 > x0;
-    const double middle = on ? 0.5 * (x0 + x1) : x0 + 20.0;
-    std::string path = "M" + units(x0) + " " + units(y0) + "H" + units(middle);
-    if (!on) path += "V" + units(std::max(y0, y1) + 0.5 * kRow) + "H" + units(x1 - 20.0);
+    const bool next = x1 > x0 && x1 - x0 <= kGap;
+    std::string path = "M" + units(x0) + " " + units(y0) + "H" + units(next ? 0.5 * (x0 + x1) : x0 + 20.0);
+    if (!next) {
+      const double lane =
+          x1 > x0 && y1 < y0 ? y0 - 0.5 * kRow : (x1 > x0 ? y0 : std::max(y0, y1)) + 0.5 * kRow;
+      path += "V" + units(lane) + "H" + units(x1 - 20.0);
+    }
     path += "V" + units(y1) + "H" + units(x1);
     out_ += "<path d=\"" + path + "\" fill=\"none\" stroke=\"var(--" + (wet ? "line-strong" : "line") +
             ")\" stroke-width=\"" + (wet ? "3" : "1") + "\"" + (wet ? "" : " stroke-dasharray=\"4 3\"") +
@@ -66,7 +82,7 @@ class ModelDrawing {
     const components::ComponentType& type = *model_.types[component];
     const std::string& name = model_.names[component];
     const double x = left(component), y = top(component);
-    const auto shape = "x=\"" + units(x) + "\" y=\"" + units(y) + "\" width=\"" + units(kBoxWidth) +
+    const auto shape = "x=\"" + units(x) + "\" y=\"" + units(y) + "\" width=\"" + units(width_) +
                        "\" height=\"" + units(kBoxHeight) + "\"";
     out_ += "<g><title>" + markup::xml_escaped(name + " (" + type.name + ")") + "</title>\n<rect " + shape +
             " fill=\"var(--equipment)\" stroke=\"var(--line-strong)\"" + active(type, name) + "/>\n";
@@ -110,6 +126,7 @@ class ModelDrawing {
   const components::Model& model_;
   PicturePoints& points_;
   components::Layout layout_;
+  double width_;  // of a box
   std::string out_;
 };
 

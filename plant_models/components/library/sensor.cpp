@@ -86,8 +86,10 @@ class Sensor final : public Component {
   double shown_ = 0.0;
 };
 
-// `usual`: the size of an error that happens; in a minute, of one that grows.
-ComponentType sensor(const char* name, const char* meaning, const char* unit, bool of_liquid, double usual) {
+// `shown`: the unit in which people read what it shows. `usual`: the size of an error that happens; in a
+// minute, of one that grows.
+ComponentType sensor(const char* name, const char* meaning, const char* unit, const char* shown,
+                     bool of_liquid, double usual) {
   const std::string of = unit;
   const auto size = [&](const char* parameter, const char* what) {
     return ParameterSpec{
@@ -121,9 +123,12 @@ ComponentType sensor(const char* name, const char* meaning, const char* unit, bo
                       .low = -1.0,
                       .high = 1e6,
                       .meaning = "number of its random values; -1: its own by its place in the file"}},
-      .ports =
-          {{.name = "of", .unit = of, .reads = 0, .meaning = "what it measures"},
-           {.name = "value", .role = Role::Node, .unit = of, .open = Open::Fine, .meaning = "what it shows"}},
+      .ports = {{.name = "of", .unit = of, .reads = 0, .meaning = "what it measures"},
+                {.name = "value",
+                 .role = Role::Node,
+                 .unit = shown,
+                 .open = Open::Fine,
+                 .meaning = "what it shows"}},
       .faults = {{.name = "drift",
                   .unit = of + "/s",
                   .low = -1e6,
@@ -148,16 +153,17 @@ ComponentType sensor(const char* name, const char* meaning, const char* unit, bo
 }  // namespace
 
 ComponentType level_sensor_type() {
-  return sensor("level_sensor", "shows the level of a tank", "percent", false, 20.0);
+  return sensor("level_sensor", "shows the level of a tank", "percent", "percent", false, 20.0);
 }
 ComponentType temperature_sensor_type() {
-  return sensor("temperature_sensor", "shows a temperature", "K", false, 20.0);
+  return sensor("temperature_sensor", "shows a temperature", "K", "degC", false, 20.0);
 }
 ComponentType flow_sensor_type() {
-  return sensor("flow_sensor", "shows a flow", "l/s", false, 1.0);
+  return sensor("flow_sensor", "shows a flow", "l/s", "l/s", false, 1.0);
 }
 ComponentType pressure_sensor_type() {
-  return sensor("pressure_sensor", "shows the pressure of a liquid above that of the room", "bar", true, 0.5);
+  return sensor("pressure_sensor", "shows the pressure of a liquid above that of the room", "bar", "bar",
+                true, 0.5);
 }
 
 }  // namespace stepwright::components::library

@@ -3,7 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <pugixml.hpp>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "cell/hmi/plant_picture.h"
 #include "hmi_web/drawing/drawing_file.h"
@@ -41,6 +45,54 @@ TEST(ModelDrawing, WhenACellHasADescribedPlant_ThenThePageGetsADrawingOfItsCompo
   std::ranges::sort(places);
   EXPECT_GT(places.size(), 15u);
   EXPECT_EQ(std::ranges::adjacent_find(places), places.end());
+}
+
+// x and y of the corners of a path of M, H and V.
+std::vector<std::pair<double, double>> corners(const std::string& path) {
+  std::vector<std::pair<double, double>> found;
+  double x = 0.0, y = 0.0;
+  for (std::size_t at = 0; at < path.size();) {
+    const char letter = path[at];
+    char* end = nullptr;
+    double value = std::strtod(path.c_str() + at + 1, &end);
+    (letter == 'V' ? y : x) = value;
+    if (letter == 'M') y = std::strtod(end, &end);
+    found.emplace_back(x, y);
+    at = static_cast<std::size_t>(end - path.c_str());
+  }
+  return found;
+}
+
+TEST(ModelDrawing, WhenALineLeadsPastOtherComponents_ThenItDoesNotRunBehindThem) {
+  for (const char* cell : {"bench_model", "batch_mixer", "pump_station", "pick_place"}) {
+    config::PlantConfig plant;
+    plant.kind = "model";
+    plant.file = STEPWRIGHT_SOURCE_DIR "/tests/cells/" + std::string(cell) + "/plant.toml";
+    const auto picture = picture_of(plant);
+    ASSERT_TRUE(picture) << result::to_string(picture.error());
+    pugi::xml_document document;
+    ASSERT_TRUE(document.load_string(picture->drawing.c_str()));
+    int lines = 0;
+    for (const pugi::xpath_node& line : document.select_nodes("//path")) {
+      const auto path = corners(line.node().attribute("d").value());
+      ASSERT_GE(path.size(), 3u);
+      ++lines;
+      for (std::size_t i = 1; i < path.size(); ++i) {
+        const auto [x0, x1] = std::minmax(path[i - 1].first, path[i].first);
+        const auto [y0, y1] = std::minmax(path[i - 1].second, path[i].second);
+        for (const pugi::xpath_node& box : document.select_nodes("//g/rect[not(@data-fill)]")) {
+          const double left = box.node().attribute("x").as_double();
+          const double top = box.node().attribute("y").as_double();
+          const double wide = box.node().attribute("width").as_double();
+          const double high = box.node().attribute("height").as_double();
+          const bool behind =
+              x1 > left + 1.0 && x0 < left + wide - 1.0 && y1 > top + 1.0 && y0 < top + high - 1.0;
+          EXPECT_FALSE(behind) << cell << ": " << line.node().attribute("d").value();
+        }
+      }
+    }
+    EXPECT_GT(lines, 5);
+  }
 }
 
 }  // namespace
