@@ -6,6 +6,13 @@
 
 namespace stepwright::processes {
 
+std::string left_behind_by(std::string_view process) {
+  if (process == "modbus-client")
+    return "the outputs of the devices may still be on: only a watchdog of the device itself turns them off";
+  if (process == "gateway") return "the controller may still run its program";
+  return "";
+}
+
 std::filesystem::path record_path(const config::CellConfig& config) {
   return config.state_dir / "up.json";
 }
@@ -15,8 +22,16 @@ std::string to_json(const CellRecord& record) {
                                  {"pid", record.pid},     {"address", record.address},
                                  {"ready", record.ready}, {"processes", nlohmann::ordered_json::array()}};
   for (const ProcessRecord& each : record.processes)
-    json["processes"].push_back(
-        {{"name", each.name}, {"pid", each.pid}, {"phase", each.phase}, {"restarts", each.restarts}});
+    json["processes"].push_back({{"name", each.name},
+                                 {"pid", each.pid},
+                                 {"phase", each.phase},
+                                 {"restarts", each.restarts},
+                                 {"reason", each.reason}});
+  if (record.program) {
+    json["program"] = {
+        {"state", record.program->state}, {"mode", record.program->mode}, {"detail", record.program->detail}};
+  }
+  json["killed"] = record.killed;
   return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
@@ -36,7 +51,9 @@ result::Result<CellRecord> read_record(const std::filesystem::path& file) {
     json.at("address").get_to(record.address);
     json.at("ready").get_to(record.ready);
     for (const auto& each : json.at("processes"))
-      record.processes.push_back({each.at("name"), each.at("pid"), each.at("phase"), each.at("restarts")});
+      record.processes.push_back(
+          {each.at("name"), each.at("pid"), each.at("phase"), each.at("restarts"), each.at("reason")});
+    json.at("killed").get_to(record.killed);
   } catch (const nlohmann::json::exception& error) {
     return result::fail("M0015", {file.string(), 0, 0},
                         std::string("this is no record of a cell that is up: ") + error.what(),

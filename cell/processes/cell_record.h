@@ -11,7 +11,9 @@
 #include <sys/types.h>
 
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cell/config/cell_config.h"
@@ -24,8 +26,18 @@ struct ProcessRecord {
   pid_t pid = 0;      // 0: it does not run now
   std::string phase;  // to_string(Phase)
   int restarts = 0;
+  std::string reason = {};  // why it was started again last, in a few words
 
   bool operator==(const ProcessRecord&) const = default;
+};
+
+// What the runtime says of the program; only `status` asks it.
+struct ProgramRecord {
+  std::string state;   // host::name_of(RuntimeState), or "unknown": it does not answer
+  std::string mode;    // the clock, and whether it waits for the supervisor
+  std::string detail;  // why it is in this state, and what else is to be mended; may be empty
+
+  bool operator==(const ProgramRecord&) const = default;
 };
 
 struct CellRecord {
@@ -35,9 +47,15 @@ struct CellRecord {
   std::string address;  // of the page; empty: it is not served yet
   bool ready = false;   // all of them have been
   std::vector<ProcessRecord> processes;
+  std::optional<ProgramRecord> program = {};
+  std::vector<std::string> killed = {};  // that did not end when the cell went down
 
   bool operator==(const CellRecord&) const = default;
 };
+
+// What a process that had to be killed leaves behind, in a sentence; empty: nothing that another one does not
+// bring to its safe state.
+std::string left_behind_by(std::string_view process);
 
 std::filesystem::path record_path(const config::CellConfig& config);
 

@@ -36,11 +36,18 @@ const char* to_string(Phase phase) {
 }
 
 result::Result<KeptProcess> KeptProcess::make(std::string name, process::ChildOptions options,
-                                              RestartSettings settings) {
+                                              RestartSettings settings,
+                                              std::optional<std::chrono::milliseconds> silence) {
   auto pipe = LinePipe::open();
   if (!pipe) return result::forward(pipe);
   options.output = pipe->writing_end();
-  return KeptProcess(std::move(name), std::move(options), std::move(*pipe), settings);
+  const auto asked = silence ? std::chrono::microseconds(*silence) : std::chrono::microseconds(0);
+  options.environment.push_back("WATCHDOG_USEC=" + (silence ? std::to_string(asked.count()) : std::string()));
+  // Who watches over this process does not watch over that one.
+  options.environment.emplace_back("WATCHDOG_PID=");
+  std::optional<LifeWatch> life;
+  if (silence) life.emplace(*silence);
+  return KeptProcess(std::move(name), std::move(options), std::move(*pipe), settings, life);
 }
 
 result::Result<void> KeptProcess::start() {
@@ -48,12 +55,15 @@ result::Result<void> KeptProcess::start() {
   phase_ = child ? Phase::Starting : Phase::Failed;
   if (!child) return result::forward(child);
   child_.emplace(std::move(*child));
+  silent_ = false;
+  if (life_) life_->end();
   return {};
 }
 
 void KeptProcess::hear(const process::Notice& notice, Time now) {
   if (pid() == 0 || notice.sender != pid()) return;
   if (notice.status) status_ = *notice.status;
+  if (life_ && notice.alive) life_->heard(now);
   if (!notice.ready) return;
   policy_.ready(now);
   was_ready_ = true;
@@ -67,6 +77,7 @@ std::string KeptProcess::ended(Time now) {
     phase_ = Phase::Ended;
     return "";
   }
+  if (!silent_) reason_ = what;
   if (!was_ready_ && is_refusal(*exit_)) {
     phase_ = Phase::Failed;
     return what + ": what it said stands above";
@@ -81,10 +92,19 @@ std::string KeptProcess::ended(Time now) {
   return what + (ready ? "" : " before it was ready") + ": it is started again in " + seconds_text(*rest);
 }
 
+// At its end it has other things to do than to give signs of life.
+std::string KeptProcess::silenced(Time now) {
+  if (!life_ || ending_ || silent_ || !life_->silent(now)) return "";
+  silent_ = true;
+  reason_ = "gave no sign of life for " + seconds_text(life_->longest());
+  kill_now();
+  return reason_ + ": it hangs, and is killed";
+}
+
 std::string KeptProcess::turn(Time now) {
   if (runs() && child_) {
     exit_ = child_->poll();
-    return exit_ ? ended(now) : "";
+    return exit_ ? ended(now) : silenced(now);
   }
   if (phase_ != Phase::Resting || now < start_at_) return "";
   ++restarts_;

@@ -1,7 +1,7 @@
 #pragma once
 
 // One process of a cell that is kept alive: started, heard until it is ready, and started again when it ends,
-// as long as that makes sense (restart_policy.h).
+// as long as that makes sense (restart_policy.h). One that falls silent is killed, and so started again.
 //
 //   auto link = KeptProcess::make("link", {.arguments = ..., .environment = {listener.variable()}});
 //   link->start(now);
@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "cell/processes/life_watch.h"
 #include "cell/processes/line_pipe.h"
 #include "cell/processes/restart_policy.h"
 #include "runtime/ground/process/child_process.h"
@@ -36,16 +37,19 @@ class KeptProcess {
  public:
   using Time = RestartPolicy::Time;
 
-  // `options` without an output: what the process prints comes from lines(). Fails with M0014.
-  [[nodiscard]] static result::Result<KeptProcess> make(std::string name, process::ChildOptions options,
-                                                        RestartSettings settings = {});
+  // `options` without an output: what the process prints comes from lines(). `silence`: it is asked for signs
+  // of life (WATCHDOG_USEC of sd_notify), and once it has given the first it hangs if none comes for so long;
+  // none: it is not asked. Fails with M0014.
+  [[nodiscard]] static result::Result<KeptProcess> make(
+      std::string name, process::ChildOptions options, RestartSettings settings = {},
+      std::optional<std::chrono::milliseconds> silence = std::nullopt);
 
   // Fails with M0001; it is Failed then.
   [[nodiscard]] result::Result<void> start();
   // Takes what its process has said.
   void hear(const process::Notice& notice, Time now);
-  // Looks whether it has ended, and starts it again when it is time to. What there is to tell of it, in one
-  // line; empty: nothing.
+  // Looks whether it has ended or hangs, and starts it again when it is time to. What there is to tell of it,
+  // in one line; empty: nothing.
   std::string turn(Time now);
   // The lines that it has printed since.
   std::vector<std::string> lines();
@@ -63,17 +67,26 @@ class KeptProcess {
   const std::string& status() const { return status_; }
   // How it has ended last.
   const std::optional<process::ExitStatus>& exit() const { return exit_; }
+  // Why it had to be started again last, in a few words; empty: it has not.
+  const std::string& reason() const { return reason_; }
   int descriptor() const { return pipe_.descriptor(); }
 
  private:
-  KeptProcess(std::string name, process::ChildOptions options, LinePipe pipe, RestartSettings settings)
-      : name_(std::move(name)), options_(std::move(options)), pipe_(std::move(pipe)), policy_(settings) {}
+  KeptProcess(std::string name, process::ChildOptions options, LinePipe pipe, RestartSettings settings,
+              std::optional<LifeWatch> life)
+      : name_(std::move(name)),
+        options_(std::move(options)),
+        pipe_(std::move(pipe)),
+        policy_(settings),
+        life_(life) {}
   std::string ended(Time now);
+  std::string silenced(Time now);
 
   std::string name_;
   process::ChildOptions options_;
   LinePipe pipe_;
   RestartPolicy policy_;
+  std::optional<LifeWatch> life_;
   std::optional<process::ChildProcess> child_;
   Phase phase_ = Phase::Waiting;
   bool ending_ = false;
@@ -81,6 +94,8 @@ class KeptProcess {
   int restarts_ = 0;
   Time start_at_{};  // while it is Resting
   std::string status_;
+  bool silent_ = false;  // it was killed for that
+  std::string reason_;
   std::optional<process::ExitStatus> exit_;
 };
 

@@ -206,8 +206,20 @@ result::Result<void> CellAlarms::go_on() {
 void CellAlarms::note_absence(std::int64_t seen_until_ns) {
   now_ns_ = std::max(now_ns_, seen_until_ns);
   engine_.blind_since(now_ns_);
+  offer_own(kServerAway, now_ns_, 1.0, true);
+  hand_on();
+}
+
+// One of the cell's own sources.
+void CellAlarms::offer_own(std::string_view source, std::int64_t time_ns, double value, bool time_known) {
   for (std::uint32_t i = 0; i < sources_.size(); ++i)
-    if (sources_[i].name == kServerAway) engine_.offer(alarms::SourceId(i), now_ns_, 1.0, true, true);
+    if (sources_[i].name == source) engine_.offer(alarms::SourceId(i), time_ns, value, true, time_known);
+}
+
+void CellAlarms::runtime_answers(std::int64_t time_ns) {
+  const std::lock_guard lock(mutex_);
+  now_ns_ = std::max(now_ns_, time_ns);
+  offer_own(kRuntimeAlive, now_ns_, 1.0, false);
   hand_on();
 }
 
@@ -236,6 +248,8 @@ CellAlarms::Read CellAlarms::reader_of(const std::string& name, const server::Pr
   if (!tag) return nullptr;
   return [tag = *tag](const RecordedScan& scan) -> std::optional<double> {
     if (!scan.observation->runtime_alive || !scan.observation->snapshot) return std::nullopt;
+    // Before its first scan the program has read nothing and computed nothing.
+    if (scan.observation->snapshot->scan == 0) return std::nullopt;
     return server::read(tag, scan.observation->snapshot->image);
   };
 }

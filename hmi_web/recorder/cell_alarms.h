@@ -73,6 +73,9 @@ class CellAlarms {
       std::int64_t seen_until_ns = 0);
 
   void take(const RecordedScan& scan);
+  // The runtime answers (again) at that time, whatever time its first image has: what the clock leaves out
+  // between two runs is no time in which it did not.
+  void runtime_answers(std::int64_t time_ns);
   // `by.alarm` is found by the name, `by.time_ns` is now. Returns when it is in the journal. Fails with C0606
   // (refused), C0607 (there is no such alarm), S0001 to S0007 (it has happened, but is not in the file yet).
   [[nodiscard]] result::Result<AlarmChange> command(std::string_view alarm, alarms::Command by);
@@ -113,6 +116,7 @@ class CellAlarms {
              const std::vector<protocol::Point>& points);
   result::Result<void> go_on();
   void note_absence(std::int64_t seen_until_ns);
+  void offer_own(std::string_view source, std::int64_t time_ns, double value, bool time_known);
   Read reader_of(const std::string& source, const server::ProgramLayout* layout) const;
   void resolve(const std::shared_ptr<const server::ProgramLayout>& layout);
   std::int64_t time_of(const Source& source, double value, const RecordedScan& scan) const;

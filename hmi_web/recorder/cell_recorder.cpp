@@ -192,6 +192,7 @@ std::optional<std::string> CellRecorder::take(const server::Observation& seen, c
   const bool has_image = seen.runtime_alive && seen.snapshot;
   const std::int64_t wall_ns = calendar_->at(wall_clock_(), options_.steady_clock());
   if (has_image) {
+    if (!has_answered_) alarms_->runtime_answers(clock_->passed(wall_ns));
     const auto scan_ns = static_cast<std::int64_t>(std::llround(seen.snapshot->time_s * 1e9));
     const std::int64_t time_ns = clock_->at(scan_ns, wall_ns);
     *now_ns_ = time_ns;
@@ -215,6 +216,7 @@ std::optional<std::string> CellRecorder::take(const server::Observation& seen, c
     // Who was kept from looking for long does not know when the runtime has gone.
     record_missing(has_gap(seen, wall_ns, {}) ? seen_until_ns_ + kBehindNs : now_ns_->load());
   }
+  has_answered_ = has_image;
   if (noted_ns_ != *now_ns_) historian_->note_until(noted_ns_ = *now_ns_);
   alarms_->take({*now_ns_, &seen, &view});
   return message();

@@ -117,7 +117,8 @@ class CellRecorder {
   std::vector<Series> points_, tags_;
   std::uint64_t scan_ = 0;
   double scan_time_s_ = -1.0;
-  bool missing_ = true;  // that nothing is known is recorded already
+  bool has_answered_ = false;  // at the last look the runtime did, with an image
+  bool missing_ = true;        // that nothing is known is recorded already
   // Of the newest image: its time; when it came, also once more, in real time; the source's counts by then.
   std::int64_t seen_until_ns_ = 0, came_wall_ns_ = 0;
   std::uint64_t images_ = 0, images_lost_ = 0;

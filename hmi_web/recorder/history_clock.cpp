@@ -36,9 +36,10 @@ bool HistoryClock::is_another_run(std::int64_t scan_ns, std::int64_t wall_ns) co
 std::int64_t HistoryClock::at(std::int64_t scan_ns, std::int64_t wall_ns) {
   scan_ns = whole(scan_ns);
   if (is_another_run(scan_ns, wall_ns)) {
-    // Before the first scan of all there is nothing to keep away from.
-    const std::int64_t least = scanned_ns_ == 0 ? newest_ns_ : newest_ns_ + kBetweenRunsNs;
-    epoch_ns_ = whole(std::max(wall_ns, least)) - scan_ns;
+    // Before the first scan of all there is nothing to keep away from. Time that has passed since the last
+    // one does keep away.
+    const std::int64_t least = scanned_ns_ == 0 ? newest_ns_ : scanned_ns_ + kBetweenRunsNs;
+    epoch_ns_ = whole(std::max({wall_ns, newest_ns_, least})) - scan_ns;
   }
   begun_ = true;
   is_restored_ = false;
@@ -48,9 +49,13 @@ std::int64_t HistoryClock::at(std::int64_t scan_ns, std::int64_t wall_ns) {
   return newest_ns_;
 }
 
+std::int64_t HistoryClock::passed(std::int64_t wall_ns) const {
+  if (seen_wall_ns_ == 0) return std::max(newest_ns_, whole(wall_ns));
+  return newest_ns_ + whole(std::max<std::int64_t>(0, wall_ns - seen_wall_ns_));
+}
+
 std::int64_t HistoryClock::without_scan(std::int64_t wall_ns) {
-  const std::int64_t passed = seen_wall_ns_ == 0 ? 0 : std::max<std::int64_t>(0, wall_ns - seen_wall_ns_);
-  newest_ns_ = seen_wall_ns_ == 0 ? std::max(newest_ns_, whole(wall_ns)) : newest_ns_ + whole(passed);
+  newest_ns_ = passed(wall_ns);
   seen_wall_ns_ = wall_ns;
   return newest_ns_;
 }

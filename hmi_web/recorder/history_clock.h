@@ -31,6 +31,8 @@ class HistoryClock {
   std::int64_t at(std::int64_t scan_ns, std::int64_t wall_ns);
   // The time while no scan comes: real time goes on.
   std::int64_t without_scan(std::int64_t wall_ns);
+  // What without_scan() would say. Between two runs at() leaves out more than that.
+  std::int64_t passed(std::int64_t wall_ns) const;
 
   std::int64_t newest_ns() const { return newest_ns_; }
   std::int64_t epoch_ns() const { return epoch_ns_; }

@@ -20,8 +20,12 @@ using std::chrono::milliseconds;
 using std::chrono::seconds;
 
 constexpr milliseconds kLongestTurn{20};
+constexpr seconds kBetweenTries{1};  // to write the record on a disk that is full
 // A process that takes longer than this to be ready is named.
 constexpr seconds kTellAfter{5};
+// Four signs of life are due in this time. A gateway waits for its controller in between.
+constexpr seconds kSilence{5};
+constexpr seconds kSilenceOfGateway{30};
 // A runtime may wait for a disk behind its safe outputs.
 constexpr seconds kFarewell{10};
 
@@ -37,9 +41,14 @@ process::ChildOptions command_of(const KeeperSetting& setting, const std::string
     options.arguments.emplace_back("--set");
     options.arguments.push_back(each);
   }
-  // Nobody watches over them but this process, which sees their end.
-  options.environment = {notify, "WATCHDOG_USEC="};
+  options.environment = {notify};
   return options;
+}
+
+// A supervisor gives no signs of life: it plans for as long as that takes, and the runtime watches over it.
+std::optional<milliseconds> silence_of(const std::string& name) {
+  if (name == "supervisor") return std::nullopt;
+  return name == "gateway" ? kSilenceOfGateway : kSilence;
 }
 
 result::Result<void> check_program(const std::filesystem::path& programs, const std::string& name) {
@@ -51,8 +60,10 @@ result::Result<void> check_program(const std::filesystem::path& programs, const 
 
 }  // namespace
 
-// The lock says that the cell is not up; what is left over here would only mislead people.
+// The lock says that the cell is not up; what is left over here would only mislead people, but for who has
+// asked for the end and is to hear what it has left behind.
 CellKeeper::~CellKeeper() {
+  if (!killed_.empty()) return;
   std::error_code ignored;
   std::filesystem::remove(processes::record_path(setting_.config), ignored);
 }
@@ -65,7 +76,7 @@ result::Result<std::unique_ptr<CellKeeper>> CellKeeper::make(KeeperSetting setti
   for (const std::string& name : processes::starting_order(kept.config)) {
     const process::ChildOptions options = command_of(kept, name, keeper->listener_.variable());
     if (auto there = check_program(kept.programs, name); !there) return result::forward(there);
-    auto member = KeptProcess::make(name, options);
+    auto member = KeptProcess::make(name, options, {}, silence_of(name));
     if (!member) return result::forward(member);
     keeper->members_.push_back(std::move(*member));
   }
@@ -73,7 +84,11 @@ result::Result<std::unique_ptr<CellKeeper>> CellKeeper::make(KeeperSetting setti
   if (kept.config.safety.guard.enabled && !kept.config.controller.remote()) {
     if (auto there = check_program(kept.programs, "guard"); !there) return result::forward(there);
   }
-  keeper->keep_record();
+  keeper->kept_ = keeper->record();
+  // A folder without room is told while somebody still listens.
+  if (auto unwritten = processes::write_record(processes::record_path(kept.config), *keeper->kept_);
+      !unwritten.empty())
+    return tl::unexpected(std::move(unwritten));
   if (kept.watch) keeper->watch_.emplace(kept.config, kept.overrides, kept.programs);
   return keeper;
 }
@@ -163,7 +178,7 @@ void CellKeeper::tell_failure(const KeptProcess& member) {
                "`), then `stepwright down " + file + "` and `stepwright up " + file + "`");
 }
 
-void CellKeeper::keep_record() {
+processes::CellRecord CellKeeper::record() const {
   processes::CellRecord record;
   record.cell = setting_.config.name;
   record.config = std::filesystem::absolute(setting_.config.file).lexically_normal().string();
@@ -171,11 +186,32 @@ void CellKeeper::keep_record() {
   record.ready = ready_;
   record.address = address_;
   for (const KeptProcess& each : members_)
-    record.processes.push_back({each.name(), each.pid(), to_string(each.phase()), each.restarts()});
-  if (kept_ == record) return;
-  const auto unwritten = processes::write_record(processes::record_path(setting_.config), record);
-  if (!unwritten.empty()) console_.say(result::to_string(unwritten));
-  kept_ = std::move(record);
+    record.processes.push_back(
+        {each.name(), each.pid(), to_string(each.phase()), each.restarts(), each.reason()});
+  record.killed = killed_;
+  return record;
+}
+
+void CellKeeper::keep_record() {
+  processes::CellRecord news = record();
+  const auto now = Clock::now();
+  if (kept_ == news || now < next_try_) return;
+  const auto unwritten = processes::write_record(processes::record_path(setting_.config), news);
+  if (!unwritten.empty() && !record_fails_) console_.say(result::to_string(unwritten));
+  record_fails_ = !unwritten.empty();
+  if (record_fails_) {
+    next_try_ = now + kBetweenTries;
+  } else {
+    kept_ = std::move(news);
+  }
+}
+
+void CellKeeper::kill(KeptProcess& member) {
+  const std::string left = processes::left_behind_by(member.name());
+  console_.say(member.name() + " does not end: it is killed" + (left.empty() ? "" : "; " + left));
+  killed_.push_back(member.name());
+  keep_record();
+  member.kill_now();
 }
 
 void CellKeeper::end_all() {
@@ -189,12 +225,9 @@ void CellKeeper::end_all() {
     console_.say("ends " + name);
     member->ask_to_end();
     const auto deadline = Clock::now() + kFarewell;
-    while (member->runs()) {
-      turn(nullptr);
-      if (Clock::now() < deadline || !member->runs()) continue;
-      console_.say(name + " does not end: it is killed");
-      member->kill_now();
-    }
+    while (member->runs() && Clock::now() < deadline) turn(nullptr);
+    if (member->runs()) kill(*member);
+    while (member->runs()) turn(nullptr);
   }
 }
 
@@ -223,7 +256,7 @@ ExitCode CellKeeper::run(const process::StopSignal& stop) {
   const bool whole = failed() == nullptr;
   end_all();
   console_.say("the cell '" + setting_.config.name + "' is down");
-  return whole ? ExitCode::Done : ExitCode::RuntimeFault;
+  return whole && killed_.empty() ? ExitCode::Done : ExitCode::RuntimeFault;
 }
 
 }  // namespace stepwright::up

@@ -7,7 +7,8 @@
 //
 // They are started one after the other, each when the one before has said that it is ready. If one of them
 // fails before all are, all are ended again: no half of a cell is left. Afterwards a process that ends is
-// started again; one that fails again and again is left alone, and the others go on.
+// started again, and so is one that hangs; one that fails again and again is left alone, and the others go
+// on.
 //
 // Threads: one.
 
@@ -40,7 +41,8 @@ struct KeeperSetting {
 
 class CellKeeper {
  public:
-  // Fails with M0001 if one of the programs is missing, before any is started; M0014.
+  // Before any is started it fails with M0001 if one of the programs is missing, with E0002 if the state
+  // folder takes no record of them; M0014.
   [[nodiscard]] static result::Result<std::unique_ptr<CellKeeper>> make(KeeperSetting setting,
                                                                         Console& console);
   ~CellKeeper();
@@ -61,6 +63,8 @@ class CellKeeper {
   void tell_token();
   void tell_failure(const processes::KeptProcess& member);
   void end_all();
+  void kill(processes::KeptProcess& member);
+  processes::CellRecord record() const;
   void keep_record();
   const processes::KeptProcess* failed() const;
   processes::KeptProcess* find(const std::string& name);
@@ -77,7 +81,10 @@ class CellKeeper {
   std::string address_;  // of the page
   std::string token_;    // that nobody was told yet
   std::vector<std::string> told_failed_;
+  std::vector<std::string> killed_;  // at the end
   std::optional<processes::CellRecord> kept_;
+  bool record_fails_ = false;
+  Clock::time_point next_try_{};  // of a record that could not be written
   std::optional<SourceWatch> watch_;
 };
 

@@ -15,6 +15,9 @@
 namespace stepwright::up {
 namespace {
 
+// What a cell says until it is ready, and more.
+constexpr off_t kRoomBytes = 256 * 1'024;
+
 tl::unexpected<result::Diagnostics> failure(const std::string& what) {
   return result::fail("M0014", {}, what + ": " + std::strerror(errno));
 }
@@ -42,6 +45,14 @@ Detached::~Detached() {
 result::Result<std::optional<int>> Detached::leave(const std::filesystem::path& log) {
   const int file = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC | O_NOFOLLOW, 0600);
   if (file < 0) return failure("the log " + log.string() + " cannot be opened");
+  // A disk that is full fails here, where somebody hears of it. Not every file system can keep room.
+  if (fallocate(file, FALLOC_FL_KEEP_SIZE, 0, kRoomBytes) != 0 && (errno == ENOSPC || errno == EDQUOT)) {
+    const int reason = errno;
+    close(file);
+    return result::fail("M0022", {log.string(), 0, 0},
+                        std::string("the log cannot be written: ") + std::strerror(reason),
+                        "make room, or name another folder: [cell] state_dir");
+  }
   std::array<int, 2> ends{};
   if (pipe2(ends.data(), O_CLOEXEC) != 0) return failure("the system gives no pipe");
   const pid_t child = fork();

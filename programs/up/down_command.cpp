@@ -2,14 +2,13 @@
 
 #include <signal.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cstdio>
 #include <cstring>
 #include <thread>
 
-#include "cell/processes/kept_process.h"
+#include "cell/processes/cell_record.h"
 #include "programs/up/cell_lock.h"
 #include "runtime/ground/process/command_line.h"
 
@@ -18,7 +17,6 @@ namespace {
 
 using process::fail;
 using processes::CellRecord;
-using processes::ProcessRecord;
 using result::ExitCode;
 using std::chrono::milliseconds;
 
@@ -26,53 +24,23 @@ constexpr milliseconds kLook{50};
 // More than all processes together may take.
 constexpr std::chrono::seconds kMostWait{90};
 
-bool is_ready(const ProcessRecord& each) {
-  return each.phase == to_string(processes::Phase::Ready);
-}
-
-void print(const CellRecord& record) {
-  std::printf("cell '%s': %s, page %s, process %d\n", record.cell.c_str(), record.ready ? "up" : "coming up",
-              record.address.empty() ? "not yet" : record.address.c_str(), static_cast<int>(record.pid));
-  for (const ProcessRecord& each : record.processes) {
-    std::printf("  %-14s %-10s", each.name.c_str(), each.phase.c_str());
-    if (each.pid != 0) std::printf(" process %d", static_cast<int>(each.pid));
-    if (each.restarts != 0) std::printf(", started again %d times", each.restarts);
-    std::printf("\n");
+// What that `up` has left behind which has just ended.
+result::Diagnostics left_behind(const config::CellConfig& config, pid_t pid) {
+  result::Diagnostics problems;
+  const auto record = processes::read_record(processes::record_path(config));
+  if (!record || record->pid != pid) return problems;
+  for (const std::string& name : record->killed) {
+    const std::string left = processes::left_behind_by(name);
+    problems.push_back({"M0021",
+                        result::Severity::Error,
+                        {config.file.string(), 0, 0},
+                        name + " did not end and was killed" + (left.empty() ? "" : ": " + left),
+                        "the log of `stepwright up` has what it said last"});
   }
-}
-
-void print_not_up(const config::CellConfig& config, bool json) {
-  if (json) {
-    CellRecord record;
-    record.cell = config.name;
-    record.config = std::filesystem::absolute(config.file).lexically_normal().string();
-    std::fputs(processes::to_json(record).c_str(), stdout);
-    return;
-  }
-  std::printf("cell '%s' is not up; `stepwright up %s` brings it up\n", config.name.c_str(),
-              config.file.c_str());
+  return problems;
 }
 
 }  // namespace
-
-int run_status(const Options& options) {
-  const auto config = load_for_a_look(options);
-  if (!config) return fail(config.error(), ExitCode::BadInput);
-  const auto found = find_cell(*config);
-  if (!found) return fail(found.error(), ExitCode::RuntimeFault);
-  if (!*found) {
-    print_not_up(*config, options.json);
-    return to_int(ExitCode::RuntimeFault);
-  }
-  const CellRecord& record = **found;
-  if (options.json) {
-    std::fputs(processes::to_json(record).c_str(), stdout);
-  } else {
-    print(record);
-  }
-  const bool whole = record.ready && std::ranges::all_of(record.processes, is_ready);
-  return to_int(whole ? ExitCode::Done : ExitCode::RuntimeFault);
-}
 
 int run_down(const Options& options) {
   const auto config = load_for_a_look(options);
@@ -106,7 +74,8 @@ int run_down(const Options& options) {
     return fail(late.value(), ExitCode::RuntimeFault);
   }
   std::printf("cell '%s' is down\n", config->name.c_str());
-  return to_int(ExitCode::Done);
+  const result::Diagnostics problems = left_behind(*config, pid);
+  return problems.empty() ? to_int(ExitCode::Done) : fail(problems, ExitCode::RuntimeFault);
 }
 
 }  // namespace stepwright::up

@@ -1,14 +1,13 @@
 #pragma once
 
-// The commands about a cell that is up: `down` ends it in order, `status` says how it is.
+// `stepwright down`: ends a cell that is up, in order.
 
 #include "programs/up/options.h"
 
 namespace stepwright::up {
 
-// Waits until the cell is down. Done also if it was not up.
+// Waits until the cell is down. Done also if it was not up; RuntimeFault with M0021 if a process had to be
+// killed.
 int run_down(const Options& options);
-// Done if the cell is up and all its processes are ready; RuntimeFault if not.
-int run_status(const Options& options);
 
 }  // namespace stepwright::up

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "programs/up/down_command.h"
+#include "programs/up/status_command.h"
 #include "programs/up/up_command.h"
 #include "runtime/ground/process/command_line.h"
 
@@ -32,9 +33,15 @@ int main(int argc, char** argv) {
   up->footer(
       "Exit codes: 0 the cell is down again, 1 something is wrong with it, 2 usage, 5 a process has failed.");
   CLI::App* const down = add(app, options, "down", "end all processes of a cell that is up, in order");
+  down->footer(
+      "Exit codes: 0 it is down, 1 the file is wrong, 2 usage, 5 a process had to be killed, or it does not "
+      "end.");
   CLI::App* const status = add(app, options, "status", "say how the processes of a cell are");
   status->add_flag("--json", options.json, "as JSON");
-  status->footer("Exit codes: 0 it is up and all are ready, 1 the file is wrong, 2 usage, 5 it is not.");
+  status->footer(
+      "Exit codes: 0 it is up and all are ready, 1 the file is wrong, 2 usage, 5 it is not, or its program "
+      "is in "
+      "fault or does not answer.");
   if (const auto exit = stepwright::process::parse(app, argc, argv)) return *exit;
   if (down->parsed()) return stepwright::up::run_down(options);
   return status->parsed() ? stepwright::up::run_status(options) : stepwright::up::run_up(options);

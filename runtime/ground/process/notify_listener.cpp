@@ -25,6 +25,7 @@ Notice notice_of(std::string_view text, pid_t sender) {
     text.remove_prefix(std::min(line.size() + 1, text.size()));
     constexpr std::string_view kStatus = "STATUS=";
     if (line == "READY=1") notice.ready = true;
+    if (line == "WATCHDOG=1") notice.alive = true;
     if (line.starts_with(kStatus)) notice.status = line.substr(kStatus.size());
   }
   return notice;

@@ -24,6 +24,7 @@ namespace stepwright::process {
 struct Notice {
   pid_t sender = 0;
   bool ready = false;
+  bool alive = false;                      // a sign of life for who watches over it
   std::optional<std::string> status = {};  // what it is at, in one line
 };
 

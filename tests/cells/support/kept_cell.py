@@ -17,6 +17,21 @@ PROGRAM Main
 END_PROGRAM
 """
 PAGE = '[hmi]\nport = 0\nanonymous = "viewer"\n'
+# Nobody listens on port 1: the device is never there, and the client goes on trying.
+DEVICES = PAGE + """\
+[clock]
+mode = "real"
+[runtime]
+sources = ["main.st"]
+[io]
+kind = "modbus"
+[[modbus.device]]
+name = "tank"
+host = "127.0.0.1"
+port = 1
+[[modbus.device.group]]
+tags = [ { name = "lamp", address = "%QX0.0", coil = 0 } ]
+"""
 RUNS = '[clock]\nmode = "real"\n[runtime]\nsources = ["main.st"]\nautostart = true\n'
 
 

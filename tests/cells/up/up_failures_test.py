@@ -6,10 +6,19 @@ import signal
 import socket
 import unittest
 
-from kept_cell import NO_PLANT, PAGE, RUNS, KeptCell
+from kept_cell import DEVICES, NO_PLANT, PAGE, RUNS, KeptCell
 from processes import BIN, eventually, stepwright
 
 FAILS = "#!/bin/sh\necho this link cannot live\nexit 5\n"
+HANGS = """\
+#!/usr/bin/env python3
+import os, signal, socket
+signal.signal(signal.SIGTERM, signal.SIG_IGN)
+init = socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM)
+init.sendto(b"READY=1", "\\0" + os.environ["NOTIFY_SOCKET"][1:])
+while True:
+    signal.pause()
+"""
 
 
 class Failures(unittest.TestCase):
@@ -30,12 +39,14 @@ class Failures(unittest.TestCase):
         cell.command = folder / "stepwright"
         return folder
 
-    def replace_link(self, folder):
-        link = folder / "stepwright-link"
-        beside = folder / "failing"
-        beside.write_text(FAILS, encoding="utf-8")
+    def replace(self, program, text):
+        beside = program.with_name("beside")
+        beside.write_text(text, encoding="utf-8")
         beside.chmod(0o755)
-        os.replace(beside, link)
+        os.replace(beside, program)
+
+    def replace_link(self, folder):
+        self.replace(folder / "stepwright-link", FAILS)
 
     def refused(self, cell, code, *arguments):
         """Runs it to its end; what it said."""
@@ -99,6 +110,20 @@ class Failures(unittest.TestCase):
         self.assertEqual({name: after[name] for name in ("hmi", "runtime")}, {name: before[name] for name in ("hmi", "runtime")})
         self.assertEqual(cell.run("down").returncode, 0)
         self.assertEqual(process.wait(), 5)
+
+    def test_down_says_what_a_process_that_had_to_be_killed_leaves_behind(self):
+        cell = self.kept(more=DEVICES)
+        self.replace(self.programs(cell) / "stepwright-modbus-client", HANGS)
+        process = cell.ready()
+        pids = cell.pids().values()
+        down = cell.run("down")
+        self.assertEqual(down.returncode, 5, down.stdout + down.stderr)
+        self.assertIn("M0021: modbus-client did not end and was killed", down.stderr)
+        self.assertIn("the outputs of the devices may still be on", down.stderr)
+        self.assertEqual(process.wait(), 5, process.output())
+        self.assertIn("modbus-client does not end: it is killed; the outputs of the devices may still be on", process.output())
+        self.assertTrue(cell.nothing_is_left(pids))
+        self.assertEqual(cell.run("status").returncode, 5)
 
     def test_a_state_folder_that_anybody_may_write_to_is_refused(self):
         cell = self.kept()

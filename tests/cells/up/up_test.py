@@ -5,7 +5,7 @@ import re
 import signal
 import unittest
 
-from kept_cell import KeptCell, alive
+from kept_cell import DEVICES, KeptCell, alive
 from processes import SOURCES, eventually, get, stepwright
 
 ORDER = ["hmi", "link", "runtime"]
@@ -59,6 +59,20 @@ class Up(unittest.TestCase):
             self.assertRegex(process.output(), rf"(?m)^{name} +\| was ended by the signal KILL: it is started again in 0\.1 s$")
         self.assertEqual(get(cell.port(), "/")[0].status, 200)
         self.assertEqual(cell.run("status").returncode, 0)
+
+    def test_what_hangs_is_killed_and_started_again(self):
+        cell = self.kept(more=DEVICES)
+        process = cell.ready()
+        for name in ["modbus-client", "hmi", "link"]:  # a runtime that hangs is its guard's
+            hung = cell.of(name)["pid"]
+            os.kill(hung, signal.SIGSTOP)
+
+            def back(name=name, hung=hung):
+                now = cell.of(name)
+                return now["phase"] == "ready" and now["pid"] != hung and now["restarts"] == 1
+            self.assertTrue(eventually(back), process.output())
+            self.assertRegex(process.output(), rf"(?m)^{name} +\| gave no sign of life for 5\.0 s: it hangs, and is killed$")
+            self.assertRegex(cell.run("status").stdout, rf"(?m)^  {name} .*the last time because it gave no sign of life for 5\.0 s$")
 
     def test_ctrl_c_ends_all_in_order(self):
         cell = self.kept()

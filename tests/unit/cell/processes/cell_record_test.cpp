@@ -11,9 +11,14 @@ namespace {
 
 TEST(CellRecord, WhenItIsWritten_ThenItIsReadTheSame) {
   const support::TemporaryFolder folder;
-  const CellRecord record{"line", "/cells/line/cell.toml",
-                          41,     "http://127.0.0.1:8080/",
-                          true,   {{"runtime", 42, "ready", 3}, {"link", 0, "failed", 5}}};
+  CellRecord record;
+  record.cell = "line";
+  record.config = "/cells/line/cell.toml";
+  record.pid = 41;
+  record.address = "http://127.0.0.1:8080/";
+  record.ready = true;
+  record.processes = {{"runtime", 42, "ready", 3, "ended with 5"}, {"link", 0, "failed", 5, "ended with 1"}};
+  record.killed = {"link"};
   ASSERT_TRUE(write_record(folder.path() / "up.json", record).empty());
   const auto read = read_record(folder.path() / "up.json");
   ASSERT_TRUE(read);

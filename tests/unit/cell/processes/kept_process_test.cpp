@@ -90,6 +90,58 @@ TEST_F(KeptProcessTest, WhenItIsAskedToEnd_ThenItEndsAndStaysSo) {
   EXPECT_EQ(process.phase(), Phase::Ended);
 }
 
+class WatchedProcessTest : public KeptProcessTest {
+ protected:
+  // Asks every 100 ms of the test's time, until there is news or that time is over.
+  std::string pass(KeptProcess& process, milliseconds time) {
+    std::string news;
+    for (const auto end = now_ + time; now_ < end && news.empty(); now_ += milliseconds(100))
+      news = process.turn(now_);
+    return news;
+  }
+  void live(KeptProcess& process) {
+    process.hear({.sender = process.pid(), .alive = true, .status = std::nullopt}, now_);
+  }
+};
+
+TEST_F(WatchedProcessTest, WhenItIsHungBehindASignOfLife_ThenItIsKilledAndStartedAgain) {
+  auto made = KeptProcess::make("sh", {.arguments = {"/bin/sh", "-c", "trap '' TERM; sleep 100"}}, {},
+                                milliseconds(2'000));
+  ASSERT_TRUE(made);
+  ASSERT_TRUE(made->start());
+  be_ready(*made);
+  EXPECT_EQ(pass(*made, milliseconds(10'000)), "") << "it has never given a sign of life";
+  live(*made);
+  EXPECT_EQ(pass(*made, milliseconds(1'500)), "");
+  live(*made);
+  EXPECT_EQ(pass(*made, milliseconds(1'500)), "");
+  EXPECT_EQ(pass(*made, milliseconds(1'000)), "gave no sign of life for 2.0 s: it hangs, and is killed");
+  EXPECT_EQ(end_of(*made), "was ended by the signal KILL: it is started again in 0.1 s");
+  EXPECT_EQ(made->reason(), "gave no sign of life for 2.0 s");
+  made->turn(now_ + milliseconds(100));
+  EXPECT_EQ(made->phase(), Phase::Starting);
+}
+
+TEST_F(WatchedProcessTest, WhenItIsAskedToEnd_ThenItNeedsToGiveNoSignOfLife) {
+  auto made = KeptProcess::make("sh", {.arguments = {"/bin/sh", "-c", "trap '' TERM; sleep 100"}}, {},
+                                milliseconds(2'000));
+  ASSERT_TRUE(made);
+  ASSERT_TRUE(made->start());
+  live(*made);
+  made->ask_to_end();
+  EXPECT_EQ(pass(*made, milliseconds(10'000)), "");
+  made->kill_now();
+}
+
+TEST_F(WatchedProcessTest, WhenItIsStarted_ThenItIsToldHowOftenToGiveASignOfLife) {
+  auto made = KeptProcess::make("sh", {.arguments = {"/bin/sh", "-c", "echo \"$WATCHDOG_USEC\""}}, {},
+                                milliseconds(2'000));
+  ASSERT_TRUE(made);
+  ASSERT_TRUE(made->start());
+  end_of(*made);
+  EXPECT_EQ(made->lines(), std::vector<std::string>{"2000000"});
+}
+
 TEST_F(KeptProcessTest, WhenItPrints_ThenLinesComeWholeAndTheRestAtItsEnd) {
   KeptProcess process = make("printf 'one\\ntwo'");
   end_of(process);

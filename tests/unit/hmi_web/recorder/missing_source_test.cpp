@@ -40,7 +40,7 @@ class MissingSourceTest : public testing::Test {
   }
   // A program with these variables, all of that value; null: the runtime does not answer.
   void look(const std::shared_ptr<const server::ProgramLayout>& layout, std::int32_t value = 0,
-            std::optional<double> level = 50.0) {
+            std::optional<double> level = 50.0, std::uint64_t scan = 1) {
     server::Observation seen;
     server::CellView view;
     seen.runtime_alive = layout != nullptr;
@@ -49,7 +49,7 @@ class MissingSourceTest : public testing::Test {
       std::vector<std::byte> image(4 * layout->tags.size());
       for (std::size_t i = 0; i < layout->tags.size(); ++i)
         std::memcpy(image.data() + 4 * i, &value, sizeof value);
-      seen.snapshot = server::ImageSnapshot{1, 0.0, image, {}};
+      seen.snapshot = server::ImageSnapshot{scan, 0.0, image, {}};
     }
     view.state.points = {level};
     alarms_->take({time_ns_ += 1'000'000'000, &seen, &view});
@@ -79,6 +79,15 @@ TEST_F(MissingSourceTest, WhenTheProgramHasNoSuchVariable_ThenItsAlarmIsNotNorma
   EXPECT_EQ(listed()["misspelt"]["problem"], "the program has no variable 'main.levle'");
   EXPECT_EQ(figure("no_variable"), 1);
   EXPECT_EQ(figure(), 0);
+}
+
+TEST_F(MissingSourceTest, WhenTheProgramHasNotScannedYet_ThenItsValuesRaiseNothing) {
+  open({alarm("on", "main.on")});
+  look(program({"main.on"}), 1, 50.0, 0);
+  EXPECT_EQ(listed()["on"]["state"], "no value");
+  EXPECT_EQ(listed()["on"]["problem"], "'main.on' has no value");
+  look(program({"main.on"}), 1, 50.0, 1);
+  EXPECT_EQ(listed()["on"]["state"], "unacknowledged");
 }
 
 TEST_F(MissingSourceTest,

@@ -53,6 +53,14 @@ TEST(HistoryClock, WhenNoScanComes_ThenTimeGoesOnAndNeverBack) {
   EXPECT_GE(clock.at(kSecond, kWall + 4 * kSecond), kWall + 3 * kSecond);
 }
 
+TEST(HistoryClock, WhenRealTimeHasPassedSinceTheRunBefore_ThenTheNextBeginsNow) {
+  const KnownEpoch known{kWall, kWall + 10 * kSecond};
+  HistoryClock clock(true, known);
+  EXPECT_EQ(clock.without_scan(kWall + 15 * kSecond), kWall + 15 * kSecond);
+  EXPECT_EQ(clock.passed(kWall + 16 * kSecond), kWall + 16 * kSecond);
+  EXPECT_EQ(clock.at(kSecond, kWall + 16 * kSecond), kWall + 16 * kSecond);
+}
+
 // A server always looks before the first image has come.
 TEST(HistoryClock, WhenItWasLookedAtBeforeTheFirstScan_ThenItKeepsToRealTime) {
   HistoryClock clock(true);
@@ -196,6 +204,23 @@ TEST_F(RecorderTest, WhenTheRuntimeIsLost_ThenNothingHoldsAndAnAlarmHasItsTime) 
   EXPECT_EQ(levels[9], 50.0);
   EXPECT_TRUE(levels[15].is_null());
   EXPECT_EQ(levels[30], 50.0);
+}
+
+// The clock leaves out two seconds behind a run that it saw: they are no time in which nobody answered.
+TEST_F(RecorderTest, WhenTheServerIsUpBeforeItsRuntime_ThenThatIsNotLost) {
+  for (const bool real : {true, false}) {
+    options_.real_time = real;
+    open();
+    look(10.0, {5}, 50.0);
+    look(real ? 11.0 : 500.0, {5}, 50.0, true, 11.0);
+    ASSERT_TRUE(recorder_->flush().has_value());
+    open();
+    look(0.0, {}, 0.0, false, 11.1);
+    look(0.0, {}, 0.0, false, 12.0);
+    look(0.1, {5}, 50.0, true, 12.9);
+    look(0.2, {5}, 50.0, true, 13.0);
+    EXPECT_EQ(answer("/api/alarms/journal?alarm=runtime.lost")["entries"].size(), 0u) << real;
+  }
 }
 
 TEST_F(RecorderTest, WhenTheCalendarIsWrongAtOneStart_ThenNothingIsDeletedAndNoTimeStaysThere) {

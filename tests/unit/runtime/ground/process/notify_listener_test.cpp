@@ -41,6 +41,17 @@ TEST_F(NotifyListenerTest, WhenAProcessSaysThatItIsReady_ThenItIsHeardWithItsNum
   EXPECT_EQ(notices[1].sender, getpid());
 }
 
+TEST_F(NotifyListenerTest, WhenAProcessGivesASignOfLife_ThenItIsHeard) {
+  NotifySocket process;
+  process.status("at its work");
+  process.watchdog();
+  const auto notices = listener_->take();
+  ASSERT_EQ(notices.size(), 2u);
+  EXPECT_FALSE(notices[0].alive);
+  EXPECT_TRUE(notices[1].alive);
+  EXPECT_EQ(notices[1].sender, getpid());
+}
+
 TEST_F(NotifyListenerTest, WhenNobodySaysAnything_ThenItDoesNotWait) {
   EXPECT_TRUE(listener_->take().empty());
 }

@@ -1,0 +1,111 @@
+#include "programs/up/status_command.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+
+#include "cell/processes/kept_process.h"
+#include "programs/up/cell_lock.h"
+#include "runtime/ground/process/command_line.h"
+#include "runtime/host/state_name.h"
+#include "runtime/service/connection.h"
+
+namespace stepwright::up {
+namespace {
+
+using process::fail;
+using processes::CellRecord;
+using processes::ProcessRecord;
+using processes::ProgramRecord;
+using result::ExitCode;
+
+// A runtime sends its status ten times a second, and the first with its greeting.
+constexpr std::chrono::seconds kPatience{2};
+constexpr const char* kNoAnswer = "unknown";
+
+bool is_ready(const ProcessRecord& each) {
+  return each.phase == to_string(processes::Phase::Ready);
+}
+
+// Whether something serves the socket of the cell's runtime: a controller that is loaded by hand does not.
+bool has_runtime(const config::CellConfig& config, const CellRecord& record) {
+  const auto scans = [](const ProcessRecord& each) {
+    return (each.name == "runtime" || each.name == "gateway") && is_ready(each);
+  };
+  return !config.controller.loaded_by_hand && std::ranges::any_of(record.processes, scans);
+}
+
+ProgramRecord program_of(const host::RuntimeStatus& status, const config::CellConfig& config) {
+  ProgramRecord program;
+  program.state = host::name_of(status.state);
+  program.mode = config.clock.mode == config::ClockMode::Real ? "real clock" : "simulated clock";
+  if (status.waiting_for_supervisor) program.mode += ", waiting for the supervisor";
+  program.detail = status.detail;
+  return program;
+}
+
+ProgramRecord ask_program(const config::CellConfig& config) {
+  auto connection = service::Connection::open(config.socket_path(), {.name = "status"});
+  if (!connection) return {kNoAnswer, "no answer", result::to_string(connection.error())};
+  while (auto message = (*connection)->receive(kPatience))
+    if (const auto* status = std::get_if<host::RuntimeStatus>(&*message)) return program_of(*status, config);
+  return {kNoAnswer, "no answer", "it is served, and sends no status"};
+}
+
+bool has_failed(const CellRecord& record) {
+  return record.program && (record.program->state == host::name_of(host::RuntimeState::Fault) ||
+                            record.program->state == kNoAnswer);
+}
+
+void print(const CellRecord& record) {
+  std::printf("cell '%s': %s, page %s, process %d\n", record.cell.c_str(), record.ready ? "up" : "coming up",
+              record.address.empty() ? "not yet" : record.address.c_str(), static_cast<int>(record.pid));
+  for (const ProcessRecord& each : record.processes) {
+    std::printf("  %-14s %-10s", each.name.c_str(), each.phase.c_str());
+    if (each.pid != 0) std::printf(" process %d", static_cast<int>(each.pid));
+    if (each.restarts != 0) std::printf(", started again %d times", each.restarts);
+    if (!each.reason.empty())
+      std::printf("%s it %s", each.restarts != 0 ? ", the last time because" : ":", each.reason.c_str());
+    std::printf("\n");
+  }
+  if (!record.program) return;
+  std::printf("  program %s (%s)", record.program->state.c_str(), record.program->mode.c_str());
+  if (!record.program->detail.empty()) std::printf(": %s", record.program->detail.c_str());
+  std::printf("\n");
+}
+
+void print_not_up(const config::CellConfig& config, bool json) {
+  if (json) {
+    CellRecord record;
+    record.cell = config.name;
+    record.config = std::filesystem::absolute(config.file).lexically_normal().string();
+    std::fputs(processes::to_json(record).c_str(), stdout);
+    return;
+  }
+  std::printf("cell '%s' is not up; `stepwright up %s` brings it up\n", config.name.c_str(),
+              config.file.c_str());
+}
+
+}  // namespace
+
+int run_status(const Options& options) {
+  const auto config = load_for_a_look(options);
+  if (!config) return fail(config.error(), ExitCode::BadInput);
+  const auto found = find_cell(*config);
+  if (!found) return fail(found.error(), ExitCode::RuntimeFault);
+  if (!*found) {
+    print_not_up(*config, options.json);
+    return to_int(ExitCode::RuntimeFault);
+  }
+  CellRecord record = **found;
+  if (has_runtime(*config, record)) record.program = ask_program(*config);
+  if (options.json) {
+    std::fputs(processes::to_json(record).c_str(), stdout);
+  } else {
+    print(record);
+  }
+  const bool whole = record.ready && std::ranges::all_of(record.processes, is_ready) && !has_failed(record);
+  return to_int(whole ? ExitCode::Done : ExitCode::RuntimeFault);
+}
+
+}  // namespace stepwright::up
