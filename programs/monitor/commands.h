@@ -4,6 +4,7 @@
 // returns the exit code; what is wrong went to stderr. Threads: one.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,7 +31,7 @@ int list_forces(const config::CellConfig& config, const ForceArguments& argument
 
 struct FaultArguments {
   std::string name;  // of the plant's
-  double value = 0.0;
+  std::optional<double> value;
   bool clear = false;  // it ends instead
 };
 int fault(const config::CellConfig& config, const FaultArguments& arguments);

@@ -83,7 +83,6 @@ void Commands::add_faults() {
   auto* value = command->add_option("value", fault_.value, "in the fault's unit")->check(refuse_no_number);
   auto* clear = command->add_flag("--clear", fault_.clear, "it ends");
   value->excludes(clear);
-  command->require_option(3, 0);  // --config, the name and one of the two
 }
 
 void Commands::add_forces() {

@@ -32,7 +32,11 @@ int stop(const config::CellConfig& config) {
 
 int fault(const config::CellConfig& config, const FaultArguments& arguments) {
   constexpr double kEnds = std::numeric_limits<double>::quiet_NaN();
-  return perform(config, service::InjectFault{arguments.name, arguments.clear ? kEnds : arguments.value},
+  if (!arguments.clear && !arguments.value) {
+    std::fputs("stepwright fault: a VALUE, or --clear\n", stderr);
+    return to_int(result::ExitCode::Usage);
+  }
+  return perform(config, service::InjectFault{arguments.name, arguments.clear ? kEnds : *arguments.value},
                  arguments.clear ? "the fault has ended" : "the plant has the fault");
 }
 

@@ -3,8 +3,9 @@
 import { join } from 'node:path';
 
 import { leadOverPage } from './page_run.mjs';
-import { isAccessible } from './people.mjs';
+import { claims, isAccessible } from './people.mjs';
 import { startMixer } from './recipe_cell.mjs';
+import { editor, says } from './screen_editor.mjs';
 import { check, fitsEachLook, options, waitFor } from './support.mjs';
 
 const DRAWING = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 400 200">
@@ -47,6 +48,22 @@ async function fits(page) {
   await isAccessible(page, 'the page with a drawing');
 }
 
+// As the beginning of a screen.
+async function becomesAScreen(page, cell) {
+  await claims(page, await cell.setupToken());
+  await page.getByTestId('no-screens').getByRole('button', { name: 'Draw a screen' }).click();
+  await editor(page).getByLabel('Name', { exact: true }).fill('Hall');
+  await editor(page).getByRole('button', { name: "Plant's drawing" }).click();
+  await says(page, 'The drawing of the plant is here');
+  check((await page.locator('[data-testid=canvas] [data-item]').count()) === 5, 'each of its elements can be moved');
+  await editor(page).getByRole('button', { name: 'Save' }).click();
+  await says(page, 'Saved as version 1');
+  await editor(page).getByRole('button', { name: 'Close' }).click();
+  await waitFor(page, 'and lives as a screen, too', () =>
+    [...document.querySelectorAll('[data-testid=screen] text')].some((one) => one.textContent === '12.5 %'));
+  await shot(page, 'screen');
+}
+
 await leadOverPage(given, {
   name: 'drawing',
   start: () => startMixer(given.server, { 'hall.svg': DRAWING }, 'drawing = "hall.svg"\n'),
@@ -54,5 +71,6 @@ await leadOverPage(given, {
     await livesByValues(page);
     await followsSwitches(page, cell);
     await fits(page);
+    await becomesAScreen(page, cell);
   },
 });
