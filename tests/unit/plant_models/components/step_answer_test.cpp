@@ -15,7 +15,8 @@ constexpr const char* kFilling = R"toml([components.well]
 type = "source"
 [components.pump]
 type = "pump"
-flow = "1 l/s"
+head = "20 m"
+resistance = "20000 m/(m3/s)"
 in = "well"
 out = "vessel"
 command = "PUMP"
