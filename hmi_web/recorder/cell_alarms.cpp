@@ -62,6 +62,12 @@ AlarmDefinition monitor_alarm(std::uint32_t number) {
   return one;
 }
 
+bool is_unread(const std::optional<reader::Variable>& variable, const server::Observation& seen) {
+  return variable && std::ranges::any_of(seen.unread, [&](const reader::Variable& input) {
+           return server::overlap(*variable, input);
+         });
+}
+
 void write_times(JsonWriter& out, const alarms::AlarmView& view) {
   const auto time = [&](const char* key, std::int64_t ns) {
     out.key(key);
@@ -173,7 +179,7 @@ CellAlarms::CellAlarms(alarms::AlarmEngine engine, std::unique_ptr<alarms::Alarm
     : journal_(std::move(journal)), engine_(std::move(engine)), statistics_(engine_.definitions()) {
   for (const protocol::Point& point : points) point_ids_.push_back(point.id);
   for (const std::string& name : engine_.sources())
-    sources_.push_back({name, nullptr, name.starts_with(kMonitor), false, std::nullopt});
+    sources_.push_back({name, nullptr, {}, name.starts_with(kMonitor), false, std::nullopt});
   std::map<std::string_view, const Source*> by_name;
   for (const Source& source : sources_) by_name.emplace(source.name, &source);
   for (const AlarmDefinition& one : engine_.definitions()) {
@@ -223,6 +229,14 @@ void CellAlarms::runtime_answers(std::int64_t time_ns) {
   hand_on();
 }
 
+std::optional<reader::Variable> CellAlarms::variable_of(const std::string& name,
+                                                        const server::ProgramLayout* layout) const {
+  constexpr std::string_view kOwn[] = {kRuntimeAlive, kRuntimeFault, kSupervisorAlive, kServerAway};
+  const bool other = std::ranges::find(kOwn, name) != std::end(kOwn) ||
+                     std::ranges::find(point_ids_, name) != point_ids_.end();
+  return other || layout == nullptr ? std::nullopt : find_tag(*layout, name);
+}
+
 CellAlarms::Read CellAlarms::reader_of(const std::string& name, const server::ProgramLayout* layout) const {
   const auto flag = [](bool value) { return std::optional<double>(value ? 1.0 : 0.0); };
   if (name == kRuntimeAlive)
@@ -244,7 +258,7 @@ CellAlarms::Read CellAlarms::reader_of(const std::string& name, const server::Pr
       return scan.view->state.points.at(index);
     };
   }
-  const auto tag = layout != nullptr ? find_tag(*layout, name) : std::nullopt;
+  const auto tag = variable_of(name, layout);
   if (!tag) return nullptr;
   return [tag = *tag](const RecordedScan& scan) -> std::optional<double> {
     if (!scan.observation->runtime_alive || !scan.observation->snapshot) return std::nullopt;
@@ -258,7 +272,10 @@ void CellAlarms::resolve(const std::shared_ptr<const server::ProgramLayout>& lay
   if (resolved_ && layout == layout_) return;
   resolved_ = true;
   layout_ = layout;
-  for (Source& source : sources_) source.read = reader_of(source.name, layout.get());
+  for (Source& source : sources_) {
+    source.read = reader_of(source.name, layout.get());
+    source.variable = variable_of(source.name, layout.get());
+  }
   monitor_now_ = reader_of("MON_NOW", layout.get());
   before_count_ = interval_ns_ = 0;
 }
@@ -278,10 +295,12 @@ std::int64_t CellAlarms::time_of(const Source& source, double value, const Recor
   return scan.time_ns - (before_count_ - std::llround(value)) * interval_ns_;
 }
 
-CellAlarms::Missing CellAlarms::missing_of(const Source& source, bool has_value, const RecordedScan& scan) {
+CellAlarms::Missing CellAlarms::missing_of(const Source& source, bool unread, bool has_value,
+                                           const RecordedScan& scan) {
   if (has_value) return Missing::Nothing;
   const server::Observation& seen = *scan.observation;
   if (!seen.runtime_alive || !seen.snapshot || !scan.view->layout) return Missing::Image;
+  if (unread) return Missing::Device;
   return source.read ? Missing::Value : Missing::Variable;
 }
 
@@ -292,10 +311,11 @@ void CellAlarms::take(const RecordedScan& scan) {
   now_ns_ = std::max(now_ns_, scan.time_ns);
   for (std::uint32_t i = 0; i < sources_.size(); ++i) {
     Source& source = sources_[i];
-    std::optional<double> value = source.read ? source.read(scan) : std::nullopt;
+    const bool unread = is_unread(source.variable, *scan.observation);
+    std::optional<double> value = source.read && !unread ? source.read(scan) : std::nullopt;
     // The next program has other monitors, or none: what this one raised is over.
     if (source.is_monitor && !source.read && scan.view->layout) value = 0.0;
-    note_missing(source, missing_of(source, value.has_value(), scan));
+    note_missing(source, missing_of(source, unread, value.has_value(), scan));
     // Its scan is known, and its time with the next image.
     const bool counts = source.is_monitor && source.read && value.value_or(0.0) >= 1.0;
     if (counts && monitor_now_ && interval_ns_ == 0) continue;
@@ -331,6 +351,8 @@ std::string CellAlarms::problem_of(AlarmId id) const {
       return "no image of a running program is there";
     case Missing::Variable:
       return "the program has no variable '" + watched->name + "'";
+    case Missing::Device:
+      return "the device of '" + watched->name + "' does not answer";
     case Missing::Value:
       return "'" + watched->name + "' has no value";
     case Missing::Nothing:

@@ -101,11 +101,13 @@ class CellAlarms {
     Nothing,   // it has a value
     Image,     // no runtime answers, or no image of its program has come
     Variable,  // the program has none of that name
+    Device,    // the device of that input does not answer (yet)
     Value,     // the point of the picture has none
   };
   struct Source {
     std::string name;
     Read read;
+    std::optional<reader::Variable> variable = {};  // of the program
     bool is_monitor = false;
     bool offered = false;
     std::optional<double> last;
@@ -121,7 +123,9 @@ class CellAlarms {
   void resolve(const std::shared_ptr<const server::ProgramLayout>& layout);
   std::int64_t time_of(const Source& source, double value, const RecordedScan& scan) const;
   void measure_interval(const RecordedScan& scan);
-  static Missing missing_of(const Source& source, bool has_value, const RecordedScan& scan);
+  std::optional<reader::Variable> variable_of(const std::string& source,
+                                              const server::ProgramLayout* layout) const;
+  static Missing missing_of(const Source& source, bool unread, bool has_value, const RecordedScan& scan);
   void note_missing(Source& source, Missing missing);
   const char* word_of(alarms::AlarmId alarm) const;
   std::string problem_of(alarms::AlarmId alarm) const;

@@ -50,6 +50,8 @@ struct Observation {
   // How many images have come here so far, and how many were sent and never came; 0: the source cannot tell.
   std::uint64_t images = 0;
   std::uint64_t images_lost = 0;
+  // Inputs whose device does not answer (yet): what stands in the image there was never read, or is old.
+  std::vector<reader::Variable> unread;
   std::shared_ptr<const ProgramLayout> layout;  // shared: it stays the same for thousands of observations
   std::optional<std::string> plan;              // the supervisor's newest plan document, JSON text
   std::optional<std::string> pictures;          // and what is drawn of it

@@ -5,6 +5,7 @@
 #include "cell/config/dds_options.h"
 #include "cell/hmi/runtime_report.h"
 #include "cell/hmi/sensor_tare.h"
+#include "cell/hmi/unread_inputs.h"
 #include "runtime/bytecode/reader/document_text.h"
 #include "runtime/ground/log/refused_samples.h"
 #include "runtime/service/digest.h"
@@ -31,7 +32,8 @@ result::Result<std::unique_ptr<DdsCellSource>> DdsCellSource::connect(const conf
   if (!runtime) return result::forward(runtime);
   auto plans = dds::PlanSubscriber::create(participant);
   if (!plans) return result::forward(plans);
-  return std::unique_ptr<DdsCellSource>(new DdsCellSource(std::move(*runtime), std::move(*plans), log));
+  return std::unique_ptr<DdsCellSource>(
+      new DdsCellSource(std::move(*runtime), std::move(*plans), config.modbus_client, log));
 }
 
 server::Observation DdsCellSource::observe() {
@@ -61,6 +63,7 @@ server::Observation DdsCellSource::observe() {
     digest = snapshot->program_digest;
   }
   if (layout_ && layout_->program.digest == digest) seen.layout = layout_;
+  if (!devices_.devices.empty()) seen.unread = unread_inputs(devices_, runtime_->health());
   if (snapshot) seen.snapshot = snapshot_of(std::move(*snapshot));
   return seen;
 }

@@ -39,14 +39,15 @@ class DdsCellSource : public server::CellSource {
 
  private:
   DdsCellSource(std::unique_ptr<dds::RuntimeClient> runtime, std::unique_ptr<dds::PlanSubscriber> plans,
-                log::Logger& log)
-      : runtime_(std::move(runtime)), plans_(std::move(plans)), log_(log) {}
+                modbus::client::ClientSettings devices, log::Logger& log)
+      : runtime_(std::move(runtime)), plans_(std::move(plans)), devices_(std::move(devices)), log_(log) {}
 
   // True if it had to ask, which takes its time.
   bool fetch_program(const std::string& digest);
 
   std::unique_ptr<dds::RuntimeClient> runtime_;
   std::unique_ptr<dds::PlanSubscriber> plans_;
+  modbus::client::ClientSettings devices_;
   log::Logger& log_;
   RunningProgram running_;
   std::shared_ptr<const server::ProgramLayout> layout_;  // of the program with its digest; shared with views

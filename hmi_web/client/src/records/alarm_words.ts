@@ -41,6 +41,7 @@ const OWN: Sentences<Key> = [
   [/^no image of a running program is there$/, 'own_noImage'],
   [/^the program has no variable '(?<what>[^']*)'$/, 'own_noVariable'],
   [/^'(?<what>[^']*)' has no value$/, 'own_noValue'],
+  [/^the device of '(?<what>[^']*)' does not answer$/, 'own_noDevice'],
   [/^the program has no variable '(?<what>[^']*)', which would suppress it$/, 'own_noSuppressor'],
 ];
 

@@ -44,5 +44,6 @@ export default {
   own_noImage: 'von keinem laufenden Programm ist ein Abbild da',
   own_noVariable: 'das Programm hat keine Variable „{what}“',
   own_noValue: '„{what}“ hat keinen Wert',
+  own_noDevice: 'das Gerät von „{what}“ antwortet nicht',
   own_noSuppressor: 'das Programm hat keine Variable „{what}“, die ihn unterdrücken würde',
 } satisfies Translation<typeof english>;

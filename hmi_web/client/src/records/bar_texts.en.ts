@@ -41,5 +41,6 @@ export default {
   own_noImage: 'no image of a running program is there',
   own_noVariable: 'the program has no variable \'{what}\'',
   own_noValue: '\'{what}\' has no value',
+  own_noDevice: 'the device of \'{what}\' does not answer',
   own_noSuppressor: 'the program has no variable \'{what}\', which would suppress it',
 } as const;

@@ -44,5 +44,6 @@ export default {
   own_noImage: 'no hay imagen de un programa en marcha',
   own_noVariable: 'el programa no tiene la variable «{what}»',
   own_noValue: '«{what}» no tiene valor',
+  own_noDevice: 'el dispositivo de «{what}» no responde',
   own_noSuppressor: 'el programa no tiene la variable «{what}», que la suprimiría',
 } satisfies Translation<typeof english>;

@@ -44,5 +44,6 @@ export default {
   own_noImage: 'aucune image d’un programme en marche n’est là',
   own_noVariable: 'le programme n’a pas de variable « {what} »',
   own_noValue: '« {what} » n’a pas de valeur',
+  own_noDevice: 'l’appareil de « {what} » ne répond pas',
   own_noSuppressor: 'le programme n’a pas de variable « {what} », qui la supprimerait',
 } satisfies Translation<typeof english>;

@@ -45,6 +45,7 @@ class MissingSourceTest : public testing::Test {
     server::CellView view;
     seen.runtime_alive = layout != nullptr;
     seen.layout = view.layout = layout;
+    seen.unread = unread_;
     if (layout) {
       std::vector<std::byte> image(4 * layout->tags.size());
       for (std::size_t i = 0; i < layout->tags.size(); ++i)
@@ -67,6 +68,7 @@ class MissingSourceTest : public testing::Test {
   support::TemporaryFolder folder_;
   std::unique_ptr<CellAlarms> alarms_;
   std::int64_t time_ns_ = 0;
+  std::vector<reader::Variable> unread_;
 };
 
 TEST_F(MissingSourceTest, WhenTheProgramHasNoSuchVariable_ThenItsAlarmIsNotNormalAndSaysWhy) {
@@ -79,6 +81,18 @@ TEST_F(MissingSourceTest, WhenTheProgramHasNoSuchVariable_ThenItsAlarmIsNotNorma
   EXPECT_EQ(listed()["misspelt"]["problem"], "the program has no variable 'main.levle'");
   EXPECT_EQ(figure("no_variable"), 1);
   EXPECT_EQ(figure(), 0);
+}
+
+TEST_F(MissingSourceTest, WhenTheDeviceOfAnInputDoesNotAnswer_ThenItsValueRaisesNothing) {
+  open({alarm("first", "main.first"), alarm("second", "main.second")});
+  unread_ = {{ElementaryType::Int, 6, bytecode::kNoBit}};
+  look(program({"main.first", "main.second"}), 1);
+  EXPECT_EQ(listed()["first"]["state"], "unacknowledged") << "another device";
+  EXPECT_EQ(listed()["second"]["state"], "no value");
+  EXPECT_EQ(listed()["second"]["problem"], "the device of 'main.second' does not answer");
+  unread_.clear();
+  look(program({"main.first", "main.second"}), 1);
+  EXPECT_EQ(listed()["second"]["state"], "unacknowledged");
 }
 
 TEST_F(MissingSourceTest, WhenTheProgramHasNotScannedYet_ThenItsValuesRaiseNothing) {
