@@ -115,7 +115,7 @@ TEST_F(WatchedProcessTest, WhenItIsHungBehindASignOfLife_ThenItIsKilledAndStarte
   EXPECT_EQ(pass(*made, milliseconds(1'500)), "");
   live(*made);
   EXPECT_EQ(pass(*made, milliseconds(1'500)), "");
-  EXPECT_EQ(pass(*made, milliseconds(1'000)), "gave no sign of life for 2.0 s: it hangs, and is killed");
+  ASSERT_EQ(pass(*made, milliseconds(1'000)), "gave no sign of life for 2.0 s: it hangs, and is killed");
   EXPECT_EQ(end_of(*made), "was ended by the signal KILL: it is started again in 0.1 s");
   EXPECT_EQ(made->reason(), "gave no sign of life for 2.0 s");
   made->turn(now_ + milliseconds(100));
