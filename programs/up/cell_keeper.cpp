@@ -23,8 +23,10 @@ constexpr milliseconds kLongestTurn{20};
 constexpr seconds kBetweenTries{1};  // to write the record on a disk that is full
 // A process that takes longer than this to be ready is named.
 constexpr seconds kTellAfter{5};
-// Four signs of life are due in this time. A gateway waits for its controller in between.
+// Four signs of life are due in this time. A page server may have many to answer, a gateway waits for its
+// controller.
 constexpr seconds kSilence{5};
+constexpr seconds kSilenceOfPage{15};
 constexpr seconds kSilenceOfGateway{30};
 // A runtime may wait for a disk behind its safe outputs.
 constexpr seconds kFarewell{10};
@@ -48,7 +50,8 @@ process::ChildOptions command_of(const KeeperSetting& setting, const std::string
 // A supervisor gives no signs of life: it plans for as long as that takes, and the runtime watches over it.
 std::optional<milliseconds> silence_of(const std::string& name) {
   if (name == "supervisor") return std::nullopt;
-  return name == "gateway" ? kSilenceOfGateway : kSilence;
+  if (name == "gateway") return kSilenceOfGateway;
+  return name == "hmi" ? kSilenceOfPage : kSilence;
 }
 
 result::Result<void> check_program(const std::filesystem::path& programs, const std::string& name) {
