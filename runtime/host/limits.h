@@ -11,7 +11,7 @@ namespace stepwright::host {
 inline constexpr std::size_t kMaxImageBytes = 1u << 20;       // of one process image
 inline constexpr std::size_t kMaxContainerBytes = 16u << 20;  // of one program
 inline constexpr std::size_t kMaxChunkBytes = 32u << 10;      // of a program in one message
-inline constexpr std::size_t kMaxPlantValues = 1'024;          // truth values of a simulated plant
+inline constexpr std::size_t kMaxPlantValues = 1'024;         // truth values of a simulated plant
 inline constexpr std::size_t kMaxNameBytes = 64;              // plant values, faults, runtime ids
 inline constexpr std::size_t kMaxPathBytes = 4'096;           // of a file that a runtime is to write
 inline constexpr std::size_t kMaxTextBytes = 4'096;           // a text of a diagnostic, detail of a status

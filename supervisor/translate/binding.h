@@ -59,7 +59,7 @@ struct Sensor {
   double max_bias_counts = 300.0;  // a larger bias means a broken sensor
   double max_drift = 0.3;          // that may add up unseen over a run (executive/drift_watch.h)
   double max_rate = 0.0;  // units of the fluent per second that the plant never exceeds; 0: not watched
-  std::string unit;                // for people: "l"; may be empty
+  std::string unit;       // for people: "l"; may be empty
   std::optional<std::pair<double, double>> range;  // lowest and highest value that a goal may ask for
   std::string omron;  // memory word of the filtered counts (the paper's Table 3), "D100"
   result::Location where{};

@@ -24,6 +24,7 @@ class Pump final : public Through {
         free_(p.is("outlet", "free")),
         counts_(p.is("totaliser", "yes")) {
     add_state({.tolerance = 1e-6});
+    if (!counts_) return;
     add_state({.tolerance = 1e-9});
     set_roots(1);
   }
@@ -44,7 +45,7 @@ class Pump final : public Through {
 
   void derivative(const Frame& f) const override {
     dydt(f, kTurning) = (wanted(f) - y(f, kTurning)) / time_constant_;
-    dydt(f, kTotal) = across(f, kFlowOut);
+    if (counts_) dydt(f, kTotal) = across(f, kFlowOut);
   }
 
   void roots(const Frame& f, double* g) const override {
@@ -56,7 +57,7 @@ class Pump final : public Through {
     return Event::Restart;
   }
   void fault_changed(std::size_t fault, double value, const Frame& f) override {
-    if (fault == kExtra) until_ = value > 0.0 ? y(f, kTotal) + value : kNever;
+    if (fault == kExtra) until_ = counts_ && value > 0.0 ? y(f, kTotal) + value : kNever;
   }
 
  private:
@@ -163,7 +164,7 @@ ComponentType pump_type() {
                   .low = 0.0,
                   .high = 1e6,
                   .rest = 0.0,
-                  .meaning = "it delivers this much whatever it is told",
+                  .meaning = "with a totaliser: it delivers this much whatever it is told",
                   .usual = 10.0}},
       .stages = 2,
       .make = [](const Parameters& p) { return std::make_unique<Pump>(p); }};

@@ -143,7 +143,7 @@ class JsonOutput(unittest.TestCase):
                 self.assertIn("E0002: standard output cannot be written: No space left on device", result.stderr)
 
     def test_a_reader_that_has_gone_is_no_error(self):
-        result = subprocess.run(f"{STEPWRIGHT} reference cell | true", shell=True, stderr=subprocess.PIPE, text=True, check=False)
+        result = subprocess.run(f"{STEPWRIGHT} plant --types | true", shell=True, stderr=subprocess.PIPE, text=True, check=False)
         self.assertEqual((result.returncode, result.stderr), (0, ""))
 
 

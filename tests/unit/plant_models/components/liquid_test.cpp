@@ -79,19 +79,6 @@ TEST(Liquid, WhenAPumpAndAValveAreInARow_ThenTheirFlowsAreOneAndLiquidIsKept) {
   EXPECT_GT(rig.truth("b.level"), 10.0);
 }
 
-// Whether or not it counts for others.
-TEST(Liquid, WhenAPumpDrawsExtra_ThenItDeliversSoMuchAndStops) {
-  ModelRig rig("[components.s]\ntype = \"source\"\n" + tank("t", "volume = \"100 l\"\nheight = \"1 m\"\n") +
-               "[components.p]\ntype = \"pump\"\nhead = \"20 m\"\nresistance = \"20000 m/(m3/s)\"\nin = "
-               "\"s\"\nout = \"t\"\ncommand = \"P\"\n[terminals]\nP = \"%QX0.0\"\n");
-  ASSERT_TRUE(rig.plant().inject_fault("p.extra", 7.0));
-  ASSERT_TRUE(rig.run(60.0));
-  EXPECT_NEAR(rig.truth("t.volume_out"), 7.0, 0.5);  // and what runs down
-  const double then = rig.truth("t.volume_out");
-  ASSERT_TRUE(rig.run(10.0));
-  EXPECT_DOUBLE_EQ(rig.truth("t.volume_out"), then);
-}
-
 // Kv is the flow of water in m3/h at 1 bar.
 TEST(Liquid, WhenAValveIsFullyOpen_ThenItsFlowIsKvTimesTheRootOfTheDrop) {
   ModelRig rig(

@@ -39,13 +39,19 @@ TEST(OwnType, WhenAnEventHappensWithoutEnd_ThenThePlantFailsAndNamesTheComponent
   ModelRig rig(R"toml([types.saw]
 states.x = { unit = "1", start = "0", derivative = "1 / tick" }
 parameters.tick = { unit = "s", default = "1 s" }
-outputs.now = { unit = "1", value = "x" }
+outputs.up = { switch = true, value = "x > 0" }
 events.tooth = { when = "x - 1e-9", set = { x = "0 * x" } }
 [components.calm]
 type = "tank"
 volume = "1 m3"
+[components.gauge]
+type = "level_sensor"
+of = "calm"
 [components.s]
 type = "saw"
+[components.l]
+type = "lamp"
+command = "s.up"
 )toml");
   EXPECT_FALSE(rig.run(1.0));
   EXPECT_NE(rig.plant().trouble().find("an event of 's' happens again and again"), std::string::npos)
@@ -54,7 +60,9 @@ type = "saw"
 
 // Nothing is left of what decays for long, and no number takes longer than another one.
 TEST(OwnType, WhenAStateHasDecayedForLong_ThenItIsZero) {
-  ModelRig rig(kReactor + "[components.r]\ntype = \"reactor\"\nfirst = \"2 g/l\"\nrate = \"20 1/s\"\n");
+  ModelRig rig(kReactor +
+               "[components.r]\ntype = \"reactor\"\nfirst = \"2 g/l\"\nrate = \"20 1/s\"\n[terminals]\nLOW = "
+               "{ address = \"%IX0.0\", from = \"r.low\" }\n");
   ASSERT_TRUE(rig.run(60.0));
   const double left = rig.truth("r.concentration");
   EXPECT_TRUE(left == 0.0 || std::isnormal(left)) << left;

@@ -279,7 +279,8 @@ TEST(SnapshotMemory, WhenThePlantHasTooManyValues_ThenItIsRefused) {
   const std::vector<std::string> name{std::string(kMaxNameBytes + 1, 'x')};
   const auto refused = SnapshotWriter::create(name);
   EXPECT_EQ(refused.error().front().code, "R0004");
-  EXPECT_NE(refused.error().front().message.find("has a name of 65 bytes; 64 are possible"), std::string::npos);
+  EXPECT_NE(refused.error().front().message.find("has a name of 65 bytes; 64 are possible"),
+            std::string::npos);
 }
 
 }  // namespace
