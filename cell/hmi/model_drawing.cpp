@@ -51,7 +51,7 @@ class ModelDrawing {
   static double box_width(const components::Model& model) {
     std::size_t longest = 0;
     for (const std::string& name : model.names) longest = std::max(longest, name.size());
-    return std::clamp(16.0 + kLetter * static_cast<double>(longest), kLeastWidth, kMostWidth);
+    return std::clamp(24.0 + kLetter * static_cast<double>(longest), kLeastWidth, kMostWidth);
   }
 
   double left(std::uint32_t component) const {
@@ -85,13 +85,14 @@ class ModelDrawing {
     const auto shape = "x=\"" + units(x) + "\" y=\"" + units(y) + "\" width=\"" + units(width_) +
                        "\" height=\"" + units(kBoxHeight) + "\"";
     out_ += "<g><title>" + markup::xml_escaped(name + " (" + type.name + ")") + "</title>\n<rect " + shape +
-            " fill=\"var(--equipment)\" stroke=\"var(--line-strong)\"" + active(type, name) + "/>\n";
+            " fill=\"var(--equipment)\" stroke=\"var(--line-strong)\"/>\n";
     const bool fills = std::any_of(type.ports.begin(), type.ports.end(), [](const PortSpec& one) {
       return one.name == "level" && one.role == Role::Node && one.unit == "percent";
     });
     if (fills)
       out_ += "<rect " + shape + " fill=\"var(--liquid)\" data-fill=\"" + name +
               ".level\" data-from=\"0\" data-to=\"100\"/>\n";
+    add_contact(type, name, x, y);
     add_text(x + 8.0, y + 18.0, markup::xml_escaped(name), "font-weight=\"bold\"");
     std::size_t line = 0;
     for (const PortSpec& port : type.ports) {
@@ -104,12 +105,17 @@ class ModelDrawing {
     out_ += "</g>\n";
   }
 
-  // Of a component with a contact: its first one.
-  static std::string active(const components::ComponentType& type, const std::string& name) {
-    for (const PortSpec& port : type.ports)
-      if (port.role == Role::Node && port.kind == PortKind::Logic)
-        return " data-on=\"" + name + "." + port.name + "\"";
-    return {};
+  // Of a component with a contact, its first one: a strip beside the texts, which are read on any colour.
+  void add_contact(const components::ComponentType& type, const std::string& name, double x, double y) {
+    constexpr double kWidth = 10.0;
+    const auto contact = std::ranges::find_if(type.ports, [](const PortSpec& port) {
+      return port.role == Role::Node && port.kind == PortKind::Logic;
+    });
+    if (contact == type.ports.end()) return;
+    out_ += "<rect x=\"" + units(x + width_ - kWidth) + "\" y=\"" + units(y) + "\" width=\"" + units(kWidth) +
+            "\" height=\"" + units(kBoxHeight) +
+            "\" fill=\"var(--equipment)\" stroke=\"var(--line-strong)\" data-on=\"" + name + "." +
+            contact->name + "\"/>\n";
   }
 
   std::string unit_of(const std::string& truth) const {

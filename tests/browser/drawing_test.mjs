@@ -3,7 +3,7 @@
 import { join } from 'node:path';
 
 import { leadOverPage } from './page_run.mjs';
-import { claims, isAccessible } from './people.mjs';
+import { asks, claims, isAccessible } from './people.mjs';
 import { startMixer } from './recipe_cell.mjs';
 import { editor, says } from './screen_editor.mjs';
 import { check, fitsEachLook, options, waitFor } from './support.mjs';
@@ -64,6 +64,19 @@ async function becomesAScreen(page, cell) {
   await shot(page, 'screen');
 }
 
+// Drawn far from its corner, and looked at on a phone.
+async function beginsWhereItIsDrawn(page) {
+  const svg = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1200 400"><rect x="900" y="40" width="200" height="100" data-on="Main.stir"/></svg>';
+  check((await asks(page, 'PUT', '/api/screens/Wide', { svg, version: 0, comment: 'for a phone' })).status === 200, 'another screen is saved');
+  await page.setViewportSize({ width: 360, height: 800 });
+  await page.getByRole('navigation').getByRole('button', { name: 'Wide' }).click();
+  await waitFor(page, 'which begins where something is drawn', () => {
+    const box = document.querySelector('[data-screen=Wide] rect')?.getBoundingClientRect();
+    return box !== undefined && box.left >= 0 && box.left < 60;
+  });
+  await shot(page, 'wide-360');
+}
+
 await leadOverPage(given, {
   name: 'drawing',
   start: () => startMixer(given.server, { 'hall.svg': DRAWING }, 'drawing = "hall.svg"\n'),
@@ -72,5 +85,6 @@ await leadOverPage(given, {
     await followsSwitches(page, cell);
     await fits(page);
     await becomesAScreen(page, cell);
+    await beginsWhereItIsDrawn(page);
   },
 });
