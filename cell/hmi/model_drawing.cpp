@@ -107,12 +107,12 @@ class ModelDrawing {
 
   // Of a component with a contact, its first one: a strip beside the texts, which are read on any colour.
   void add_contact(const components::ComponentType& type, const std::string& name, double x, double y) {
-    constexpr double kWidth = 10.0;
+    constexpr double kStrip = 10.0;
     const auto contact = std::ranges::find_if(type.ports, [](const PortSpec& port) {
       return port.role == Role::Node && port.kind == PortKind::Logic;
     });
     if (contact == type.ports.end()) return;
-    out_ += "<rect x=\"" + units(x + width_ - kWidth) + "\" y=\"" + units(y) + "\" width=\"" + units(kWidth) +
+    out_ += "<rect x=\"" + units(x + width_ - kStrip) + "\" y=\"" + units(y) + "\" width=\"" + units(kStrip) +
             "\" height=\"" + units(kBoxHeight) +
             "\" fill=\"var(--equipment)\" stroke=\"var(--line-strong)\" data-on=\"" + name + "." +
             contact->name + "\"/>\n";
