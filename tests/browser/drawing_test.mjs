@@ -66,7 +66,7 @@ async function becomesAScreen(page, cell) {
 
 // Drawn far from its corner, and looked at on a phone.
 async function beginsWhereItIsDrawn(page) {
-  const svg = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1200 400"><rect x="900" y="40" width="200" height="100" data-on="Main.stir"/></svg>';
+  const svg = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1200 400"><rect x="700" y="40" width="200" height="100" data-on="Main.stir"/></svg>';
   check((await asks(page, 'PUT', '/api/screens/Wide', { svg, version: 0, comment: 'for a phone' })).status === 200, 'another screen is saved');
   await page.setViewportSize({ width: 360, height: 800 });
   await page.getByRole('navigation').getByRole('button', { name: 'Wide' }).click();
