@@ -10,9 +10,12 @@ const require = createRequire(path.join(process.env.NODE_PATH, 'packages.js'));
 const COUNT = 200;
 const [library, kind, where] = process.argv.slice(2);
 
+// Nobody else opens the line; the lock of a pseudo terminal may still be held by who had its number before.
+const ALONE = { lock: false };
+
 function serial(device) {
   const { SerialPort } = require('serialport');
-  return new SerialPort({ path: device, baudRate: 19200, parity: 'none', dataBits: 8, stopBits: 1 });
+  return new SerialPort({ path: device, baudRate: 19200, parity: 'none', dataBits: 8, stopBits: 1, ...ALONE });
 }
 
 function ready() {
@@ -60,7 +63,7 @@ function modbusSerial() {
     server.on('initialized', ready);
   } else {
     const server = new ModbusRTU.ServerSerial(vector, { path: where, baudRate: 19200, parity: 'none', stopBits: 1, unitID: 1,
-      openCallback: ready });
+      openCallback: ready }, ALONE);
     server.on('socketError', () => {});
   }
 }
