@@ -63,7 +63,7 @@ class NoControl : public api::CellControl {
   result::Result<void> write_together(const std::map<std::string, std::string, std::less<>>&) override {
     return nobody();
   }
-  result::Result<std::vector<host::PlantFault>> faults() override { return nobody(); }
+  result::Result<std::vector<host::PlantFault>> faults() override { return std::vector<host::PlantFault>{}; }
   result::Result<void> set_fault(const std::string&, std::optional<double>) override { return nobody(); }
   result::Result<std::vector<api::ForcedPlace>> forced() override { return nobody(); }
   result::Result<api::ForcedPlace> as_forced(const std::string&, const std::string&) override {
