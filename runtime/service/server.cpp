@@ -293,12 +293,7 @@ void Server::State::greet(Session& session, const Hello& hello) {
 }
 
 void Server::State::request(Session& session, const Request& request) {
-  const bool reads = std::holds_alternative<ReadProgram>(request.body) ||
-                     std::holds_alternative<ResendEvents>(request.body) ||
-                     std::holds_alternative<ReadForces>(request.body) ||
-                     std::holds_alternative<ReadFaults>(request.body) ||
-                     std::holds_alternative<ReadRecording>(request.body);
-  if (session.role != Role::Controller && !reads) {
+  if (session.role != Role::Controller && !only_reads(request.body)) {
     Reply reply;
     reply.client = request.client;
     reply.id = request.id;

@@ -149,14 +149,13 @@ std::optional<host::Command> to_command(const RequestBody& body) {
   return any ? std::optional(command) : std::nullopt;
 }
 
-// What only reads is performed again instead of remembered: its answer is large, or the events themselves.
-bool remembered(const RequestBody& body) {
-  return !std::holds_alternative<ReadProgram>(body) && !std::holds_alternative<ResendEvents>(body) &&
-         !std::holds_alternative<ReadForces>(body) && !std::holds_alternative<ReadRecording>(body) &&
-         !std::holds_alternative<ReadFaults>(body);
-}
-
 }  // namespace
+
+bool only_reads(const RequestBody& body) {
+  return std::holds_alternative<ReadProgram>(body) || std::holds_alternative<ResendEvents>(body) ||
+         std::holds_alternative<ReadForces>(body) || std::holds_alternative<ReadRecording>(body) ||
+         std::holds_alternative<ReadFaults>(body);
+}
 
 std::optional<Reply> RequestHandler::handle(std::uint64_t session, const Request& request) {
   if (const Reply* known = replies_.find(request.client, request.id)) return *known;
@@ -179,14 +178,14 @@ std::optional<Reply> RequestHandler::handle(std::uint64_t session, const Request
     return std::nullopt;
   }
   if (!performed) reply.problems = std::move(performed.error());
-  if (remembered(request.body)) replies_.add(reply);
+  if (!only_reads(request.body)) replies_.add(reply);
   return reply;
 }
 
 bool RequestHandler::has_share(std::uint64_t session, const RequestBody& body) const {
   const bool piece =
       std::holds_alternative<DownloadBegin>(body) || std::holds_alternative<DownloadChunk>(body);
-  if (!remembered(body) || piece || std::holds_alternative<Stop>(body)) return true;
+  if (only_reads(body) || piece || std::holds_alternative<Stop>(body)) return true;
   const auto own = static_cast<std::size_t>(std::count_if(
       pending_.begin(), pending_.end(), [&](const auto& each) { return each.second.session == session; }));
   return own + pending_.size() < kMaxPending;

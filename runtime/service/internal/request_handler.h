@@ -26,6 +26,10 @@ struct Answer {
   std::optional<DownloadCommit> commit;  // that it answers, if it is one
 };
 
+// A request that changes nothing: an observer may send it, and it is performed again instead of remembered,
+// for its answer is large, or the events themselves.
+bool only_reads(const RequestBody& body);
+
 class RequestHandler {
  public:
   static constexpr std::size_t kMaxPending = 200;  // of all clients together; stops come on top
