@@ -7,7 +7,6 @@
 #include <cstdio>
 
 #include "plant_models/components/describe.h"
-#include "plant_models/ode/subnormals.h"
 #include "runtime/base/hash64.h"
 
 namespace stepwright::components {
@@ -192,7 +191,6 @@ std::string ModelPlant::trouble() {
 
 bool ModelPlant::run_to(double t_s) {
   if (solver_ == nullptr) return true;
-  const ode::SubnormalsFlushed flushed;
   int events = 0;
   double events_since_s = solver_->time();
   while (solver_->time() < t_s || (event_pending_ && solver_->time() <= t_s)) {

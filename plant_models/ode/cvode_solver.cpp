@@ -12,6 +12,7 @@
 #include <string>
 
 #include "plant_models/ode/jacobian.h"
+#include "plant_models/ode/subnormals.h"
 
 namespace stepwright::ode {
 
@@ -149,6 +150,7 @@ result::Result<CvodeSolver> CvodeSolver::create(const OdeSystem& system, std::sp
 StepOutcome CvodeSolver::step() {
   State& s = *state_;
   if (s.failed) return StepOutcome::Failed;
+  const SubnormalsFlushed flushed;
   double reached = s.time;
   // In one-step mode the wanted time only tells the direction.
   const int flag = CVode(s.cvode, s.time + 1.0, s.y, &reached, CV_ONE_STEP);
