@@ -90,8 +90,7 @@ class RetainedPlantDriver final : public image::IoDriver {
 class PlantIo final : public CellIo, private host::PlantAccess {
  public:
   PlantIo(std::unique_ptr<core::Plant> plant, std::unique_ptr<PlantMemory> memory)
-      : plant_(std::move(plant)), memory_(std::move(memory)) {
-    for (const core::Quantity& truth : plant_->truths()) names_.push_back(truth.name);
+      : plant_(std::move(plant)), memory_(std::move(memory)), names_(core::names_of(plant_->truths())) {
     for (std::size_t i = 0; i < plant_->faults().size(); ++i) {
       const core::Quantity& fault = plant_->faults()[i];
       core::FaultRange range = plant_->fault_range(i);

@@ -125,9 +125,8 @@ void Assembler::add_aliases() {
   for (const AliasText& alias : text_.truths) {
     const auto found = core::index_of(model.truths, alias.of);
     if (!found) {
-      std::vector<std::string> known;
-      for (const core::Quantity& truth : model.truths) known.push_back(truth.name);
-      report("C0343", alias.where, "there is no value '" + alias.of + "'", meant_or(alias.of, known));
+      report("C0343", alias.where, "there is no value '" + alias.of + "'",
+             meant_or(alias.of, core::names_of(model.truths)));
       continue;
     }
     core::Quantity truth = model.truths[*found];
@@ -154,9 +153,8 @@ void Assembler::add_aliases() {
   for (const AliasText& alias : text_.faults) {
     const auto found = core::index_of(model.faults, alias.of);
     if (!found) {
-      std::vector<std::string> known;
-      for (const core::Quantity& fault : model.faults) known.push_back(fault.name);
-      report("C0343", alias.where, "there is no fault '" + alias.of + "'", meant_or(alias.of, known));
+      report("C0343", alias.where, "there is no fault '" + alias.of + "'",
+             meant_or(alias.of, core::names_of(model.faults)));
       continue;
     }
     core::Quantity fault = model.faults[*found];

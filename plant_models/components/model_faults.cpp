@@ -21,10 +21,8 @@ std::string number_text(double value) {
 
 result::Result<std::size_t> find_fault(const Model& model, std::string_view name) {
   if (const auto fault = core::index_of(model.faults, name)) return *fault;
-  std::vector<std::string> known;
-  for (const core::Quantity& fault : model.faults) known.push_back(fault.name);
   return result::fail("C0311", {}, "the plant has no fault named '" + std::string(name) + "'",
-                      meant_or(std::string(name), known));
+                      meant_or(std::string(name), core::names_of(model.faults)));
 }
 
 }  // namespace

@@ -5,8 +5,10 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <iterator>
 
 #include "plant_models/components/component_reader.h"
+#include "plant_models/core/names.h"
 #include "runtime/ground/markup/xml_text.h"
 
 namespace stepwright::components {
@@ -15,9 +17,8 @@ namespace {
 using Reader = std::function<double()>;
 
 std::vector<std::string> all_names(const core::Plant& plant) {
-  std::vector<std::string> names;
-  for (const core::Quantity& truth : plant.truths()) names.push_back(truth.name);
-  for (const core::Port& sensor : plant.sensors()) names.push_back(sensor.name);
+  std::vector<std::string> names = core::names_of(plant.truths());
+  std::ranges::copy(core::names_of(plant.sensors()), std::back_inserter(names));
   return names;
 }
 
@@ -55,10 +56,8 @@ result::Result<void> act(core::Plant& plant, const AnswerAction& action) {
   if (action.fault) return plant.inject_fault(action.name, action.value);
   const auto actuator = core::find_actuator(plant, action.name);
   if (!actuator) {
-    std::vector<std::string> names;
-    for (const core::Port& port : plant.actuators()) names.push_back(port.name);
     return result::fail("C0301", {}, "the plant has no terminal '" + action.name + "' that is driven",
-                        meant_or(action.name, names));
+                        meant_or(action.name, core::names_of(plant.actuators())));
   }
   plant.set_actuator(*actuator, static_cast<std::int16_t>(std::clamp(action.value, -32768.0, 32767.0)));
   return {};

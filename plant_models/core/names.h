@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "runtime/ground/naming/ascii_names.h"
 
@@ -23,6 +24,13 @@ std::optional<std::uint32_t> index_of(const List& list, std::string_view name) {
     ++index;
   }
   return std::nullopt;
+}
+
+template <typename List>
+std::vector<std::string> names_of(const List& list) {
+  std::vector<std::string> names;
+  for (const auto& entry : list) names.push_back(entry.name);
+  return names;
 }
 
 // "a, b, c"

@@ -135,9 +135,8 @@ class Reader {
       UnitDefinition definition{.name = unit.attribute("name").value(),
                                 .factor = base.attribute("factor").as_double(1.0),
                                 .offset = base.attribute("offset").as_double(0.0)};
-      constexpr std::array<const char*, 5> kBases = {"m", "kg", "s", "K", "A"};
-      for (std::size_t i = 0; i < kBases.size(); ++i)
-        definition.exponents[i] = base.attribute(kBases[i]).as_int();
+      for (std::size_t i = 0; i < UnitDefinition::kBases.size(); ++i)
+        definition.exponents[i] = base.attribute(UnitDefinition::kBases[i]).as_int();
       definition.other = base.attribute("mol").as_int() != 0 || base.attribute("cd").as_int() != 0;
       found_.units.push_back(std::move(definition));
     }

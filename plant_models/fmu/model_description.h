@@ -38,11 +38,12 @@ enum class VariableType : std::uint8_t {
 
 // <Unit>: SI = factor * figure + offset.
 struct UnitDefinition {
+  static constexpr std::array<const char*, 5> kBases = {"m", "kg", "s", "K", "A"};
   std::string name;
   double factor = 1.0;
   double offset = 0.0;
-  std::array<int, 5> exponents{};  // of m, kg, s, K, A
-  bool other = false;              // it has mol or cd as well
+  std::array<int, kBases.size()> exponents{};  // of the bases
+  bool other = false;                          // it has mol or cd as well
 };
 
 struct ModelVariable {

@@ -16,13 +16,6 @@ std::vector<core::Port> ports_of(const std::vector<SteppedTerminal>& terminals) 
   return ports;
 }
 
-template <typename List>
-std::vector<std::string> names_of(const List& list) {
-  std::vector<std::string> names;
-  for (const auto& each : list) names.push_back(each.name);
-  return names;
-}
-
 std::int16_t counts_of(const SteppedTerminal& terminal, double number) {
   if (terminal.kind == core::PortKind::Bool) return number != 0.0 ? 1 : 0;
   constexpr double kLow = std::numeric_limits<std::int16_t>::min();
@@ -54,8 +47,8 @@ SteppedPlant::SteppedPlant(SteppedDescription description, StepCommand command)
 }
 
 result::Result<void> SteppedPlant::start() {
-  auto link = StepLink::start({names_of(about_.actuators), names_of(about_.sensors), names_of(about_.values),
-                               names_of(about_.faults)},
+  auto link = StepLink::start({core::names_of(about_.actuators), core::names_of(about_.sensors),
+                               core::names_of(about_.values), core::names_of(about_.faults)},
                               about_.seed, command_);
   if (!link) return result::forward(link);
   link_ = std::move(*link);

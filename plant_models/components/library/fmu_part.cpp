@@ -3,14 +3,10 @@
 #include <cmath>
 #include <utility>
 
+#include "plant_models/core/names.h"
+
 namespace stepwright::components::library {
 namespace {
-
-std::vector<std::string> names_of(const std::vector<FmuPort>& ports) {
-  std::vector<std::string> names;
-  for (const FmuPort& each : ports) names.push_back(each.name);
-  return names;
-}
 
 class FmuPart final : public ProcessPart {
  public:
@@ -28,8 +24,8 @@ class FmuPart final : public ProcessPart {
     for (std::size_t i = 0; i < setup_->inputs.size(); ++i)
       command.first_actuators.push_back(input(sampled, i));
     auto link = stepped::StepLink::start(
-        {names_of(setup_->inputs), names_of(setup_->outputs), {}, names_of(setup_->faults)}, setup_->seed,
-        command);
+        {core::names_of(setup_->inputs), core::names_of(setup_->outputs), {}, core::names_of(setup_->faults)},
+        setup_->seed, command);
     if (!link) return result::forward(link);
     link_ = std::move(*link);
     if (take() == Answer::Lost) return result::fail("R0155", command.where, trouble());

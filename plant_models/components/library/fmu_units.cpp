@@ -14,7 +14,7 @@ bool alike(double a, double b) {
 
 // As UDUNITS reads it: "0.001 m3 s-1", "(0.5555 K) @ 459.67".
 std::string text_of(const fmu::UnitDefinition& definition) {
-  constexpr std::array<const char*, 5> kBases = {"m", "kg", "s", "K", "A"};
+  constexpr auto& kBases = fmu::UnitDefinition::kBases;
   std::array<char, 40> number{};
   std::string text;
   if (definition.factor != 1.0) {
