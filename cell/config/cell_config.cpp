@@ -13,6 +13,7 @@
 #include "cell/config/state_dir.h"
 #include "cell/config/tag_table.h"
 #include "runtime/base/hash64.h"
+#include "runtime/ground/process/temporary_folder.h"
 #include "runtime/ground/settings/toml_document.h"
 
 namespace stepwright::config {
@@ -142,9 +143,7 @@ CellReading unread(const std::filesystem::path& file, const std::vector<std::str
 }  // namespace
 
 std::filesystem::path temporary_folder() {
-  std::error_code error;
-  const std::filesystem::path folder = std::filesystem::temp_directory_path(error);
-  return error ? std::filesystem::path("/tmp") : folder;
+  return process::temporary_place();
 }
 
 bool is_goal_change(const ScheduledFault& fault) {

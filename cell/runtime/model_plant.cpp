@@ -6,6 +6,7 @@
 
 #include "plant_models/components/library/catalogue.h"
 #include "plant_models/components/model_plant.h"
+#include "plant_models/core/names.h"
 #include "runtime/host/plant_values.h"
 
 namespace stepwright::cell_runtime {
@@ -28,13 +29,11 @@ result::Result<std::unique_ptr<core::Plant>> make_model(const config::CellConfig
   return std::unique_ptr<core::Plant>(std::move(*model));
 }
 
-result::Diagnostics check_model(const config::PlantConfig& plant) {
-  const result::Location where{plant.file.string(), 0, 0};
-  auto model = components::ModelPlant::load(plant.file, components::library::catalogue(), options_of(plant));
+result::Diagnostics check_model(const config::CellConfig& cell) {
+  const result::Location where{cell.plant.file.string(), 0, 0};
+  const auto model = make_model(cell);
   if (!model) return {};
-  std::vector<std::string> names;
-  for (const core::Quantity& truth : (*model)->truths()) names.push_back(truth.name);
-  result::Diagnostics problems = host::check_plant_values(names, where);
+  result::Diagnostics problems = host::check_plant_values(core::names_of((*model)->truths()), where);
   constexpr auto kScan = std::chrono::milliseconds(10);
   for (int scan = 0; scan < 100 && !(*model)->failed(); ++scan) (void)(*model)->advance(kScan);
   if ((*model)->failed())

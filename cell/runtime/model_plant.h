@@ -20,7 +20,7 @@ namespace stepwright::cell_runtime {
 
 // What is wrong with a plant whose file is sound: more values than a runtime publishes (R0004), a plant that
 // gives up within its first second (C0351). Processes of its parts are not started.
-[[nodiscard]] result::Diagnostics check_model(const config::PlantConfig& plant);
+[[nodiscard]] result::Diagnostics check_model(const config::CellConfig& cell);
 
 // The terminals that the plant's file has; none if it cannot be read.
 std::vector<bridge::PortWire> model_wires(const config::PlantConfig& plant);

@@ -81,7 +81,7 @@ result::Diagnostics check_st(const SteppedPlantConfig& plant) {
 result::Diagnostics check_plant(const config::CellConfig& config) {
   if (config.plant.kind == "shared") return check_command(config.plant.stepped);
   if (config.plant.kind == "fmu") return check_fmu(config.plant.stepped);
-  if (config.plant.kind == "model") return cell_runtime::check_model(config.plant);
+  if (config.plant.kind == "model") return cell_runtime::check_model(config);
   if (config.plant.kind == "st") return check_st(config.plant.stepped);
   return {};
 }

@@ -12,6 +12,7 @@
 #include "plant_models/components/library/catalogue.h"
 #include "plant_models/components/model_plant.h"
 #include "plant_models/components/step_answer.h"
+#include "plant_models/core/names.h"
 #include "runtime/ground/process/command_line.h"
 #include "runtime/ground/process/files.h"
 #include "runtime/ground/process/temporary_folder.h"
@@ -163,12 +164,6 @@ result::Result<std::unique_ptr<ModelPlant>> load(const PlantArguments& arguments
                           {.seed = arguments.seed, .processes = processes});
 }
 
-std::filesystem::path temporary_place() {
-  std::error_code none;
-  const std::filesystem::path place = std::filesystem::temp_directory_path(none);
-  return none ? std::filesystem::path("/tmp") : place;
-}
-
 // The plant with its processes.
 result::Result<std::unique_ptr<ModelPlant>> start(const PlantArguments& arguments,
                                                   const process::TemporaryFolder& folder) {
@@ -191,9 +186,8 @@ result::Diagnostics why_it_failed(ModelPlant& plant, const PlantArguments& argum
 
 // A runtime has bounds that a plant alone has not.
 void warn_of_bounds(const ModelPlant& plant, const PlantArguments& arguments) {
-  std::vector<std::string> names;
-  for (const core::Quantity& truth : plant.model().truths) names.push_back(truth.name);
-  result::Diagnostics problems = host::check_plant_values(names, {arguments.file, 0, 0});
+  result::Diagnostics problems =
+      host::check_plant_values(core::names_of(plant.truths()), {arguments.file, 0, 0});
   for (result::Diagnostic& problem : problems) problem.severity = result::Severity::Warning;
   if (!problems.empty()) (void)process::fail(problems, ExitCode::Done);
 }
@@ -208,7 +202,7 @@ void print_end(const components::StepAnswer& answer) {
 ExitCode answer(const PlantArguments& arguments) {
   auto actions = actions_of(arguments);
   if (!actions) return fail(actions.error());
-  const process::TemporaryFolder folder(temporary_place());
+  const process::TemporaryFolder folder(process::temporary_place());
   auto plant = start(arguments, folder);
   if (!plant) return fail(plant.error());
   const std::chrono::nanoseconds interval(
@@ -244,7 +238,7 @@ ExitCode run_plant(const PlantArguments& arguments) {
   warn_of_bounds(**plant, arguments);
   const bool lists = !runs || !arguments.json_file.empty();
   if (lists) {
-    const process::TemporaryFolder folder(temporary_place());
+    const process::TemporaryFolder folder(process::temporary_place());
     auto trial = start(arguments, folder);
     if (!trial) return fail(trial.error());
     const double speed = measure_speed(**trial);

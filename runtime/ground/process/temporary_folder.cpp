@@ -6,6 +6,12 @@
 
 namespace stepwright::process {
 
+std::filesystem::path temporary_place() {
+  std::error_code none;
+  const std::filesystem::path place = std::filesystem::temp_directory_path(none);
+  return none ? std::filesystem::path("/tmp") : place;
+}
+
 TemporaryFolder::TemporaryFolder(const std::filesystem::path& in) {
   std::string pattern = (in / "stepwright-XXXXXX").string();
   if (mkdtemp(pattern.data()) != nullptr) path_ = pattern;

@@ -2,12 +2,15 @@
 
 // A folder of its own for as long as the object lives. Threads: one.
 //
-//   const TemporaryFolder folder(std::filesystem::temp_directory_path());
+//   const TemporaryFolder folder(temporary_place());
 //   if (folder.path().empty()) ...
 
 #include <filesystem>
 
 namespace stepwright::process {
+
+// Where the system wants such folders: TMPDIR, or /tmp.
+std::filesystem::path temporary_place();
 
 class TemporaryFolder {
  public:
