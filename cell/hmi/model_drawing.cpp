@@ -59,19 +59,20 @@ class ModelDrawing {
   }
   double top(std::uint32_t component) const { return kEdge + layout_.placed[component].row * kRow; }
 
-  // Out of the right of one and into the left of the other; back, and past what stands between, in the free
-  // space between two rows.
+  // The free space between two rows, nearest to the way: a line back takes it underneath.
+  static double lane(double y0, double y1, bool forward) {
+    if (forward) return y1 < y0 ? y0 - 0.5 * kRow : y0 + 0.5 * kRow;
+    return std::max(y0, y1) + 0.5 * kRow;
+  }
+
+  // Out of the right of one and into the left of the other; back, and past what stands between, in a lane.
   void add_link(const components::ModelLink& link) {
     const bool wet = link.kind == PortKind::Fluid;
     const double x0 = left(link.from) + width_, y0 = top(link.from) + 0.5 * kBoxHeight;
     const double x1 = left(link.to), y1 = top(link.to) + 0.5 * kBoxHeight;
     const bool next = x1 > x0 && x1 - x0 <= kGap;
     std::string path = "M" + units(x0) + " " + units(y0) + "H" + units(next ? 0.5 * (x0 + x1) : x0 + 20.0);
-    if (!next) {
-      const double lane =
-          x1 > x0 && y1 < y0 ? y0 - 0.5 * kRow : (x1 > x0 ? y0 : std::max(y0, y1)) + 0.5 * kRow;
-      path += "V" + units(lane) + "H" + units(x1 - 20.0);
-    }
+    if (!next) path += "V" + units(lane(y0, y1, x1 > x0)) + "H" + units(x1 - 20.0);
     path += "V" + units(y1) + "H" + units(x1);
     out_ += "<path d=\"" + path + "\" fill=\"none\" stroke=\"var(--" + (wet ? "line-strong" : "line") +
             ")\" stroke-width=\"" + (wet ? "3" : "1") + "\"" + (wet ? "" : " stroke-dasharray=\"4 3\"") +
