@@ -60,14 +60,15 @@ export async function cellInFolder(program, name, optionsOf) {
   return self;
 }
 
-const configuration = (name, domain, port, more) => `
+// Text of a cell's file: `clock` and `plant` are lines of their tables, `more` of [hmi].
+export const configurationOf = (name, domain, port, { clock = 'mode = "real"', plant = 'kind = "none"', more = '' } = {}) => `
 [cell]
 name = "${name}-${process.pid}"
 state_dir = "state"
 [clock]
-mode = "real"
+${clock}
 [plant]
-kind = "none"
+${plant}
 [dds]
 domain_id = ${domain}
 [hmi]
@@ -79,7 +80,7 @@ ${more}`;
 // `more`: lines of its [hmi]. It runs once `load` has given the runtime its program.
 export async function cellWithFiles(program, name, { domain, files, more = '' }) {
   const cell = await cellInFolder(program, name, (folder, port) => {
-    writeFileSync(join(folder, 'cell.toml'), configuration(name, domain, port, more));
+    writeFileSync(join(folder, 'cell.toml'), configurationOf(name, domain, port, { more }));
     for (const [one, text] of Object.entries(files)) writeFileSync(join(folder, one), text);
     return ['--config', join(folder, 'cell.toml')];
   });

@@ -4,7 +4,7 @@
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 
-import { cellInFolder, cellWithFiles } from './cell_folder.mjs';
+import { cellInFolder, cellWithFiles, configurationOf } from './cell_folder.mjs';
 import { hiddenFocus, unreadable } from './narrow.mjs';
 import { leadOverPage } from './page_run.mjs';
 import { addsUsers, asksApi, claims, dialog, dialogIsGone, fill, isAccessible, logsIn } from './people.mjs';
@@ -38,26 +38,11 @@ PROGRAM Main
   valve := FALSE;
 END_PROGRAM
 `;
-const configuration = (domain, port) => `
-[cell]
-name = "faults-${process.pid}"
-state_dir = "state"
-[clock]
-mode = "simulated"
-speed = 1.0
-[plant]
-kind = "model"
-file = "plant.toml"
-[dds]
-domain_id = ${domain}
-[hmi]
-port = ${port}
-anonymous = "viewer"
-`;
+const SIMULATED = { clock: 'mode = "simulated"\nspeed = 1.0', plant: 'kind = "model"\nfile = "plant.toml"' };
 
 function startTank(program) {
   return cellInFolder(program, 'faults', (folder, port) => {
-    writeFileSync(join(folder, 'cell.toml'), configuration(87, port));
+    writeFileSync(join(folder, 'cell.toml'), configurationOf('faults', 87, port, SIMULATED));
     writeFileSync(join(folder, 'plant.toml'), PLANT);
     writeFileSync(join(folder, 'main.st'), PROGRAM);
     return ['--config', join(folder, 'cell.toml')];

@@ -45,17 +45,21 @@ class Up(unittest.TestCase):
         self.assertTrue(read)
         self.assertTrue((cell.state / "program.swb").exists())
 
+    def is_replaced(self, cell, process, name, by):
+        """After the signal there is another process of that name, for the first time."""
+        before = cell.of(name)["pid"]
+        os.kill(before, by)
+
+        def back():
+            now = cell.of(name)
+            return now["phase"] == "ready" and now["pid"] != before and now["restarts"] == 1
+        self.assertTrue(eventually(back), process.output())
+
     def test_what_is_killed_is_started_again(self):
         cell = self.kept()
         process = cell.ready()
         for name in ORDER:
-            killed = cell.of(name)["pid"]
-            os.kill(killed, signal.SIGKILL)
-
-            def back(name=name, killed=killed):
-                now = cell.of(name)
-                return now["phase"] == "ready" and now["pid"] != killed and now["restarts"] == 1
-            self.assertTrue(eventually(back), process.output())
+            self.is_replaced(cell, process, name, signal.SIGKILL)
             self.assertRegex(process.output(), rf"(?m)^{name} +\| was ended by the signal KILL: it is started again in 0\.1 s$")
         self.assertEqual(get(cell.port(), "/")[0].status, 200)
         self.assertEqual(cell.run("status").returncode, 0)
@@ -64,13 +68,7 @@ class Up(unittest.TestCase):
         cell = self.kept(more=DEVICES)
         process = cell.ready()
         for name, silence in {"modbus-client": 5, "hmi": 15, "link": 5}.items():  # a runtime that hangs is its guard's
-            hung = cell.of(name)["pid"]
-            os.kill(hung, signal.SIGSTOP)
-
-            def back(name=name, hung=hung):
-                now = cell.of(name)
-                return now["phase"] == "ready" and now["pid"] != hung and now["restarts"] == 1
-            self.assertTrue(eventually(back), process.output())
+            self.is_replaced(cell, process, name, signal.SIGSTOP)
             self.assertRegex(process.output(), rf"(?m)^{name} +\| gave no sign of life for {silence}\.0 s: it hangs, and is killed$")
             self.assertRegex(cell.run("status").stdout, rf"(?m)^  {name} .*the last time because it gave no sign of life for {silence}\.0 s$")
 
