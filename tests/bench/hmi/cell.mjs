@@ -50,6 +50,8 @@ runtime_id = "${name}"
 enabled = false
 [io]
 kind = "modbus"
+[modbus.client]
+holder_timeout_ms = 60_000
 [hmi]
 port = ${port}
 anonymous = "viewer"

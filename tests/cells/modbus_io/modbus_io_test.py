@@ -53,6 +53,8 @@ output_bytes = 8
 kind = "modbus"
 [guard]
 timeout_ms = 5_000
+[modbus.client]
+holder_timeout_ms = 60_000
 [safe_state.lost_io]
 "%QW0" = { value = 7 }
 [safe_state.killed]
@@ -298,7 +300,7 @@ class ModbusIo(unittest.TestCase):
     def test_without_runtime_and_guard_the_client_drives_the_safe_outputs(self):
         plant = Plant(self)
         plant.cell.config.write_text(plant.cell.config.read_text(encoding="utf-8").replace(
-            "[guard]\n", "[guard]\nenabled = false\n"), encoding="utf-8")
+            "[guard]\n", "[guard]\nenabled = false\n").replace("holder_timeout_ms = 60_000\n", ""), encoding="utf-8")
         plant.start_all()
         self.assertTrue(eventually(lambda: plant.field() == 1000))
         plant.runtime.end(signal.SIGKILL)

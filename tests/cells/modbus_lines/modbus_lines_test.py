@@ -32,6 +32,8 @@ output_bytes = 32
 kind = "modbus"
 [guard]
 timeout_ms = 60_000
+[modbus.client]
+holder_timeout_ms = 60_000
 [modbus.lines."LINE"]
 baud = 19_200
 parity = "none"

@@ -60,6 +60,7 @@ program = "/cell/press.swb"
 autostart = true
 [modbus.client]
 silence_ms = 60000
+holder_timeout_ms = 60000
 [modbus.lines."DEVICE"]
 SETTINGS
 [[modbus.device]]
