@@ -10,15 +10,15 @@
 #include <optional>
 #include <vector>
 
-#include "runtime/bytecode/reader/program_info.h"
+#include "hmi_web/server/cell_source.h"
 #include "runtime/dds/health.h"
 #include "runtime/modbus/client/settings.h"
 
 namespace stepwright::hmi {
 
-// Those of a device that is lost, has never answered, or of which nobody says how it is; without inputs that
-// have a value for the loss.
-std::vector<reader::Variable> unread_inputs(const modbus::client::ClientSettings& settings,
-                                            const std::optional<dds::RuntimeHealth>& health);
+// Those of each device that is lost, has never answered, or of which nobody says how it is; without inputs
+// that have a value for the loss, and without devices that have no others.
+std::vector<server::UnreadInputs> unread_inputs(const modbus::client::ClientSettings& settings,
+                                                const std::optional<dds::RuntimeHealth>& health);
 
 }  // namespace stepwright::hmi

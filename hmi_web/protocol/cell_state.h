@@ -5,7 +5,8 @@
 //
 // Invariant: `points` has one entry per point of the synoptic and `tags` one per tag of the program with the
 // digest `program_digest`; an entry without a value is unknown, unless it has a text. Steps and transitions
-// are indices into that program, ascending.
+// are indices into that program, ascending. What `unread` names has a value in the image, which is none of
+// the plant.
 
 #include <cstdint>
 #include <map>
@@ -25,6 +26,23 @@ struct ScanFigures {
   friend bool operator==(const ScanFigures&, const ScanFigures&) = default;
 };
 
+// Why the inputs of a device have no value.
+enum class Unread : std::uint8_t {
+  Lost,    // it has answered, and does not any more: what stands there is old
+  Never,   // it has not answered yet
+  Untold,  // nobody says how it is: the process that asks it does not run, or has only begun
+};
+const char* to_string(Unread why);
+
+// A device that does not answer, and the tags of the program that are read from it.
+struct UnreadDevice {
+  std::string device;
+  Unread why = Unread::Untold;
+  std::vector<std::uint32_t> tags;  // by their index, ascending
+
+  friend bool operator==(const UnreadDevice&, const UnreadDevice&) = default;
+};
+
 struct CellState {
   bool runtime_alive = false;  // the link and the runtime behind it answer
   bool supervisor_alive = false;
@@ -41,6 +59,7 @@ struct CellState {
   std::vector<std::optional<double>> points;
   std::vector<std::optional<double>> tags;
   std::map<std::uint32_t, std::string> texts;  // of tags that people read as text, by their index
+  std::vector<UnreadDevice> unread;
 
   friend bool operator==(const CellState&, const CellState&) = default;
 };

@@ -18,8 +18,27 @@ json to_json(const ScanFigures& figures) {
           {"realtime_factor", number(figures.realtime_factor)}};
 }
 
+// Of ascending indices: ranges [first, count].
+json ranges_of(const std::vector<std::uint32_t>& indices) {
+  json ranges = json::array();
+  for (std::size_t i = 0; i < indices.size();) {
+    std::size_t end = i + 1;
+    while (end < indices.size() && indices[end] == indices[i] + (end - i)) ++end;
+    ranges.push_back({indices[i], end - i});
+    i = end;
+  }
+  return ranges;
+}
+
+json to_json(const std::vector<UnreadDevice>& unread) {
+  json list = json::array();
+  for (const UnreadDevice& one : unread)
+    list.push_back({{"device", one.device}, {"why", to_string(one.why)}, {"tags", ranges_of(one.tags)}});
+  return list;
+}
+
 // What travels whole whenever it changes.
-std::array<std::pair<const char*, json>, 12> whole_fields(const CellState& state) {
+std::array<std::pair<const char*, json>, 13> whole_fields(const CellState& state) {
   return {{{"runtime_alive", state.runtime_alive},
            {"supervisor_alive", state.supervisor_alive},
            {"runtime_state", state.runtime_state},
@@ -31,10 +50,23 @@ std::array<std::pair<const char*, json>, 12> whole_fields(const CellState& state
            {"trace_hash", state.trace_hash},
            {"figures", to_json(state.figures)},
            {"steps", state.active_steps},
-           {"transitions", state.true_transitions}}};
+           {"transitions", state.true_transitions},
+           {"unread", to_json(state.unread)}}};
 }
 
 }  // namespace
+
+const char* to_string(Unread why) {
+  switch (why) {
+    case Unread::Lost:
+      return "lost";
+    case Unread::Never:
+      return "never";
+    case Unread::Untold:
+      break;
+  }
+  return "untold";
+}
 
 void LiveState::take_values(const std::vector<std::optional<double>>& values, const Texts& texts,
                             std::uint64_t sequence, std::vector<Number>& kept) {

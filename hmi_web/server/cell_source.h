@@ -6,6 +6,7 @@
 // Thread rule: one thread calls, always the same one. `observe` may block for a moment (a request for a new
 // program), never for ever.
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -14,6 +15,7 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -41,6 +43,21 @@ struct ImageSnapshot {
 // The bias of each sensor in raw counts, by the sensor's name.
 using Tare = std::map<std::string, double>;
 
+// Inputs that a device does not give: what stands in the image there was never read, or is old.
+struct UnreadInputs {
+  std::string device;
+  protocol::Unread why = protocol::Unread::Untold;
+  std::vector<reader::Variable> inputs;  // in the image
+
+  friend bool operator==(const UnreadInputs& one, const UnreadInputs& other) {
+    const auto place = [](const reader::Variable& input) {
+      return std::tuple(input.type, input.address, input.bit);
+    };
+    return one.device == other.device && one.why == other.why &&
+           std::ranges::equal(one.inputs, other.inputs, {}, place, place);
+  }
+};
+
 struct Observation {
   bool runtime_alive = false;
   bool supervisor_alive = false;
@@ -50,8 +67,7 @@ struct Observation {
   // How many images have come here so far, and how many were sent and never came; 0: the source cannot tell.
   std::uint64_t images = 0;
   std::uint64_t images_lost = 0;
-  // Inputs whose device does not answer (yet): what stands in the image there was never read, or is old.
-  std::vector<reader::Variable> unread;
+  std::vector<UnreadInputs> unread;             // of each device that does not answer (yet)
   std::shared_ptr<const ProgramLayout> layout;  // shared: it stays the same for thousands of observations
   std::optional<std::string> plan;              // the supervisor's newest plan document, JSON text
   std::optional<std::string> pictures;          // and what is drawn of it

@@ -1,5 +1,6 @@
 #include "hmi_web/server/cell_viewer.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <utility>
@@ -28,6 +29,21 @@ std::vector<std::uint32_t> indices_of_true(const Bits& bits, std::span<const std
   return indices;
 }
 
+std::vector<protocol::UnreadDevice> tags_of(const std::vector<UnreadInputs>& unread,
+                                            const ProgramLayout& layout) {
+  std::vector<protocol::UnreadDevice> devices;
+  for (const UnreadInputs& one : unread) {
+    protocol::UnreadDevice device{one.device, one.why, {}};
+    for (std::uint32_t tag = 0; tag < layout.tags.size(); ++tag) {
+      const bool there = std::ranges::any_of(
+          one.inputs, [&](const reader::Variable& input) { return overlap(input, layout.tags[tag]); });
+      if (there) device.tags.push_back(tag);
+    }
+    devices.push_back(std::move(device));
+  }
+  return devices;
+}
+
 void add_report(const RuntimeReport& report, protocol::CellState& state) {
   state.runtime_state = report.state;
   state.runtime_detail = report.detail;
@@ -41,13 +57,27 @@ void add_report(const RuntimeReport& report, protocol::CellState& state) {
 CellViewer::CellViewer(std::vector<PointSources> points)
     : points_(std::move(points)), reader_(points_, nullptr) {}
 
+void CellViewer::take_layout(const std::shared_ptr<const ProgramLayout>& layout) {
+  if (layout == layout_) return;
+  layout_ = layout;
+  reader_ = PointReader(points_, layout_.get());
+  point_tags_ =
+      layout_ ? std::make_shared<const protocol::PointTags>(tags_of_points(points_, *layout_)) : nullptr;
+  unread_.clear();
+  unread_tags_.clear();
+  unread_points_.clear();
+}
+
+void CellViewer::take_unread(const std::vector<UnreadInputs>& unread) {
+  if (!layout_ || unread == unread_) return;
+  unread_ = unread;
+  unread_tags_ = tags_of(unread, *layout_);
+  unread_points_ = points_from(points_, unread, *layout_);
+}
+
 CellView CellViewer::view(const Observation& observation) {
-  if (observation.layout != layout_) {
-    layout_ = observation.layout;
-    reader_ = PointReader(points_, layout_.get());
-    point_tags_ =
-        layout_ ? std::make_shared<const protocol::PointTags>(tags_of_points(points_, *layout_)) : nullptr;
-  }
+  take_layout(observation.layout);
+  take_unread(observation.unread);
   CellView view;
   view.layout = layout_;
   view.points = point_tags_;
@@ -69,6 +99,8 @@ CellView CellViewer::view(const Observation& observation) {
   state.time_s = snapshot.time_s;
   state.points = reader_.read(snapshot, observation.tare);
   if (!layout_) return view;
+  state.unread = unread_tags_;
+  for (const std::size_t point : unread_points_) state.points[point].reset();
   state.active_steps = indices_of_true(layout_->steps, snapshot.image);
   state.true_transitions = indices_of_true(layout_->transitions, snapshot.image);
   for (std::size_t i = 0; i < layout_->tags.size(); ++i) {

@@ -21,6 +21,20 @@ std::optional<double> truth(const ImageSnapshot& snapshot, const std::string& na
   return found->second;
 }
 
+// In the image.
+std::vector<reader::Variable> places_of(const PointSources& sources, const ProgramLayout& layout) {
+  std::vector<reader::Variable> places;
+  for (const PointSource& source : sources) {
+    if (source.kind == PointSourceKind::PlantTruth) continue;
+    if (const auto variable = resolve(source, &layout)) places.push_back(*variable);
+  }
+  return places;
+}
+
+bool touches(const std::vector<reader::Variable>& places, const reader::Variable& variable) {
+  return std::ranges::any_of(places, [&](const reader::Variable& place) { return overlap(place, variable); });
+}
+
 // Names are those of the plant here and those of the binding there: upper and lower case alike.
 double bias(const Tare& tare, const std::string& sensor) {
   const auto found = std::find_if(tare.begin(), tare.end(), [&](const auto& entry) {
@@ -48,19 +62,25 @@ PointReader::PointReader(const std::vector<PointSources>& points, const ProgramL
 protocol::PointTags tags_of_points(const std::vector<PointSources>& points, const ProgramLayout& layout) {
   protocol::PointTags result(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    std::vector<reader::Variable> places;
-    for (const PointSource& source : points[i]) {
-      if (source.kind == PointSourceKind::PlantTruth) continue;
-      if (const auto variable = resolve(source, &layout)) places.push_back(*variable);
-    }
-    for (std::uint32_t tag = 0; tag < layout.tags.size(); ++tag) {
-      const bool there = std::any_of(places.begin(), places.end(), [&](const reader::Variable& place) {
-        return overlap(place, layout.tags[tag]);
-      });
-      if (there) result[i].push_back(tag);
-    }
+    const std::vector<reader::Variable> places = places_of(points[i], layout);
+    for (std::uint32_t tag = 0; tag < layout.tags.size(); ++tag)
+      if (touches(places, layout.tags[tag])) result[i].push_back(tag);
   }
   return result;
+}
+
+std::vector<std::size_t> points_from(const std::vector<PointSources>& points,
+                                     const std::vector<UnreadInputs>& unread, const ProgramLayout& layout) {
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::vector<reader::Variable> places = places_of(points[i], layout);
+    const bool reads_one = std::ranges::any_of(unread, [&](const UnreadInputs& device) {
+      return std::ranges::any_of(device.inputs,
+                                 [&](const reader::Variable& input) { return touches(places, input); });
+    });
+    if (reads_one) found.push_back(i);
+  }
+  return found;
 }
 
 std::vector<std::optional<double>> PointReader::read(const ImageSnapshot& snapshot, const Tare& tare) const {

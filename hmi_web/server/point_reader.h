@@ -57,4 +57,9 @@ class PointReader {
 // that is shown as the program filters it. What a plant reports of itself has none.
 protocol::PointTags tags_of_points(const std::vector<PointSources>& points, const ProgramLayout& layout);
 
+// Points that have one of these inputs among their sources, ascending: what a program filters of it is no
+// more true than the input.
+std::vector<std::size_t> points_from(const std::vector<PointSources>& points,
+                                     const std::vector<UnreadInputs>& unread, const ProgramLayout& layout);
+
 }  // namespace stepwright::server

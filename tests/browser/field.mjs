@@ -1,5 +1,5 @@
-// Two cells of our own as processes, for the panel that shows how runtimes are: one with Modbus devices, in real time, one
-// with a simulated plant.
+// Two cells of our own as processes: one with Modbus devices, in real time, of which one is there and one is not, and one with a
+// simulated plant.
 
 import { execFileSync } from 'node:child_process';
 import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
@@ -14,7 +14,7 @@ const DOMAIN = 77;
 
 const PROGRAM = `
 PROGRAM Main
-  VAR sum : DINT; i : INT; END_VAR
+  VAR sum : DINT; i : INT; level AT %IW1 : INT; pump AT %IW2 : INT; END_VAR
   FOR i := 1 TO 50 DO sum := sum + i; END_FOR;
 END_PROGRAM
 CONFIGURATION Plant
@@ -28,7 +28,8 @@ END_CONFIGURATION
 `;
 
 // Starts both cells with their links, and the page of the first, which also follows the second and one that is nowhere.
-export async function startField(program, device) {
+// `page`: keys of its [hmi]; `more`: tables of its file.
+export async function startField(program, device, { page = '', more = '' } = {}) {
   const folder = mkdtempSync(join(tmpdir(), 'stepwright-field-'));
   const names = { line: `line-${process.pid}`, press: `press-${process.pid}` };
   const port = await freePort();
@@ -41,7 +42,7 @@ export async function startField(program, device) {
       `${base(names.line)}[clock]\nmode = "real"\n[watchdog]\ntime_us = 2_000_000\nsensitivity = 3\n[io]\nkind = "modbus"\n` +
       // A busy machine keeps the client from running for longer than plants allow.
       `[modbus.client]\nsilence_ms = 10_000\nholder_timeout_ms = 60_000\n` +
-      `[hmi]\nport = ${port}\nanonymous = "viewer"\nmetrics_of = ["${names.press}", "ghost"]\n` +
+      `[hmi]\nport = ${port}\nanonymous = "viewer"\nmetrics_of = ["${names.press}", "ghost"]\n${page}${more}` +
       `[[modbus.device]]\nname = "levels"\nhost = "127.0.0.1"\nport = ${device.port}\non_loss = "hold"\n${tags(1)}` +
       `[[modbus.device]]\nname = "pumps"\nhost = "127.0.0.1"\nport = ${dead}\non_loss = "hold"\n${tags(2)}`,
     [names.press]: base(names.press),

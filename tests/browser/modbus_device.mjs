@@ -4,8 +4,8 @@ import { createServer } from 'node:net';
 
 const REQUEST_BYTES = 12;
 
-// `register(address)`: the value of an input register, 0 to 65535; asked at each read.
-export async function startDevice(register = () => 0) {
+// `register(address)`: the value of an input register, 0 to 65535; asked at each read. `port` 0: any that is free.
+export async function startDevice(register = () => 0, port = 0) {
   const open = new Set();
   const server = createServer((socket) => {
     open.add(socket);
@@ -21,7 +21,7 @@ export async function startDevice(register = () => 0) {
       }
     });
   });
-  await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve));
+  await new Promise((resolve) => server.listen(port, '127.0.0.1', resolve));
   return {
     port: server.address().port,
     stop: () => {

@@ -133,6 +133,7 @@ function place(one: Bound, binding: PoseBinding, values: readonly Value[]): bool
 
 function write({ element, binding, words: text, ownTransform, box, title }: Bound, isText: boolean, value: Value, words: string): void {
   element.classList.toggle('unknown', value === null && !isText);
+  if (binding.kind === 'fill') element.classList.toggle('no-level', value === null);
   if (title !== '') element.setAttribute('aria-label', `${title}: ${words}`);
   if (binding.kind === 'text') {
     if (text) text.data = words;

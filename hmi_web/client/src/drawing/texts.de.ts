@@ -6,4 +6,5 @@ export default {
   forced: 'Geforct: {names}.',
   cannot: 'Die Zeichnung konnte nicht geladen werden.',
   unbound: 'In dieser Zelle an nichts gebunden: {names}',
+  unread: 'Kein Wert der Anlage: {reasons}.',
 } satisfies Translation<typeof english>;

@@ -6,4 +6,5 @@ export default {
   forced: 'Variables forzadas: {names}.',
   cannot: 'No se pudo cargar el dibujo.',
   unbound: 'Sin enlace en esta celda: {names}',
+  unread: 'Ningún valor de la instalación: {reasons}.',
 } satisfies Translation<typeof english>;

@@ -6,4 +6,5 @@ export default {
   forced: 'Variables forcées : {names}.',
   cannot: 'Le dessin n’a pas pu être chargé.',
   unbound: 'Lié à rien dans cette cellule : {names}',
+  unread: 'Aucune valeur de l’installation : {reasons}.',
 } satisfies Translation<typeof english>;

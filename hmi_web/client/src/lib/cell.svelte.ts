@@ -20,6 +20,7 @@ import { ForcedNames } from './forces';
 import { enumerationOf, pointNote, told, toldNumber, TagNotes } from './tag_notes';
 import { TrendData } from './trend_data';
 import { numberOr, type TagValue, type Value } from './value';
+import { UnreadTags } from './unread';
 import { Wanted } from './wanted';
 
 // Planned times count from the start of their plan; everything else is the cell's clock.
@@ -47,6 +48,7 @@ const NOTHING: LiveFields = {
   figures: { overruns: 0, p50_us: 0, p99_us: 0, max_us: 0, realtime_factor: 0 },
   steps: [],
   transitions: [],
+  unread: [],
 };
 
 // Of the newest message of each kind, as the server numbers them.
@@ -72,6 +74,7 @@ export class Cell {
   // What is forced in the runtime, whoever has forced it.
   forces = $state.raw<StandingForce[]>([]);
   readonly forced: ForcedNames = $derived.by(() => new ForcedNames(this.forces, this.program?.tags));
+  readonly unread: UnreadTags = $derived.by(() => new UnreadTags(this.live.unread, (index) => this.forced.has(this.program?.tags[index]?.name ?? '')));
   // Points of the plant, by their ids, that show what is forced.
   readonly forcedPoints: ReadonlySet<string> = $derived.by(() => {
     const { program, forced } = this;
@@ -172,9 +175,15 @@ export class Cell {
     return (this.point(id) ?? 0) > 0.5;
   }
 
+  // What stands in the image, which of a device that does not answer is no value of the plant: value().
   get tags(): readonly TagValue[] {
     void this.tagVersion;
     return this.tagValues;
+  }
+
+  // The value of a tag by its index; null where nobody knows it now.
+  value(index: number): TagValue {
+    return this.unread.of(index) ? null : (this.tags[index] ?? null);
   }
 
   // A value of a tag as people read it, with its unit.
@@ -206,7 +215,7 @@ export class Cell {
   // The value of a variable of the program by its whole name in lower case.
   tagValue(name: string): TagValue {
     const index = this.tagIndex.get(name);
-    return index === undefined ? null : (this.tags[index] ?? null);
+    return index === undefined ? null : this.value(index);
   }
 
   // The same of a number; null for a text.

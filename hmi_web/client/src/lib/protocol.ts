@@ -251,6 +251,14 @@ export interface LiveFields {
   figures: ScanFigures;
   steps: number[];
   transitions: number[];
+  unread: UnreadDevice[];
+}
+
+// A device that does not answer, and the tags that are read from it, as ranges of indices.
+export interface UnreadDevice {
+  device: string;
+  why: 'lost' | 'never' | 'untold';
+  tags: [first: number, count: number][];
 }
 
 export interface StateMessage extends LiveFields {
@@ -421,4 +429,4 @@ export interface Possessions {
   trend_next: number;
 }
 
-export const PROTOCOL_VERSION = 3;
+export const PROTOCOL_VERSION = 4;

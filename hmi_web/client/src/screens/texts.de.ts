@@ -22,6 +22,7 @@ export default {
   pending: 'Wird geschrieben …',
   written: 'geschrieben',
   dismiss: 'Schließen',
+  notRead: 'Der Wert ist nicht bekannt: {reason}.',
   write: 'Schreiben',
   newValue: 'Neuer Wert',
   now: 'jetzt {value}',

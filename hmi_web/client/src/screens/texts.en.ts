@@ -19,6 +19,7 @@ export default {
   pending: 'Being written …',
   written: 'written',
   dismiss: 'Dismiss',
+  notRead: 'The value is not known: {reason}.',
   write: 'Write',
   newValue: 'New value',
   now: 'now {value}',

@@ -22,6 +22,7 @@ export default {
   pending: 'Se escribe …',
   written: 'escrito',
   dismiss: 'Cerrar',
+  notRead: 'No se conoce el valor: {reason}.',
   write: 'Escribir',
   newValue: 'Valor nuevo',
   now: 'ahora {value}',

@@ -22,6 +22,7 @@ export default {
   pending: 'Écriture …',
   written: 'écrit',
   dismiss: 'Fermer',
+  notRead: 'La valeur n’est pas connue : {reason}.',
   write: 'Écrire',
   newValue: 'Nouvelle valeur',
   now: 'actuellement {value}',

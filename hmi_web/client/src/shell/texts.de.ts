@@ -54,6 +54,10 @@ export default {
   close: 'Schließen',
   old: 'angezeigt wird ein alter Stand',
   forced: 'geforct',
+  noValue: 'kein Wert',
+  unread_lost: '{device} antwortet nicht mehr',
+  unread_never: '{device} hat noch nicht geantwortet',
+  unread_untold: 'niemand sagt, ob {device} antwortet',
   rowsShown: '{shown} von {total} Zeilen',
   moreRows: 'Mehr zeigen',
 } satisfies Translation<typeof english>;

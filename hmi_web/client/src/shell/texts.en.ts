@@ -51,6 +51,10 @@ export default {
   close: 'Close',
   old: 'what is shown is old',
   forced: 'forced',
+  noValue: 'no value',
+  unread_lost: '{device} does not answer any more',
+  unread_never: '{device} has not answered yet',
+  unread_untold: 'nobody says whether {device} answers',
   rowsShown: '{shown} of {total} rows',
   moreRows: 'Show more',
 } as const;

@@ -54,6 +54,10 @@ export default {
   close: 'Cerrar',
   old: 'lo que se muestra es antiguo',
   forced: 'forzada',
+  noValue: 'sin valor',
+  unread_lost: '{device} ya no responde',
+  unread_never: '{device} aún no ha respondido',
+  unread_untold: 'nadie dice si {device} responde',
   rowsShown: '{shown} de {total} filas',
   moreRows: 'Mostrar más',
 } satisfies Translation<typeof english>;

@@ -54,6 +54,10 @@ export default {
   close: 'Fermer',
   old: 'les valeurs affichées sont anciennes',
   forced: 'forcée',
+  noValue: 'aucune valeur',
+  unread_lost: '{device} ne répond plus',
+  unread_never: '{device} n’a pas encore répondu',
+  unread_untold: 'personne ne dit si {device} répond',
   rowsShown: '{shown} lignes sur {total}',
   moreRows: 'Afficher plus',
 } satisfies Translation<typeof english>;

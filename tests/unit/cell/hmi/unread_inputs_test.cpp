@@ -34,7 +34,8 @@ class UnreadInputsTest : public testing::Test {
   // The bytes at which they begin.
   std::vector<std::uint32_t> unread(const std::optional<dds::RuntimeHealth>& health) const {
     std::vector<std::uint32_t> bytes;
-    for (const reader::Variable& each : unread_inputs(settings_, health)) bytes.push_back(each.address);
+    for (const server::UnreadInputs& device : unread_inputs(settings_, health))
+      for (const reader::Variable& each : device.inputs) bytes.push_back(each.address);
     return bytes;
   }
 
@@ -54,6 +55,19 @@ TEST_F(UnreadInputsTest, WhenADeviceIsLostOrHasNeverAnswered_ThenItsInputsAreNot
   health_.devices[1].lost = false;
   health_.devices[0].answer_age_ms = -1;
   EXPECT_EQ(unread(health_), (Bytes{0}));
+}
+
+TEST_F(UnreadInputsTest, WhenADeviceDoesNotAnswer_ThenItIsNamedWithTheReason) {
+  health_.devices[0].lost = true;
+  health_.devices[0].answer_age_ms = -1;
+  health_.devices[1].lost = true;
+  const auto unread = unread_inputs(settings_, health_);
+  ASSERT_EQ(unread.size(), 2u);
+  EXPECT_EQ(unread[0].device, "tank");
+  EXPECT_EQ(unread[0].why, protocol::Unread::Never) << "lost from the start is not read, rather than old";
+  EXPECT_EQ(unread[1].device, "drive");
+  EXPECT_EQ(unread[1].why, protocol::Unread::Lost);
+  EXPECT_EQ(unread_inputs(settings_, std::nullopt).at(0).why, protocol::Unread::Untold);
 }
 
 TEST_F(UnreadInputsTest, WhenAnInputHasAValueForTheLoss_ThenThatCounts) {

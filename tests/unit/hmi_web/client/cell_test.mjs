@@ -26,10 +26,10 @@ globalThis.window = {
 const { Cell } = await load(process.env.CLIENT, ['lib/cell.svelte']);
 
 const synoptic = { points: [{ id: 'a', label: 'a', unit: '', trend: true }], floor: { forklifts: [], estop_ok: '' } };
-const hello = (epoch, protocol = 3) => ({ type: 'hello', protocol, epoch, cell: 'bench', version: '1', recipes: false, drawing: false, synoptic });
+const hello = (epoch, protocol = 4) => ({ type: 'hello', protocol, epoch, cell: 'bench', version: '1', recipes: false, drawing: false, synoptic });
 const tags = ['Main.Level', 'x', 'y', 'z'].map((name) => ({ name, type: 'INT', address: '' }));
 const program = (digest = 'ab', revision = 1) => ({ type: 'program', revision, digest, charts: [], steps: [], transitions: [], tags, points: [] });
-const state = (more) => ({ type: 'state', seq: 5, runtime_alive: true, program: 'ab', scan: 7, points: [1], tags: {}, ...more });
+const state = (more) => ({ type: 'state', seq: 5, runtime_alive: true, program: 'ab', scan: 7, points: [1], unread: [], tags: {}, ...more });
 
 function cellAt(...messages) {
   const cell = new Cell();
@@ -40,7 +40,7 @@ const said = (cell) => JSON.parse(cell.greeting());
 
 test('Cell_WhenItKnowsNothing_ThenItBeginsWithNothing', () => {
   const message = said(new Cell());
-  assert.deepEqual(message, { type: 'begin', protocol: 3, epoch: '', show: { number: 1, digest: '', tags: [], also: ['plan', 'routes', 'pictures'] } });
+  assert.deepEqual(message, { type: 'begin', protocol: 4, epoch: '', show: { number: 1, digest: '', tags: [], also: ['plan', 'routes', 'pictures'] } });
 });
 
 test('Cell_WhenVariablesAreTold_ThenTheOthersAreNotKnown', () => {
@@ -52,6 +52,21 @@ test('Cell_WhenVariablesAreTold_ThenTheOthersAreNotKnown', () => {
   assert.deepEqual([0, 2].map((index) => cell.tags[index]), [10, 31]);
   cell.take({ type: 'delta', seq: 7, show: 2, tags: { 1: 20 } });
   assert.deepEqual([0, 1, 2].map((index) => cell.tags[index] ?? null), [null, 20, null], 'of what was wanted before nothing more is told');
+});
+
+test('Cell_WhenADeviceDoesNotAnswer_ThenItsTagsHaveNoValueUntilItDoesOrTheyAreForced', () => {
+  const unread = [{ device: 'tank', why: 'lost', tags: [[0, 1], [2, 2]] }, { device: 'drive', why: 'never', tags: [] }];
+  const cell = cellAt(hello('e1'), program(), state({ unread, tags: { 0: 10, 1: 20, 2: 30 } }));
+  assert.deepEqual([0, 1, 2, 3].map((index) => cell.value(index)), [null, 20, null, null]);
+  assert.equal(cell.tag('main.level'), null);
+  assert.equal(cell.tagValue('x'), 20);
+  assert.equal(cell.tags[0], 10, 'what the program works with');
+  assert.deepEqual(cell.unread.of(2), { device: 'tank', why: 'lost' });
+  assert.equal(cell.unread.of(1), null);
+  cell.take({ type: 'forces', revision: 1, forces: [{ name: 'MAIN.LEVEL', value: '10', user: 'a', reason: '', since_s: 0, until_s: 0 }] });
+  assert.equal(cell.value(0), 10, 'what is forced has a value');
+  cell.take({ type: 'delta', seq: 6, unread: [] });
+  assert.equal(cell.value(2), 30);
 });
 
 test('Cell_WhenItsServerIsLost_ThenItSaysWhatItHas', () => {
@@ -91,7 +106,7 @@ test('Cell_WhenTheServerIsAnother_ThenNothingOfTheOldOneStays', () => {
 });
 
 test('Cell_WhenTheServerSpeaksAnotherProtocol_ThenThePageIsLoadedAnew', () => {
-  const cell = cellAt(hello('e1', 4));
+  const cell = cellAt(hello('e1', 5));
   assert.equal(reloads, 1);
   assert.equal(cell.hello, null);
 });

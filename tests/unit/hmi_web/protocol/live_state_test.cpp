@@ -62,6 +62,24 @@ TEST_F(LiveStateTest, WhenTagsHaveTexts_ThenTheyTravelAsTextWheneverTheyChange) 
   EXPECT_EQ(since(4)["tags"], json({{"1", nullptr}, {"3", nullptr}})) << "it is not known any more";
 }
 
+TEST_F(LiveStateTest, WhenADeviceDoesNotAnswer_ThenItsTagsAreToldAsRangesWheneverThatChanges) {
+  EXPECT_EQ(whole()["unread"], json::array());
+  state_.unread = {{"tank", Unread::Lost, {0, 1, 3}}, {"drive", Unread::Never, {}}};
+  live_.take(state_, 2, false);
+  const json tank = {{"device", "tank"}, {"why", "lost"}, {"tags", {{0, 2}, {3, 1}}}};
+  const json drive = {{"device", "drive"}, {"why", "never"}, {"tags", json::array()}};
+  EXPECT_EQ(since(1)["unread"], (json{tank, drive}));
+  EXPECT_FALSE(since(1).contains("tags")) << "their values have not changed";
+  live_.take(state_, 3, false);
+  EXPECT_FALSE(since(2).contains("unread"));
+  state_.unread = {{"tank", Unread::Untold, {0}}};
+  live_.take(state_, 4, false);
+  EXPECT_EQ(since(3)["unread"][0]["why"], "untold");
+  state_.unread.clear();
+  live_.take(state_, 5, false);
+  EXPECT_EQ(since(4)["unread"], json::array());
+}
+
 TEST_F(LiveStateTest, WhenNumbersAreNotFinite_ThenTheyAreNull) {
   state_.points = {std::nan(""), std::numeric_limits<double>::infinity(), 1e300};
   live_.take(state_, 2, false);

@@ -68,7 +68,7 @@ class MissingSourceTest : public testing::Test {
   support::TemporaryFolder folder_;
   std::unique_ptr<CellAlarms> alarms_;
   std::int64_t time_ns_ = 0;
-  std::vector<reader::Variable> unread_;
+  std::vector<server::UnreadInputs> unread_;
 };
 
 TEST_F(MissingSourceTest, WhenTheProgramHasNoSuchVariable_ThenItsAlarmIsNotNormalAndSaysWhy) {
@@ -85,7 +85,7 @@ TEST_F(MissingSourceTest, WhenTheProgramHasNoSuchVariable_ThenItsAlarmIsNotNorma
 
 TEST_F(MissingSourceTest, WhenTheDeviceOfAnInputDoesNotAnswer_ThenItsValueRaisesNothing) {
   open({alarm("first", "main.first"), alarm("second", "main.second")});
-  unread_ = {{ElementaryType::Int, 6, bytecode::kNoBit}};
+  unread_ = {{"drive", protocol::Unread::Lost, {{ElementaryType::Int, 6, bytecode::kNoBit}}}};
   look(program({"main.first", "main.second"}), 1);
   EXPECT_EQ(listed()["first"]["state"], "unacknowledged") << "another device";
   EXPECT_EQ(listed()["second"]["state"], "no value");

@@ -138,6 +138,49 @@ TEST(CellViewer, WhenASensorHasATare_ThenItIsSubtractedFromItsCounts) {
   EXPECT_EQ(state.points[2], 0.5 * 257 + 10);
 }
 
+// fc1 lies in the word at %IW0, as does the raw count of the first point.
+TEST(CellViewer, WhenADeviceDoesNotAnswer_ThenItsTagsAreNamedAndItsPointsHaveNoValue) {
+  CellViewer viewer({{{PointSourceKind::Tag, "S1_filtered"}, {PointSourceKind::Address, "%IW0"}},
+                     {{PointSourceKind::Address, "%QX0.0"}},
+                     {{PointSourceKind::PlantTruth, "level_a1_percent"}}});
+  Observation seen = running(bytes({0b10, 0, 1, 1, 0, 0, 0}));
+  seen.layout = small_layout();
+  seen.unread = {{"tank", protocol::Unread::Lost, {{ElementaryType::Int, 0, kNoBit}}},
+                 {"spare", protocol::Unread::Never, {{ElementaryType::Int, 40, kNoBit}}}};
+
+  auto state = viewer.view(seen).state;
+
+  using Devices = std::vector<protocol::UnreadDevice>;
+  EXPECT_EQ(state.unread,
+            (Devices{{"tank", protocol::Unread::Lost, {0}}, {"spare", protocol::Unread::Never, {}}}));
+  EXPECT_EQ(state.tags[0], 1.0) << "what the program works with";
+  EXPECT_FALSE(state.points[0].has_value());
+  EXPECT_EQ(state.points[1], 1.0);
+  EXPECT_EQ(state.points[2], 47.5);
+
+  seen.unread.resize(1);
+  seen.unread[0].why = protocol::Unread::Never;
+  EXPECT_EQ(viewer.view(seen).state.unread, (Devices{{"tank", protocol::Unread::Never, {0}}}));
+  seen.unread.clear();
+  state = viewer.view(seen).state;
+  EXPECT_TRUE(state.unread.empty());
+  EXPECT_EQ(state.points[0], 257.0);
+}
+
+TEST(CellViewer, WhenTheProgramChangesWhileADeviceIsLost_ThenTheTagsOfTheNewOneAreNamed) {
+  CellViewer viewer({});
+  Observation seen = running(bytes({0b10, 0, 1, 1, 0, 0, 0}));
+  seen.unread = {{"tank", protocol::Unread::Lost, {{ElementaryType::Int, 0, kNoBit}}}};
+  EXPECT_EQ(viewer.view(seen).state.unread.at(0).tags, std::vector<std::uint32_t>{0});
+  auto next = small_layout();
+  std::swap(next->program.tags[0], next->program.tags[1]);
+  std::swap(next->tags[0], next->tags[1]);
+  seen.layout = next;
+  EXPECT_EQ(viewer.view(seen).state.unread.at(0).tags, std::vector<std::uint32_t>{1});
+  seen.layout = nullptr;
+  EXPECT_TRUE(viewer.view(seen).state.unread.empty());
+}
+
 TEST(CellViewer, WhenNothingIsThere_ThenEveryPointIsUnknown) {
   CellViewer viewer({{{PointSourceKind::Tag, "fc1"}}});
 
