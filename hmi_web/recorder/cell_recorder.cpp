@@ -26,8 +26,18 @@ constexpr std::chrono::seconds kFiguresPeriod{5};
 // A link sends an image every 30 ms, and pages look every 100 ms if none comes.
 constexpr std::int64_t kUnseenNs = 100'000'000;
 constexpr std::int64_t kSilentNs = 1'000'000'000;
+// Scans of a busy machine and a calendar that is kept right by small steps are no reason to say so.
+constexpr std::int64_t kAheadNs = 60'000'000'000;
 // Behind the newest image: from here on nothing is known.
 constexpr std::int64_t kBehindNs = 1'000;
+
+// By the index of the tag.
+std::vector<bool> unread_tags(const protocol::CellState& state) {
+  std::vector<bool> unread(state.tags.size(), false);
+  for (const protocol::UnreadDevice& device : state.unread)
+    for (const std::uint32_t tag : device.tags) unread.at(tag) = true;
+  return unread;
+}
 
 std::int64_t steady_ns() {
   return std::chrono::duration_cast<std::chrono::nanoseconds>(
@@ -152,8 +162,9 @@ void CellRecorder::record_image(std::int64_t time_ns, const server::CellView& vi
   take_layout(view.layout);
   const protocol::CellState& state = view.state;
   for (std::size_t i = 0; i < points_.size(); ++i) record(points_[i], time_ns, state.points.at(i));
+  const std::vector<bool> unread = unread_tags(state);
   for (std::size_t i = 0; i < tags_.size() && i < state.tags.size(); ++i)
-    record(tags_[i], time_ns, state.tags[i]);
+    record(tags_[i], time_ns, unread[i] ? std::nullopt : state.tags[i]);
   record_epoch(time_ns);
   missing_ = false;
 }
@@ -169,10 +180,10 @@ void CellRecorder::record_missing(std::int64_t time_ns) {
 
 // Whether what has come since the newest image was not all that there was to come. Images that waited
 // together come together: what lies between them shows in the scan's time, at the pace at which it goes.
-bool CellRecorder::has_gap(const server::Observation& seen, std::int64_t wall_ns,
+bool CellRecorder::has_gap(const server::Observation& seen, std::int64_t steady_ns,
                            std::optional<std::int64_t> time_ns) const {
-  if (missing_ || seen.images == 0 || came_wall_ns_ == 0) return false;
-  std::int64_t apart_ns = wall_ns - came_wall_ns_;
+  if (missing_ || seen.images == 0 || came_ns_ == 0) return false;
+  std::int64_t apart_ns = steady_ns - came_ns_;
   if (time_ns) {
     const double pace = !options_.real_time && seen.report ? seen.report->figures.realtime_factor : 1.0;
     const double scan_ns = static_cast<double>(*time_ns - seen_until_ns_) / std::max(1.0, pace);
@@ -181,16 +192,17 @@ bool CellRecorder::has_gap(const server::Observation& seen, std::int64_t wall_ns
   return apart_ns > kSilentNs || (seen.images_lost > images_lost_ && apart_ns > kUnseenNs);
 }
 
-void CellRecorder::note_arrival(const server::Observation& seen, bool fresh, std::int64_t wall_ns) {
+void CellRecorder::note_arrival(const server::Observation& seen, bool fresh, std::int64_t steady_ns) {
   if (!fresh && seen.images == images_) return;
-  came_wall_ns_ = wall_ns;
+  came_ns_ = steady_ns;
   images_ = seen.images;
   images_lost_ = seen.images_lost;
 }
 
 std::optional<std::string> CellRecorder::take(const server::Observation& seen, const server::CellView& view) {
   const bool has_image = seen.runtime_alive && seen.snapshot;
-  const std::int64_t wall_ns = calendar_->at(wall_clock_(), options_.steady_clock());
+  const std::int64_t steady_ns = options_.steady_clock();
+  const std::int64_t wall_ns = calendar_->at(wall_clock_(), steady_ns);
   if (has_image) {
     if (!has_answered_) alarms_->runtime_answers(clock_->passed(wall_ns));
     const auto scan_ns = static_cast<std::int64_t>(std::llround(seen.snapshot->time_s * 1e9));
@@ -200,9 +212,9 @@ std::optional<std::string> CellRecorder::take(const server::Observation& seen, c
     const bool fresh =
         seen.snapshot->scan != scan_ || seen.snapshot->time_s != scan_time_s_ || view.layout != layout_;
     const auto next = fresh ? std::optional(time_ns) : std::nullopt;
-    if (has_gap(seen, wall_ns, next) && (!fresh || time_ns > seen_until_ns_ + kBehindNs))
+    if (has_gap(seen, steady_ns, next) && (!fresh || time_ns > seen_until_ns_ + kBehindNs))
       record_missing(seen_until_ns_ + kBehindNs);
-    note_arrival(seen, fresh, wall_ns);
+    note_arrival(seen, fresh, steady_ns);
     if (fresh) {
       seen_until_ns_ = time_ns;
       scan_ = seen.snapshot->scan;
@@ -214,9 +226,11 @@ std::optional<std::string> CellRecorder::take(const server::Observation& seen, c
   } else {
     *now_ns_ = clock_->without_scan(wall_ns);
     // Who was kept from looking for long does not know when the runtime has gone.
-    record_missing(has_gap(seen, wall_ns, {}) ? seen_until_ns_ + kBehindNs : now_ns_->load());
+    record_missing(has_gap(seen, steady_ns, {}) ? seen_until_ns_ + kBehindNs : now_ns_->load());
   }
   has_answered_ = has_image;
+  const std::int64_t ahead_ns = options_.real_time ? *now_ns_ - wall_ns : 0;
+  ahead_s_ = ahead_ns > kAheadNs ? ahead_ns / 1'000'000'000 : 0;
   if (noted_ns_ != *now_ns_) historian_->note_until(noted_ns_ = *now_ns_);
   alarms_->take({*now_ns_, &seen, &view});
   return message();

@@ -9,9 +9,10 @@
 //   });
 //
 // Tags have the names of the program's variables; points of the picture are `points/ID`. What is not known
-// (no runtime, no program, no such variable any more) is kept as missing, so that nobody takes a value for
-// lasting that nobody saw. So is the time between two images of which others were lost on their way, if it is
-// longer than a page looks apart, and any time in which images ought to come and none does for a second.
+// (no runtime, no program, no such variable any more, no answer of the device that it is read from) is kept
+// as missing, so that nobody takes a value for lasting that nobody saw. So is the time between two images of
+// which others were lost on their way, if it is longer than a page looks apart, and any time in which images
+// ought to come and none does for a second.
 //
 // A calendar that has jumped far ahead is not believed until somebody accepts it (calendar.h): nothing is
 // deleted for its age by that, and nothing is recorded in a time to come.
@@ -75,6 +76,9 @@ class CellRecorder {
   std::int64_t now_ns() const { return *now_ns_; }
   // Up to here readers of the history see all that was taken; what came since may turn out to be missing.
   std::int64_t known_ns() const { return std::max(begun_ns_, historian_->known_until_ns()); }
+  // How far the history's clock, which never goes back, stands ahead of a real time that was set back; of a
+  // cell in real time only.
+  std::chrono::seconds ahead_of_real_time() const { return std::chrono::seconds(ahead_s_.load()); }
   // How far the machine's calendar stands ahead of the history's; 0: it is believed.
   std::chrono::seconds calendar_ahead() const;
   // The calendar is right: the history goes on at its time. False: it is believed already.
@@ -96,9 +100,9 @@ class CellRecorder {
   void record(Series& series, std::int64_t time_ns, std::optional<double> value);
   void record_image(std::int64_t time_ns, const server::CellView& view);
   void record_missing(std::int64_t time_ns);
-  bool has_gap(const server::Observation& seen, std::int64_t wall_ns,
+  bool has_gap(const server::Observation& seen, std::int64_t steady_ns,
                std::optional<std::int64_t> time_ns) const;
-  void note_arrival(const server::Observation& seen, bool fresh, std::int64_t wall_ns);
+  void note_arrival(const server::Observation& seen, bool fresh, std::int64_t steady_ns);
   void record_epoch(std::int64_t time_ns);
   std::optional<std::string> message();
 
@@ -107,6 +111,7 @@ class CellRecorder {
   std::shared_ptr<std::atomic<std::int64_t>> now_ns_;  // shared with the files' retention
   std::int64_t begun_ns_ = 0;                          // the newest time of the process before
   std::int64_t noted_ns_ = 0;                          // as the historian was told
+  std::atomic<std::int64_t> ahead_s_ = 0;
   std::unique_ptr<historian::Historian> historian_;
   std::unique_ptr<CellAlarms> alarms_;
   std::optional<HistoryClock> clock_;
@@ -119,8 +124,9 @@ class CellRecorder {
   double scan_time_s_ = -1.0;
   bool has_answered_ = false;  // at the last look the runtime did, with an image
   bool missing_ = true;        // that nothing is known is recorded already
-  // Of the newest image: its time; when it came, also once more, in real time; the source's counts by then.
-  std::int64_t seen_until_ns_ = 0, came_wall_ns_ = 0;
+  // Of the newest image: its time; when it came, also once more, by the steady clock, as real time may be set
+  // meanwhile; the source's counts by then.
+  std::int64_t seen_until_ns_ = 0, came_ns_ = 0;
   std::uint64_t images_ = 0, images_lost_ = 0;
   std::vector<historian::TagSample> batch_;
   std::uint64_t told_revision_ = 0;

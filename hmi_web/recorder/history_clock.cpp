@@ -11,6 +11,8 @@ constexpr std::int64_t kMicrosecond = 1'000;
 constexpr std::int64_t kBetweenRunsNs = 2'000'000'000;
 // Real time is set now and then, and a snapshot is a little old.
 constexpr std::int64_t kSameRunNs = 5'000'000'000;
+// Images that have waited come together, and lag for no longer than that takes.
+constexpr std::int64_t kLatenessNs = 30'000'000'000;
 
 std::int64_t whole(std::int64_t time_ns) {
   return time_ns - time_ns % kMicrosecond;
@@ -33,6 +35,20 @@ bool HistoryClock::is_another_run(std::int64_t scan_ns, std::int64_t wall_ns) co
          std::abs(wall_ns - scan_ns - epoch_ns_) > kSameRunNs;
 }
 
+void HistoryClock::follow(std::int64_t scan_ns, std::int64_t wall_ns) {
+  const std::int64_t late_ns = wall_ns - epoch_ns_ - scan_ns;
+  if (!real_time_ || late_ns <= kSameRunNs) {
+    late_since_ns_ = 0;
+    return;
+  }
+  const bool begins = late_since_ns_ == 0;
+  if (begins) late_since_ns_ = wall_ns;
+  least_late_ns_ = begins ? late_ns : std::min(least_late_ns_, late_ns);
+  if (wall_ns - late_since_ns_ < kLatenessNs) return;
+  epoch_ns_ += whole(least_late_ns_);
+  late_since_ns_ = 0;
+}
+
 std::int64_t HistoryClock::at(std::int64_t scan_ns, std::int64_t wall_ns) {
   scan_ns = whole(scan_ns);
   if (is_another_run(scan_ns, wall_ns)) {
@@ -40,6 +56,9 @@ std::int64_t HistoryClock::at(std::int64_t scan_ns, std::int64_t wall_ns) {
     // one does keep away.
     const std::int64_t least = scanned_ns_ == 0 ? newest_ns_ : scanned_ns_ + kBetweenRunsNs;
     epoch_ns_ = whole(std::max({wall_ns, newest_ns_, least})) - scan_ns;
+    late_since_ns_ = 0;
+  } else {
+    follow(scan_ns, wall_ns);
   }
   begun_ = true;
   is_restored_ = false;

@@ -249,6 +249,7 @@ Answer RecordQueries::tags(const Parameters&) const {
   out.key("lost").integer(static_cast<std::int64_t>(status.lost + status.dropped));
   out.key("file_bytes").integer(static_cast<std::int64_t>(status.file_bytes));
   out.key("calendar_ahead_s").integer(recorder_.calendar_ahead().count());
+  out.key("ahead_s").integer(recorder_.ahead_of_real_time().count());
   out.key("problem").text(status.problems.empty() ? "" : result::to_string(status.problems)).close('}');
   return {200, out.close('}').take()};
 }

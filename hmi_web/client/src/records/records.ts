@@ -106,7 +106,7 @@ export interface History {
 export interface TagList {
   now_ms: number;
   tags: string[];
-  status: { failing: boolean; lost: number; file_bytes: number; calendar_ahead_s: number; problem: string };
+  status: { failing: boolean; lost: number; file_bytes: number; calendar_ahead_s: number; ahead_s: number; problem: string };
 }
 
 export const PRIORITIES: Priority[] = ['critical', 'high', 'medium', 'low'];

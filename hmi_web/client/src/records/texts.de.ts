@@ -111,6 +111,7 @@ export default {
   noSuchTag: 'Von „{name}“ gibt es keine Historie.',
   shownAlready: '„{name}“ wird schon angezeigt.',
   calendarAhead: 'Der Kalender dieses Rechners steht {days} Tage vor der letzten Aufzeichnung. Die Historie geht in ihrer eigenen Zeit weiter, bis er stimmt oder bestätigt wird.',
+  recordAhead: 'Die Uhr des Rechners wurde zurückgestellt: Die Zeiten dieser Aufzeichnung gehen ihr um {minutes} min voraus, bis die Zelle nach dieser Zeit neu gestartet wird.',
   acceptCalendar: 'Der Kalender stimmt',
   historyFails: 'Die Historie lässt sich nicht schreiben:',
   addFirst: 'Fügen Sie eine Variable hinzu.',

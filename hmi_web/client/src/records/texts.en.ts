@@ -108,6 +108,7 @@ export default {
   noSuchTag: 'There is no history of “{name}”.',
   shownAlready: '“{name}” is shown already.',
   calendarAhead: 'The calendar of this machine is {days} days ahead of the last record. The history goes on in its own time until it is right or accepted.',
+  recordAhead: 'The machine’s clock was set back: times of this record stand {minutes} min ahead of it, until the cell is started again after that time.',
   acceptCalendar: 'The calendar is right',
   historyFails: 'The history cannot be written:',
   addFirst: 'Add a tag.',

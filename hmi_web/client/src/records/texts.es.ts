@@ -111,6 +111,7 @@ export default {
   noSuchTag: 'No hay historial de «{name}».',
   shownAlready: '«{name}» ya se muestra.',
   calendarAhead: 'El calendario de esta máquina va {days} días por delante del último registro. El histórico sigue en su propio tiempo hasta que sea correcto o se acepte.',
+  recordAhead: 'El reloj de la máquina se atrasó: las horas de este registro van {minutes} min por delante, hasta que la celda se reinicie pasado ese tiempo.',
   acceptCalendar: 'El calendario es correcto',
   historyFails: 'No se puede escribir el historial:',
   addFirst: 'Añada una variable.',

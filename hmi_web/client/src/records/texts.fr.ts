@@ -111,6 +111,7 @@ export default {
   noSuchTag: 'Il n’y a pas d’historique de « {name} ».',
   shownAlready: '« {name} » est déjà affiché.',
   calendarAhead: 'Le calendrier de cette machine a {days} jours d’avance sur le dernier enregistrement. L’historique continue à son propre temps jusqu’à ce qu’il soit juste ou accepté.',
+  recordAhead: 'L’horloge de la machine a été retardée : les heures de cet enregistrement sont en avance sur elle de {minutes} min, jusqu’à ce que la cellule soit redémarrée après ce délai.',
   acceptCalendar: 'Le calendrier est juste',
   historyFails: 'Impossible d’écrire l’historique :',
   addFirst: 'Ajoutez une variable.',

@@ -21,6 +21,11 @@ export class TrendLines {
     this.columns = this.columns.map((column, at) => [...Array.from({ length: count }, (_, row) => columns[at]?.[row] ?? null), ...column]);
   }
 
+  // All times that have been seen are later by so much: on the clock of the server.
+  shift(seconds: number): void {
+    this.times = this.times.map((time) => time + seconds);
+  }
+
   add(time: number, values: readonly Value[]): void {
     this.times.push(time);
     this.columns.forEach((column, at) => column.push(values[at] ?? null));

@@ -26,6 +26,34 @@ TEST(HistoryClock, WhenScansCome_ThenTheirDistancesAreKeptAndTheFirstIsNow) {
   EXPECT_EQ(clock.at(5 * kSecond + 10'000'000, kWall + 30'000'000), kWall + 10'000'000);
 }
 
+TEST(HistoryClock, WhenRealTimeIsSetForward_ThenTheRunFollowsItAfterHalfAMinute) {
+  constexpr std::int64_t kHour = 3'600 * kSecond;
+  HistoryClock clock(true);
+  EXPECT_EQ(clock.at(0, kWall), kWall);
+  for (int s = 1; s < 30; ++s)
+    EXPECT_EQ(clock.at(s * kSecond, kWall + kHour + s * kSecond), kWall + s * kSecond);
+  clock.at(30 * kSecond, kWall + kHour + 30 * kSecond);
+  EXPECT_EQ(clock.at(31 * kSecond, kWall + kHour + 31 * kSecond), kWall + kHour + 31 * kSecond);
+  EXPECT_EQ(clock.at(32 * kSecond, kWall + 32 * kSecond), kWall + kHour + 32 * kSecond) << "never back";
+}
+
+TEST(HistoryClock, WhenImagesThatWaitedComeTogether_ThenRealTimeWasNotSet) {
+  HistoryClock clock(true);
+  clock.at(0, kWall);
+  // Those of two minutes within a second.
+  for (int s = 1; s <= 120; ++s)
+    EXPECT_EQ(clock.at(s * kSecond, kWall + 121 * kSecond + s * kSecond / 120), kWall + s * kSecond);
+  EXPECT_EQ(clock.at(160 * kSecond, kWall + 160 * kSecond), kWall + 160 * kSecond);
+}
+
+TEST(HistoryClock, WhenTimeIsSimulated_ThenItGoesAtItsOwnPace) {
+  HistoryClock clock(false);
+  clock.at(0, kWall);
+  for (int s = 1; s < 100; ++s)
+    EXPECT_EQ(clock.at(s * kSecond, kWall + 10 * s * kSecond), kWall + s * kSecond)
+        << "slower than real time";
+}
+
 TEST(HistoryClock, WhenAnotherRunBegins_ThenItStandsBehindTheOneBefore) {
   HistoryClock clock(false);
   clock.at(0, kWall);
@@ -88,6 +116,7 @@ class RecorderTest : public testing::Test {
  protected:
   RecorderTest() : layout_(std::make_shared<server::ProgramLayout>()) {
     options_.folder = folder_ / "history";
+    options_.steady_clock = [this] { return steady_ns_; };
     options_.points = {{"a1.level", "Level of a1", "%", true}};
     protocol::Synoptic synoptic;
     synoptic.tanks = {{"a1", "A1", protocol::TankSide::Below, "", "a1.level", "", 20.0, 90.0}};
@@ -109,6 +138,7 @@ class RecorderTest : public testing::Test {
   std::optional<std::string> look(double time_s, std::vector<std::int32_t> values, double level,
                                   bool alive = true, std::optional<double> wall_s = {}) {
     wall_ns_ = kWall + static_cast<std::int64_t>(wall_s.value_or(time_s) * 1e9);
+    steady_ns_ = wall_ns_ - set_forward_ns_;
     newest_s_ = time_s;
     server::Observation seen;
     seen.runtime_alive = alive;
@@ -123,11 +153,13 @@ class RecorderTest : public testing::Test {
     view.layout = layout_;
     view.state.points = {level};
     for (const std::int32_t value : values) view.state.tags.push_back(value);
+    view.state.unread = unread_;
     return recorder_->take(seen, view);
   }
   // The newest image once more, or nothing new: as `images_` says.
   void again(double wall_s) {
     wall_ns_ = kWall + static_cast<std::int64_t>(wall_s * 1e9);
+    steady_ns_ = wall_ns_ - set_forward_ns_;
     server::Observation seen;
     seen.runtime_alive = true;
     seen.layout = layout_;
@@ -166,9 +198,12 @@ class RecorderTest : public testing::Test {
   std::shared_ptr<server::ProgramLayout> layout_;
   std::unique_ptr<CellRecorder> recorder_;
   std::int64_t wall_ns_ = kWall;
+  std::int64_t steady_ns_ = kWall;
+  std::int64_t set_forward_ns_ = 0;  // real time by somebody; below zero: back
   std::uint64_t scan_ = 0;
   double newest_s_ = 0.0;
   std::uint64_t images_ = 0, images_lost_ = 0;  // 0: the source cannot tell
+  std::vector<protocol::UnreadDevice> unread_;
 };
 
 TEST_F(RecorderTest, WhenImagesAreSeen_ThenPointsAndTagsAreReadBackAtTheTimesOfTheirScans) {
@@ -275,6 +310,21 @@ TEST_F(RecorderTest, WhenImagesAreLostOnTheirWay_ThenTheHistoryHasAGapAndNoValue
   EXPECT_NE(csv.find(",missing\r\n"), std::string::npos) << csv;
 }
 
+TEST_F(RecorderTest, WhenADeviceDoesNotAnswer_ThenItsTagsAreMissingUntilItDoes) {
+  open();
+  look(0.0, {5, 8}, 50.0);
+  unread_ = {{"drive", protocol::Unread::Lost, {0}}};
+  look(1.0, {5, 8}, 50.0);
+  look(2.0, {5, 9}, 50.0);
+  unread_.clear();
+  look(3.0, {5, 9}, 50.0);
+  const json series = trend("plan.speed;MON_NOW", 0.0, 3.999999, 4)["series"];
+  EXPECT_EQ(series[0]["last"], json({5.0, nullptr, nullptr, 5.0})) << series.dump();
+  EXPECT_EQ(series[1]["last"], json({8.0, 8.0, 9.0, 9.0})) << "another device";
+  const std::string csv = ask("/api/history/export.csv?tags=plan.speed&from_ms=0").text;
+  EXPECT_NE(csv.find("plan.speed,2023-11-14T22:13:21Z,0,missing\r\n"), std::string::npos) << csv;
+}
+
 TEST_F(RecorderTest, WhenNoImageComesThoughTheRuntimeAnswers_ThenTheGapBeginsWithTheNewestOne) {
   open();
   images_ = 1;
@@ -294,6 +344,41 @@ TEST_F(RecorderTest, WhenNoImageComesThoughTheRuntimeAnswers_ThenTheGapBeginsWit
 }
 
 // A server that stood still for seconds finds what came first while it did, and what comes now.
+// By two hours, as a machine whose clock keeps local time may do.
+TEST_F(RecorderTest, WhenRealTimeIsSetBack_ThenAGapIsAGapAllTheSameAndThePageIsToldHowFarTheRecordIsAhead) {
+  options_.real_time = true;
+  open();
+  images_ = 1;
+  look(0.0, {5}, 50.0);
+  EXPECT_EQ(answer("/api/history/tags")["status"]["ahead_s"], 0);
+  set_forward_ns_ = -7'200 * kSecond;
+  const double back_s = -7'200.0;
+  ++images_;
+  look(0.3, {5}, 50.0, true, back_s + 0.3);
+  again(back_s + 0.8);
+  again(back_s + 2.0);  // no image for more than a second
+  ++images_;
+  look(3.0, {5}, 51.0, true, back_s + 3.0);
+  const json levels = trend("points/a1.level", 0.0, 4.0, 40)["series"][0]["last"];
+  EXPECT_EQ(levels[0], 50.0) << levels.dump();
+  for (int i = 4; i < 29; ++i) EXPECT_TRUE(levels[i].is_null()) << i;
+  EXPECT_EQ(answer("/api/history/tags")["status"]["ahead_s"], 7'200);
+}
+
+TEST_F(RecorderTest, WhenRealTimeIsSetForward_ThenNothingThatWasSeenIsMissing) {
+  options_.real_time = true;
+  open();
+  images_ = 1;
+  look(0.0, {5}, 50.0);
+  set_forward_ns_ = 7'200 * kSecond;
+  for (const double s : {0.1, 0.2, 0.3}) {
+    ++images_;
+    look(s, {5}, 50.0, true, 7'200.0 + s);
+  }
+  const std::string csv = ask("/api/history/export.csv?tags=points/a1.level&from_ms=0").text;
+  EXPECT_EQ(csv.find("missing"), std::string::npos) << csv;
+}
+
 TEST_F(RecorderTest, WhenImagesThatWaitedComeTogether_ThenTheTimeBetweenThemIsAGap) {
   open();
   images_ = 1;
