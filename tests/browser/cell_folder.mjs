@@ -1,9 +1,9 @@
 // A cell in a folder of its own, whose commands are processes that nobody starts again by himself.
 
 import { execFileSync } from 'node:child_process';
-import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
-import { join } from 'node:path';
+import { dirname, join } from 'node:path';
 
 import { freePort } from './demo_process.mjs';
 import { keepProcesses } from './processes.mjs';
@@ -81,7 +81,10 @@ ${more}`;
 export async function cellWithFiles(program, name, { domain, files, more = '' }) {
   const cell = await cellInFolder(program, name, (folder, port) => {
     writeFileSync(join(folder, 'cell.toml'), configurationOf(name, domain, port, { more }));
-    for (const [one, text] of Object.entries(files)) writeFileSync(join(folder, one), text);
+    for (const [one, text] of Object.entries(files)) {
+      mkdirSync(dirname(join(folder, one)), { recursive: true });
+      writeFileSync(join(folder, one), text);
+    }
     return ['--config', join(folder, 'cell.toml')];
   });
   const config = cell.file('cell.toml');

@@ -1,12 +1,26 @@
 // What makes a page hard to use on a phone or by keyboard, found inside the page.
 
-// What cannot be read: text beyond the page, and text that its own box cuts off. What scrolls in a region of its own can be read.
+// What cannot be read: text beyond the page, and text that its own box or one around it cuts off. What scrolls in a region of its
+// own can be read, sideways only if keys reach that region.
 export function unreadable() {
   const wide = document.documentElement.clientWidth;
+  const reached = (node) => node.matches('[tabindex="0"]') || node.querySelector('a, button, input, select, textarea, [tabindex="0"]') !== null;
   const scrolls = (node) => {
     for (let at = node.parentElement; at; at = at.parentElement) {
       const { overflowX } = getComputedStyle(at);
-      if ((overflowX === 'auto' || overflowX === 'scroll') && at.scrollWidth > at.clientWidth) return true;
+      if ((overflowX === 'auto' || overflowX === 'scroll') && at.scrollWidth > at.clientWidth) return reached(at);
+    }
+    return false;
+  };
+  // A box that neither shows what is larger than it nor scrolls, before one that scrolls.
+  const isCut = (node, box) => {
+    for (let at = node.parentElement; at && at !== document.body; at = at.parentElement) {
+      const { overflowX, overflowY, position } = getComputedStyle(at);
+      if ([overflowX, overflowY].some((one) => one === 'auto' || one === 'scroll') || position === 'fixed') return false;
+      const around = at.getBoundingClientRect();
+      const hides = (overflow) => overflow === 'hidden' || overflow === 'clip';
+      if (hides(overflowX) && (box.right > around.right + 1 || box.left < around.left - 1)) return true;
+      if (hides(overflowY) && (box.bottom > around.bottom + 1 || box.top < around.top - 1)) return true;
     }
     return false;
   };
@@ -20,7 +34,7 @@ export function unreadable() {
     if ((box.right > wide + 1 || box.left < -1) && !scrolls(node)) found.push(`beyond the page: ${name}`);
     const style = getComputedStyle(node);
     const cuts = style.overflowX === 'hidden' || style.overflowX === 'clip';
-    if (cuts && node.scrollWidth > node.clientWidth + 1) found.push(`cut off: ${name}`);
+    if ((cuts && node.scrollWidth > node.clientWidth + 1) || isCut(node, box)) found.push(`cut off: ${name}`);
   }
   return found;
 }
