@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <pugixml.hpp>
@@ -202,6 +203,9 @@ class Reader {
         set(to, "href", "#" + own_id(target.substr(std::min<std::size_t>(1, target.size()))));
       } else if (name.starts_with("data-")) {
         set(to, name, value);
+      } else if (name == "viewBox" && !is_view_box(value)) {
+        tell("C0640", from.offset_debug(), "viewBox=\"" + value.substr(0, 60) + "\" says no place and size",
+             "four numbers, the width and the height above 0: viewBox=\"0 0 800 400\"");
       } else if (standing_of_attribute(name) == Standing::Drawn) {
         copy_value(from, name, value, to);
       } else if (standing_of_attribute(name) == Standing::Refused) {
@@ -257,10 +261,10 @@ class Reader {
     const std::string height = root.attribute("height").as_string();
     drawn.remove_attribute("width");
     drawn.remove_attribute("height");
-    if (drawn.attribute("viewBox")) return;
+    if (root.attribute("viewBox")) return;  // that of a wrong one is told
     const double w = std::strtod(width.c_str(), nullptr);
     const double h = std::strtod(height.c_str(), nullptr);
-    if (!(w > 0 && h > 0))
+    if (!(w > 0 && h > 0 && std::isfinite(w) && std::isfinite(h)))
       return tell("C0640", root.offset_debug(), "the drawing has no size",
                   "viewBox=\"0 0 800 400\", or width and height");
     std::ostringstream box;

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
+#include <locale>
+#include <sstream>
 
 namespace stepwright::drawing {
 namespace {
@@ -94,6 +97,9 @@ constexpr std::array<std::string_view, 38> kPresentation = {"fill",
                                                             "shape-rendering",
                                                             "text-rendering"};
 
+// Of a drawing's own units: beyond it a browser computes with what is left of a float.
+constexpr double kFarthest = 1e6;
+
 template <std::size_t N>
 bool is_among(const std::array<std::string_view, N>& names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
@@ -117,7 +123,20 @@ Standing standing_of_element(std::string_view name) {
 
 Standing standing_of_attribute(std::string_view name) {
   if (is_among(kGeometry, name) || is_presentation(name)) return Standing::Drawn;
-  return name.starts_with("on") ? Standing::Refused : Standing::LeftOut;
+  // Written as OnClick it would run nothing in SVG, but in HTML; whoever has written it ought to know.
+  return lower_without_space(name).starts_with("on") ? Standing::Refused : Standing::LeftOut;
+}
+
+bool is_view_box(std::string_view value) {
+  std::string plain(value);
+  std::ranges::replace(plain, ',', ' ');
+  std::istringstream in(plain);
+  in.imbue(std::locale::classic());
+  std::array<double, 4> numbers{};  // x, y, width, height
+  for (double& number : numbers) in >> number;
+  if (!in || !(in >> std::ws).eof()) return false;
+  return std::ranges::all_of(numbers, [](double number) { return std::abs(number) <= kFarthest; }) &&
+         numbers[2] > 0 && numbers[3] > 0;
 }
 
 bool is_presentation(std::string_view property) {

@@ -18,10 +18,13 @@ enum class Standing : unsigned char {
 
 // `name` without a prefix of the SVG namespace.
 Standing standing_of_element(std::string_view name);
-// Attributes that begin with `data-`, `style`, `id` and references have rules of their own.
+// Attributes that begin with `data-`, `style`, `id` and references have rules of their own. What begins with
+// "on" is refused, however it is written.
 Standing standing_of_attribute(std::string_view name);
 // One that may stand in `style="..."` and as an attribute.
 bool is_presentation(std::string_view property);
+// Four plain numbers, the last two (width and height) above 0; none is NaN, endless or beyond a million.
+bool is_view_box(std::string_view value);
 // No address of anything outside of the drawing and nothing that is more than a value.
 bool is_harmless(std::string_view value);
 

@@ -92,6 +92,9 @@ INSTANTIATE_TEST_SUITE_P(
         Hostile{"<a href='#x'/>", "C0641 2 the element <a>"},
         Hostile{"<rect><animate attributeName='x'/></rect>", "C0641 2 the element <animate>"},
         Hostile{"<rect onclick='alert(1)'/>", "C0642 2 the attribute onclick"},
+        Hostile{"<rect OnClick='alert(1)'/>", "C0642 2 the attribute OnClick"},
+        Hostile{"<rect ONMOUSEOVER='alert(1)'/>", "C0642 2 the attribute ONMOUSEOVER"},
+        Hostile{"<symbol viewBox='0 0 NaN 1'/>", "C0640 2 viewBox=\"0 0 NaN 1\" says no place and size"},
         Hostile{"<use href='http://elsewhere/x.svg#a'/>", "C0642 2 the attribute href"},
         Hostile{"<rect fill='url(http://elsewhere/x)'/>", "C0642 2 the attribute fill"},
         Hostile{"<rect style='fill: u\\72l(//elsewhere)'/>", "C0642 2 the attribute fill"},
@@ -105,6 +108,24 @@ TEST(Drawing, WhenNotAnSvgOrWithoutSize_ThenItSaysSo) {
   EXPECT_THAT(mistake(read_drawing("x", "")), HasSubstr("C0640 1"));
   EXPECT_THAT(mistake(read_drawing("x", std::string(kLargestFile + 1, ' '))), HasSubstr("larger than 2 MiB"));
   EXPECT_THAT(mistake(load_drawing("/nowhere.svg")), HasSubstr("cannot be read"));
+}
+
+TEST(Drawing, WhenAViewBoxIsNoFourNumbers_ThenItIsRefusedOnceWithWhatItIs) {
+  for (const char* wrong :
+       {"0 0 NaN 100", "nan nan nan nan", "0 0 inf 100", "0 0 1e999 1", "0 0 100", "0 0 0 100", "0 0 100 -1",
+        "0 0 100 100 1", "0 0 100px 100", "", "0 0 2000000 1"}) {
+    const auto read = read_drawing("x", std::string("<svg viewBox='") + wrong + "' width='9' height='9'/>");
+    ASSERT_FALSE(read.has_value()) << wrong;
+    EXPECT_EQ(read.error().size(), 1u);
+    EXPECT_THAT(mistake(read),
+                HasSubstr("C0640 1 viewBox=\"" + std::string(wrong) + "\" says no place and size"));
+  }
+  for (const char* right : {"0 0 100 50", "-5,-5, 10,10", " 0\n0 1e3 .5 "})
+    EXPECT_TRUE(read_drawing("x", std::string("<svg viewBox='") + right + "'/>").has_value()) << right;
+  EXPECT_THAT(mistake(read_drawing("x", "<svg width='inf' height='9'/>")),
+              HasSubstr("the drawing has no size"));
+  EXPECT_THAT(mistake(read_drawing("x", "<svg width='nan' height='9'/>")),
+              HasSubstr("the drawing has no size"));
 }
 
 TEST(Drawing, WhenTooMuchIsInIt_ThenItIsRefusedAndNotShownInPart) {
