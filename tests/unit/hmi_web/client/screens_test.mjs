@@ -155,3 +155,29 @@ test('Trend_WhenTheHistoryComesLate_ThenItStandsBeforeWhatWasSeen', () => {
   for (let k = 0; k < 300; k++) lines.add(101 + k, [k, k]);
   assert.ok(lines.times.length < 140 && lines.columns[0].length === lines.times.length, 'and what is old goes');
 });
+
+test('Arrange_WhenSymbolsAreAdded_ThenNoneLiesOnAnotherAndTheFirstIsInTheMiddle', () => {
+  const [size, room] = [{ width: 180, height: 44 }, { width: 800, height: 450 }];
+  assert.deepEqual(arrange.freePlace([], size, room), { x: 400, y: 225 });
+  const taken = [{ x: 350, y: 125, width: 100, height: 200 }];
+  for (let k = 0; k < 12; k++) {
+    const place = arrange.freePlace(taken, size, room);
+    const box = { x: place.x - 90, y: place.y - 22, ...size };
+    assert.ok(box.x >= 0 && box.y >= 0 && box.x + 180 <= 800 && box.y + 44 <= 450, `inside: ${JSON.stringify(box)}`);
+    assert.ok(!taken.some((each) => arrange.touches(each, box)), `on nothing: ${JSON.stringify(box)}`);
+    taken.push(box);
+  }
+  assert.equal(arrange.freePlace([{ x: 0, y: 0, width: 800, height: 450 }], size, room), null, 'it is full');
+  assert.equal(arrange.freePlace([], { width: 900, height: 20 }, room), null, 'it is too small');
+});
+
+test('Trend_WhenTheServersClockIsAnother_ThenWhatWasSeenIsMovedOntoItInFrontOfNothingLost', () => {
+  const lines = new view.TrendLines(1, 10);
+  lines.add(5000, [1]);
+  lines.add(5001, [2]);
+  lines.shift(-3600);
+  lines.begin([1390, 1395, 1400], [[7, 8, 9]]);
+  lines.add(1402, [3]);
+  assert.deepEqual(lines.times, [1390, 1395, 1400, 1401, 1402]);
+  assert.deepEqual(lines.columns, [[7, 8, 1, 2, 3]]);
+});

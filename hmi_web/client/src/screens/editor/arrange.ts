@@ -105,3 +105,24 @@ export function pasted(items: Items, copies: Items, offset: number): { items: It
 }
 
 export const touches = (a: Box, b: Box): boolean => a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
+
+const APART = 20; // from what is there: labels stick out of their symbols
+
+// The middle of the place nearest to the middle of a screen where a symbol of that size lies on nothing; null: it is full.
+export function freePlace(taken: readonly Box[], size: { width: number; height: number }, room: { width: number; height: number }): { x: number; y: number } | null {
+  const distance = (x: number, y: number) => Math.hypot(x - room.width / 2, y - room.height / 2);
+  let best: { x: number; y: number } | null = null;
+  const [across, down] = [size.width / 2, size.height / 2];
+  // From the middle outwards, so that the first symbol of a screen stands there.
+  const columns = Math.floor((room.width / 2 - across) / APART);
+  const rows = Math.floor((room.height / 2 - down) / APART);
+  for (let row = -rows; row <= rows; row++) {
+    for (let column = -columns; column <= columns; column++) {
+      const [x, y] = [room.width / 2 + column * APART, room.height / 2 + row * APART];
+      if (best && distance(x, y) >= distance(best.x, best.y)) continue;
+      const box = { x: x - across - APART, y: y - down - APART, width: size.width + 2 * APART, height: size.height + 2 * APART };
+      if (!taken.some((each) => touches(each, box))) best = { x, y };
+    }
+  }
+  return best;
+}

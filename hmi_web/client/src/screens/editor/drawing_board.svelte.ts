@@ -1,7 +1,7 @@
 // What is being drawn: its content, what is chosen of it, and the way back.
 
 import { recall, remember } from '../../lib/remembered';
-import { ownBox, pasted, snapped, withGroups, type Box, type Measure } from './arrange';
+import { freePlace, ownBox, pasted, snapped, withGroups, type Box, type Measure } from './arrange';
 import { EMPTY, nextKey, type Content, type Faces, type Item, type Settings } from './model';
 import type { Point } from './points';
 import { isByPoints, through } from './sizing';
@@ -108,10 +108,23 @@ export class DrawingBoard {
     this.choose(keys);
   }
 
+  private sizeOf(symbol: string, params: Params): { width: number; height: number } | undefined {
+    return (symbol === 'face' ? this.faces.get(params.face ?? '') : undefined) ?? templateOf(symbol);
+  }
+
+  // A new symbol where it lies on nothing, chosen; on a screen that is full a little beside the one before.
+  addWhereFree(symbol: string, params: Params = {}): void {
+    const { items, settings } = this.content;
+    const size = this.sizeOf(symbol, params);
+    if (!size) return;
+    const shift = BESIDE * (items.length % 8);
+    const { x, y } = freePlace(items.map(this.measure), size, settings) ?? { x: settings.width / 2 + shift, y: settings.height / 2 + shift };
+    this.add(symbol, x, y, params);
+  }
+
   // A new symbol around a place, chosen.
   add(symbol: string, x: number, y: number, params: Params = {}): void {
-    const face = symbol === 'face' ? this.faces.get(params.face ?? '') : undefined;
-    const size = face ?? templateOf(symbol);
+    const size = this.sizeOf(symbol, params);
     if (!size) return;
     const key = nextKey(this.content.items);
     const place = (value: number, length: number) => Math.max(0, Math.round((value - length / 2) / 10) * 10);
