@@ -46,7 +46,8 @@ constexpr milliseconds kFirstLook{2'000};
 // What the cells of one supervisor share.
 struct Shared {
   log::Logger& log;
-  process::NotifySocket& init;
+  process::NotifySocket& init;  // of one thread at a time: `telling`
+  std::mutex telling{};
   std::size_t cells = 1;
   std::mutex joining{};  // Fast DDS gives two participants that are made at the same time the same number
   std::size_t attended = 0;
@@ -110,6 +111,7 @@ int attend(const config::CellConfig& config, bool once, Shared& shared) {
   auto publisher = dds::PlanPublisher::create(participant);
   if (!publisher) return fail(publisher.error(), ExitCode::RuntimeFault);
   if (++shared.attended == shared.cells) {
+    const std::lock_guard telling(shared.telling);
     shared.init.ready(shared.cells > 1 ? "attends " + std::to_string(shared.cells) + " cells"
                                        : "attends '" + config.dds.runtime_id + "'");
   }
@@ -142,13 +144,26 @@ int attend(const config::CellConfig& config, bool once, Shared& shared) {
       shared.log.error("report", shared.of(config) + "there is no report: " + result::to_string(unwritten));
     std::printf("%s%s", shared.of(config).c_str(), run::report_table(record).c_str());
     std::fflush(stdout);
-    shared.init.status(shared.of(config) + to_string(record.phase));
+    {
+      const std::lock_guard telling(shared.telling);
+      shared.init.status(shared.of(config) + to_string(record.phase));
+    }
     if (once && !unwritten.empty())
       return fail(unwritten, record.exit == ExitCode::Done ? ExitCode::RuntimeFault : record.exit);
     if (once) return to_int(record.exit);
     while (!mission->wait_start(std::chrono::seconds(1))) {  // viewers still want the document
     }
   }
+}
+
+// A sign of life of the process, whatever its cells plan: that takes as long as it takes. A mission that
+// stands still is the runtime's to see.
+void live_on(config::CellConfig& running, process::ReloadSignal& reload, process::Heartbeat& heartbeat,
+             Shared& shared) {
+  const std::lock_guard telling(shared.telling);
+  if (reload.take()) config::reload_log(running, shared.log, shared.init);
+  shared.log.tick();
+  heartbeat.turn();
 }
 
 // Every cell that cannot be attended, before any is.
@@ -178,18 +193,16 @@ int run_cells(const std::vector<config::CellConfig>& cells, bool once) {
   process::NotifySocket init;
   auto opened = log::Logger::open("supervisor", cells.front().log);
   if (!opened) return fail(opened.error(), ExitCode::BadInput);
-  log::Logger& log = **opened;
-  Shared shared{log, init, cells.size()};
+  Shared shared{**opened, init, {}, cells.size()};
+  process::Heartbeat heartbeat(init);
   std::vector<std::future<int>> runs;
   for (const config::CellConfig& cell : cells)
     runs.push_back(std::async(std::launch::async, [&] { return attend(cell, once, shared); }));
   config::CellConfig running = cells.front();
   int exit = to_int(ExitCode::Done);
   for (std::future<int>& each : runs) {
-    while (each.wait_for(milliseconds(200)) != std::future_status::ready) {
-      if (reload.take()) config::reload_log(running, log, init);
-      log.tick();
-    }
+    while (each.wait_for(milliseconds(200)) != std::future_status::ready)
+      live_on(running, reload, heartbeat, shared);
     if (exit == 0) exit = each.get();
   }
   return exit;

@@ -24,10 +24,11 @@ constexpr seconds kBetweenTries{1};  // to write the record on a disk that is fu
 // A process that takes longer than this to be ready is named.
 constexpr seconds kTellAfter{5};
 // Four signs of life are due in this time. A page server may have many to answer, a gateway waits for its
-// controller.
+// controller, and a planner may have all the machine's memory to fill and to give back.
 constexpr seconds kSilence{5};
 constexpr seconds kSilenceOfPage{15};
 constexpr seconds kSilenceOfGateway{30};
+constexpr seconds kSilenceOfSupervisor{30};
 // A runtime may wait for a disk behind its safe outputs.
 constexpr seconds kFarewell{10};
 
@@ -47,10 +48,9 @@ process::ChildOptions command_of(const KeeperSetting& setting, const std::string
   return options;
 }
 
-// A supervisor gives no signs of life: it plans for as long as that takes, and the runtime watches over it.
-std::optional<milliseconds> silence_of(const std::string& name) {
-  if (name == "supervisor") return std::nullopt;
+milliseconds silence_of(const std::string& name) {
   if (name == "gateway") return kSilenceOfGateway;
+  if (name == "supervisor") return kSilenceOfSupervisor;
   return name == "hmi" ? kSilenceOfPage : kSilence;
 }
 

@@ -72,6 +72,14 @@ class Up(unittest.TestCase):
             self.assertRegex(process.output(), rf"(?m)^{name} +\| gave no sign of life for {silence}\.0 s: it hangs, and is killed$")
             self.assertRegex(cell.run("status").stdout, rf"(?m)^  {name} .*the last time because it gave no sign of life for {silence}\.0 s$")
 
+    def test_a_supervisor_that_hangs_is_killed_and_goes_on(self):
+        cell = self.kept(config=SOURCES / "tests/cells/bench/cell.toml")
+        process = cell.ready("--set", "executive.start=operator")
+        self.is_replaced(cell, process, "supervisor", signal.SIGSTOP)
+        self.assertRegex(process.output(), r"(?m)^supervisor +\| gave no sign of life for 30\.0 s: it hangs, and is killed$")
+        self.assertEqual({each["restarts"] for each in cell.status()["processes"] if each["name"] != "supervisor"}, {0})
+        self.assertEqual(cell.run("status").returncode, 0)
+
     def test_ctrl_c_ends_all_in_order(self):
         cell = self.kept()
         process = cell.ready()
