@@ -8,7 +8,7 @@ import { join } from 'node:path';
 import { startField } from './field.mjs';
 import { startDevice } from './modbus_device.mjs';
 import { unreadable } from './narrow.mjs';
-import { isAccessible } from './people.mjs';
+import { axeFile, isAccessible } from './people.mjs';
 import { check, drawn, endInTime, launchBrowser, openPage, options, until, waitFor } from './support.mjs';
 
 const LEVEL = 1234;
@@ -39,6 +39,8 @@ async function showsWhatIsRead(page) {
 }
 
 async function showsWhatIsLost(page) {
+  // A busy machine may not know for a moment how a device is; what is lost is lost for good here.
+  await waitFor(page, 'a device that went away is lost', (tag) => document.querySelector(`[data-testid=screen] th[title="${tag}"] + td [data-unread=lost]`) !== null, 'quick.level');
   await waitFor(page, 'a number of a device that went away is no value', () => document.querySelector('[data-testid=screen] #drawing-number')?.textContent === '–');
   for (const id of ['bar', 'lamp']) await waitFor(page, `nor is its ${id}`, isUnknown, id);
   check(await page.evaluate(() => document.querySelector('#drawing-bar').classList.contains('no-level')), 'the bar is neither full nor empty');
@@ -92,6 +94,7 @@ const browser = await launchBrowser(given);
 let field = null;
 let opened = null;
 try {
+  await browser.context.addInitScript({ path: axeFile(given.modules) });
   field = await startField(given.server, device, { page: `screens_dir = "${screens}"\n`, more: '[history]\nfolder = "history"\n' });
   opened = await openPage(browser.context, field.url);
   const { page, problems } = opened;
