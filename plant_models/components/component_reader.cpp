@@ -100,7 +100,10 @@ ComponentReader::ComponentReader(Catalogue catalogue, const Parameters& of_plant
   for (const std::string& name : types.keys()) {
     if (find_type(name) != nullptr)
       types.report(name, "there is a type '" + name + "' already", "choose another name");
-    if (auto type = read_own_type(types.table(name), name)) model_.own_types.push_back(std::move(*type));
+    if (auto type = read_own_type(types.table(name), name))
+      model_.own_types.push_back(std::move(*type));
+    else
+      wrong_types_.insert(name);
   }
 }
 
@@ -116,15 +119,20 @@ void ComponentReader::read(const TomlTable& table, const std::string& name) {
   read_in(table, name, {});
 }
 
-void ComponentReader::read_in(const TomlTable& table, const std::string& name, const Around& around) {
+// Returns whether it is there now, with all of its parts.
+bool ComponentReader::read_in(const TomlTable& table, const std::string& name, const Around& around) {
   const bool plain =
       std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; });
   if (!plain || name.empty()) {
     table.report("type", "'" + name + "' cannot name a component", "letters, digits and '_'");
-    return;
+    return false;
   }
   const std::string type = table.required_text("type");
-  if (type.empty()) return;
+  if (type.empty()) return false;
+  if (wrong_types_.contains(type)) {
+    table.accept_all();  // what is wrong is told at the type
+    return false;
+  }
   if (const ComponentType* found = find_type(type))
     return read_part(table, *found, around.prefix + name, around);
   if (assemblies_.has_table(type)) return read_assembly(table, type, around.prefix + name, around);
@@ -132,14 +140,15 @@ void ComponentReader::read_in(const TomlTable& table, const std::string& name, c
   for (const ComponentType& one : model_.own_types) known.push_back(one.name);
   for (const ComponentType& one : catalogue_) known.push_back(one.name);
   table.report("type", "there is no type '" + type + "'", meant_or(type, known), "0342");
+  return false;
 }
 
-void ComponentReader::read_assembly(const TomlTable& table, const std::string& type, const std::string& name,
+bool ComponentReader::read_assembly(const TomlTable& table, const std::string& type, const std::string& name,
                                     const Around& around) {
   if (around.depth >= kDeepest) {
     table.report("type", "assembly '" + type + "' has itself inside, or is too deep",
                  "at most " + std::to_string(kDeepest) + " in each other");
-    return;
+    return false;
   }
   const TomlTable assembly = assemblies_.table(type);
   Around inside{name + ".", {}, around.depth + 1};
@@ -150,25 +159,40 @@ void ComponentReader::read_assembly(const TomlTable& table, const std::string& t
   }
   const std::size_t first = model_.components.size();
   const TomlTable parts = assembly.table("components");
-  for (const std::string& part : parts.keys()) read_in(parts.table(part), part, inside);
-  // A port of the assembly is one of a part.
+  bool all_read = true;
+  for (const std::string& part : parts.keys())
+    all_read = read_in(parts.table(part), part, inside) && all_read;
   const TomlTable ports = assembly.table("ports");
   for (const std::string& port : ports.keys()) {
-    const std::string target = name + "." + ports.text(port, {});
+    const std::string target = part_port(name + "." + ports.text(port, {}));
     model_.port_names[name + "." + port] = target;
-    if (!table.has(port)) continue;
-    const std::size_t dot = target.rfind('.');
-    for (std::size_t i = first; i < model_.components.size(); ++i) {
-      ComponentText& part = model_.components[i];
-      if (part.name != target.substr(0, dot)) continue;
-      const auto& specs = part.type->ports;
-      const auto spec = std::find_if(specs.begin(), specs.end(),
-                                     [&](const PortSpec& one) { return one.name == target.substr(dot + 1); });
-      if (spec == specs.end()) continue;
-      part.connections.push_back({static_cast<std::size_t>(spec - specs.begin()),
-                                  text_of(table, port, around.replaced), around.prefix, table.where(port)});
-    }
+    const std::string to = table.has(port) ? text_of(table, port, around.replaced) : std::string();
+    if (!connect(target, first, {0, to, around.prefix, table.where(port)}) && all_read)
+      ports.report(port, "'" + ports.text(port, {}) + "' is no port of a part", "\"PART.PORT\"", "0343");
   }
+  return all_read;
+}
+
+// A port of an assembly is one of a part, which may be an assembly, too: its ports are known by then.
+std::string ComponentReader::part_port(const std::string& name) const {
+  const auto inner = model_.port_names.find(name);
+  return inner == model_.port_names.end() ? name : inner->second;
+}
+
+// Returns false if none of the components from `first` on has that port.
+bool ComponentReader::connect(const std::string& port, std::size_t first, ConnectionText connection) {
+  const std::size_t dot = port.rfind('.');
+  for (std::size_t i = first; i < model_.components.size(); ++i) {
+    ComponentText& part = model_.components[i];
+    if (part.name != port.substr(0, dot)) continue;
+    const auto& specs = part.type->ports;
+    const auto spec = std::ranges::find(specs, port.substr(dot + 1), &PortSpec::name);
+    if (spec == specs.end()) return false;
+    connection.port = static_cast<std::size_t>(spec - specs.begin());
+    if (!connection.to.empty()) part.connections.push_back(std::move(connection));
+    return true;
+  }
+  return false;
 }
 
 // The type of one component, which stands in a file of its own.
@@ -189,11 +213,11 @@ const ComponentType* ComponentReader::read_file_type(const TomlTable& table, con
   return &model_.file_types.back();
 }
 
-void ComponentReader::read_part(const TomlTable& table, const ComponentType& of_name, const std::string& name,
+bool ComponentReader::read_part(const TomlTable& table, const ComponentType& of_name, const std::string& name,
                                 const Around& around) {
   const ComponentType* const found =
       of_name.of_file ? read_file_type(table, of_name, name, around) : &of_name;
-  if (found == nullptr) return;
+  if (found == nullptr) return false;
   const ComponentType& type = *found;
   ComponentText part;
   part.name = name;
@@ -222,6 +246,7 @@ void ComponentReader::read_part(const TomlTable& table, const ComponentType& of_
     if (!message.empty()) table.report("type", std::move(message), std::move(hint), "0321");
   }
   model_.components.push_back(std::move(part));
+  return true;
 }
 
 }  // namespace stepwright::components

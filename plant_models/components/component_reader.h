@@ -2,6 +2,7 @@
 
 // One table of [components]: its parameters by its type, and what its ports are connected to.
 
+#include <set>
 #include <string>
 
 #include "plant_models/components/model_text.h"
@@ -30,11 +31,13 @@ class ComponentReader {
     Replaced replaced{};
     std::size_t depth = 0;
   };
-  void read_in(const settings::TomlTable& table, const std::string& name, const Around& around);
-  void read_assembly(const settings::TomlTable& table, const std::string& type, const std::string& name,
+  bool read_in(const settings::TomlTable& table, const std::string& name, const Around& around);
+  bool read_assembly(const settings::TomlTable& table, const std::string& type, const std::string& name,
                      const Around& around);
-  void read_part(const settings::TomlTable& table, const ComponentType& type, const std::string& name,
+  bool read_part(const settings::TomlTable& table, const ComponentType& type, const std::string& name,
                  const Around& around);
+  std::string part_port(const std::string& name) const;
+  bool connect(const std::string& port, std::size_t first, ConnectionText connection);
   const ComponentType* find_type(const std::string& name) const;
   const ComponentType* read_file_type(const settings::TomlTable& table, const ComponentType& type,
                                       const std::string& name, const Around& around);
@@ -44,6 +47,7 @@ class ComponentReader {
   const ModelOptions& options_;
   settings::TomlTable assemblies_;
   ModelText& model_;
+  std::set<std::string, std::less<>> wrong_types_;  // of the file's own
 };
 
 }  // namespace stepwright::components

@@ -116,13 +116,18 @@ class OwnTypeReader {
         port.open = Open::Constant;
         port.constant =
             is_switch
-                ? (one.boolean("default", false) ? 1.0 : 0.0)
+                ? truth(one)
                 : read_figure(one, {.name = "default", .unit = unit.text, .fallback = "0 " + unit.text}, {})
                       .value;
       }
       equations_->reads.push_back({key, unit.dimension, {type_.ports.size(), false, false}});
       type_.ports.push_back(std::move(port));
     }
+  }
+  // Of a switch; in quotes, too, as constants of components are.
+  double truth(const TomlTable& one) const {
+    if (!one.is_text("default")) return one.boolean("default", false) ? 1.0 : 0.0;
+    return one.choice("default", "false", {"true", "false"}) == "true" ? 1.0 : 0.0;
   }
   // Of liquid: a branch says what flows in, by pressures; a node says its pressure and gets what flows in.
   void read_ports(const TomlTable& all) {

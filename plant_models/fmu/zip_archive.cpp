@@ -27,6 +27,16 @@ bool is_safe_name(std::string_view name) {
   return true;
 }
 
+namespace {
+
+// As systems in the manner of Unix mark it (APPNOTE.TXT, 4.4.2 and 4.4.15).
+bool is_link(const unz_file_info64& info) {
+  constexpr uLong kUnix = 3, kFileType = 0170000, kLink = 0120000;
+  return info.version >> 8 == kUnix && (info.external_fa >> 16 & kFileType) == kLink;
+}
+
+}  // namespace
+
 ZipArchive::ZipArchive(ZipArchive&& other) noexcept
     : file_(std::move(other.file_)),
       limits_(other.limits_),
@@ -80,6 +90,9 @@ result::Result<void> ZipArchive::list() {
       return refuse("it has a file '" + text.substr(0, 80) + "', which would lead out of its folder",
                     "such an archive is not unpacked");
     }
+    if (is_link(info))
+      return refuse("'" + text + "' in it is a symbolic link",
+                    "links are not unpacked: put in the file itself");
     if (!known.insert(text).second) return refuse("it has '" + text + "' twice");
     if (known.size() > limits_.files)
       return refuse("it has more than " + std::to_string(limits_.files) + " files");

@@ -90,7 +90,10 @@ std::string summary_text(const CellRunResult& run, const std::optional<CellRunRe
   const host::RuntimeStatus& runtime = run.report->runtime;
   std::string text;
   const auto out = std::back_inserter(text);
-  fmt::format_to(out, "Makespan {:.1f} s", makespan_s(record));
+  if (record.phase == run::Phase::Done)
+    fmt::format_to(out, "Makespan {:.1f} s", makespan_s(record));
+  else
+    fmt::format_to(out, "The goal was not reached; the last action ended at {:.1f} s", record.finished_s);
   if (const auto strict = sequential_makespan_s(sequential)) {
     fmt::format_to(out, ", strictly sequential {:.1f} s ({:.2f} times as long)", *strict,
                    *strict / makespan_s(record));

@@ -103,8 +103,10 @@ json scan_of(const FollowedRuntime& runtime) {
 json state_of(const FollowedRuntime& runtime) {
   server::Observation seen;
   seen.report = report_of(*runtime.status);
+  protocol::CellState state = server::CellViewer(std::vector<server::PointSources>{}).view(seen).state;
+  state.unread = {{"valves", protocol::Unread::Lost, {0}}};
   protocol::LiveState live;
-  live.take(server::CellViewer(std::vector<server::PointSources>{}).view(seen).state, 1, true);
+  live.take(state, 1, true);
   return json::parse(live.message({0, protocol::TagChoice::everything(), {}}));
 }
 

@@ -178,5 +178,72 @@ of = "a.level"
   ASSERT_TRUE(rig.plant().inject_fault("a.p1.weak", 0.0));
 }
 
+// `ports` of the outer assembly.
+std::string nested(const std::string& ports) {
+  return R"toml([assemblies.inner.components.v]
+type = "on_off_valve"
+kv = "1 m3/h"
+[assemblies.inner.ports]
+in = "v.in"
+out = "v.out"
+open = "v.command"
+[assemblies.outer.components.a]
+type = "inner"
+[assemblies.outer.components.b]
+type = "inner"
+in = "a.out"
+open = "true"
+[assemblies.outer.ports]
+)toml" + ports +
+         R"toml([components.m]
+type = "source"
+pressure = "1 bar"
+[components.d]
+type = "sink"
+[components.o]
+type = "outer"
+in = "m"
+out = "d"
+open = "true"
+)toml";
+}
+
+TEST(Assembly, WhenAPartIsAnAssemblyItself_ThenItsPortsAreThoseOfItsParts) {
+  ModelRig rig(nested("in = \"a.in\"\nout = \"b.out\"\nopen = \"a.open\"\n"));
+  ASSERT_TRUE(rig.run(20.0));
+  EXPECT_GT(rig.truth("d.received"), 0.0);
+}
+
+TEST(Assembly, WhenAPortIsNoneOfAPart_ThenItsOwnLineIsTold) {
+  expect_wrong(nested("in = \"a.inn\"\nout = \"b.out\"\nopen = \"a.open\"\n"), "C0343", 15,
+               "'a.inn' is no port of a part");
+}
+
+TEST(OwnType, WhenATypeIsWrong_ThenOnlyThatIsTold) {
+  const auto plant = ModelRig::load(R"toml([types.x]
+inputs.a = { unit = "m" }
+states.s = { unit = "m", derivative = "a" }
+[components.one]
+type = "x"
+a = "1 m"
+)toml");
+  ASSERT_FALSE(plant);
+  EXPECT_EQ(plant.error().size(), 1u) << result::to_string(plant.error());
+}
+
+TEST(OwnType, WhenTheDefaultOfASwitchStandsInQuotes_ThenItIsTaken) {
+  ModelRig rig(R"toml([types.x]
+inputs.on = { switch = true, default = "true" }
+outputs.o = { switch = true, value = "on" }
+[components.one]
+type = "x"
+[components.eye]
+type = "photo_eye"
+of = "one.o"
+)toml");
+  ASSERT_TRUE(rig.run(1.0));
+  EXPECT_EQ(rig.truth("one.o"), 1.0);
+}
+
 }  // namespace
 }  // namespace stepwright::components

@@ -37,11 +37,15 @@ class TemporaryFolder {
 
 using Entries = std::vector<std::pair<std::string, std::string>>;
 
-inline void make_archive(const std::filesystem::path& file, const Entries& entries) {
+// `mode`: of its files, as systems in the manner of Unix have it.
+inline void make_archive(const std::filesystem::path& file, const Entries& entries, unsigned mode = 0100644) {
+  constexpr uLong kUnix = 3U << 8;
   zipFile zip = zipOpen64(file.c_str(), APPEND_STATUS_CREATE);
   for (const auto& [name, text] : entries) {
     zip_fileinfo info{};
-    zipOpenNewFileInZip64(zip, name.c_str(), &info, nullptr, 0, nullptr, 0, nullptr, Z_DEFLATED, 6, 0);
+    info.external_fa = static_cast<uLong>(mode) << 16;
+    zipOpenNewFileInZip4_64(zip, name.c_str(), &info, nullptr, 0, nullptr, 0, nullptr, Z_DEFLATED, 6, 0,
+                            -MAX_WBITS, MAX_MEM_LEVEL, Z_DEFAULT_STRATEGY, nullptr, 0, kUnix, 0, 0);
     zipWriteInFileInZip(zip, text.data(), static_cast<unsigned>(text.size()));
     zipCloseFileInZip(zip);
   }

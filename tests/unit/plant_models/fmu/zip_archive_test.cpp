@@ -41,6 +41,12 @@ TEST(ZipArchive, WhenANameLeadsOutOfTheFolder_ThenTheArchiveIsRefused) {
   EXPECT_FALSE(is_safe_name(""));
 }
 
+TEST(ZipArchive, WhenAFileInItIsALink_ThenTheArchiveIsRefusedWithItsName) {
+  const TemporaryFolder folder;
+  make_archive(folder / "a.zip", {{"resources", "/tmp"}}, 0120777);
+  EXPECT_EQ(refusal(folder / "a.zip"), "'resources' in it is a symbolic link");
+}
+
 TEST(ZipArchive, WhenItIsLargerThanAllowed_ThenNothingBeyondTheLimitIsWritten) {
   const TemporaryFolder folder;
   make_archive(folder / "a.zip",
