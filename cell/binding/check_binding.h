@@ -9,6 +9,7 @@
 // - B0013: a unit or a calibration that does not match
 // - B0014: a completion that can never be
 // - B0015: a timeout that is too short for the plant
+// - B0016: two sensors that read one tag
 //
 // Pure but for the files of the cell; any thread.
 

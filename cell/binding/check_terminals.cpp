@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -40,7 +41,8 @@ class TerminalCheck {
   }
 
   Diagnostics run() {
-    if (wires_.empty()) return {};
+    check_shared_tags();
+    if (wires_.empty()) return std::move(problems_);
     for (const std::string& name : used_tags()) check_address(*binding_.tag(name));
     if (!model_) return std::move(problems_);
     for (const translate::Sensor& sensor : binding_.sensors) check_unit(sensor);
@@ -49,6 +51,19 @@ class TerminalCheck {
   }
 
  private:
+  // One reading cannot be two levels.
+  void check_shared_tags() {
+    std::map<std::string, const translate::Sensor*> readers;
+    for (const translate::Sensor& sensor : binding_.sensors) {
+      const auto [first, is_new] = readers.emplace(sensor.tag, &sensor);
+      if (is_new) continue;
+      problems_.push_back(
+          {"B0016", Severity::Error, sensor.where,
+           fmt::format("'{}' and '{}' read the same tag '{}'", first->second->name, sensor.name, sensor.tag),
+           "each sensor has a tag of its own"});
+    }
+  }
+
   // Of a plan: a program written by hand may have others.
   std::set<std::string> used_tags() const {
     std::set<std::string> names;
@@ -118,24 +133,59 @@ class TerminalCheck {
     const auto of_sensor = components::parse_unit(sensor.unit);
     if (of_card == card->units.end() || !of_sensor) return;
     const components::Dimension shown = of_card->second.dimension;
-    if (shown != of_sensor->dimension) {
-      // A level in shares of a tank may be said in litres or metres: of which tank, only its owner knows.
-      if (shown.none()) return;
-      problems_.push_back({"B0013", Severity::Error, sensor.where,
-                           fmt::format("'{}' is in {}, and '{}' of the plant is in {}", sensor.name,
-                                       sensor.unit, card->name, of_card->second.text),
-                           "unit = \"" + of_card->second.text + "\", or another tag"});
-      return;
-    }
-    check_calibration(sensor, *card, *of_sensor);
+    if (shown == of_sensor->dimension) return check_calibration(sensor, *card, *of_sensor);
+    // A level in shares of a tank may be said in litres, metres or kilograms of it.
+    const ComponentText* const tank = shown.none() ? tank_behind(*card) : nullptr;
+    if (shown.none() && tank == nullptr) return;
+    const auto whole = tank == nullptr ? std::nullopt : whole_of(*tank, of_sensor->dimension);
+    if (whole) return check_calibration(sensor, *card, *of_sensor, *whole);
+    if (tank != nullptr && of_sensor->dimension == dimension_of("m")) return;  // of a cone
+    const std::string& text = of_card->second.text;
+    problems_.push_back(
+        {"B0013", Severity::Error, sensor.where,
+         fmt::format("'{}' is in {}, and '{}' of the plant is {}", sensor.name, sensor.unit, card->name,
+                     tank == nullptr ? "in " + text : "a share of the tank '" + tank->name + "'"),
+         "unit = \"" + text + "\", or another tag"});
   }
 
+  static components::Dimension dimension_of(const char* unit) {
+    return components::parse_unit(unit).value_or(components::Unit{}).dimension;
+  }
+
+  // The tank whose level goes to the card, through sensors or not; null where that is not known.
+  const ComponentText* tank_behind(const ComponentText& card) const {
+    constexpr int kMostSensors = 8;
+    const ComponentText* at = &card;
+    for (int n = 0; n < kMostSensors && at != nullptr; ++n) {
+      std::string port = "level";
+      const ComponentText* before = nullptr;
+      for (const components::ConnectionText& each : at->connections)
+        if (at->type->ports[each.port].name == "of") before = component_of(each.prefix + each.to, &port);
+      if (before == nullptr) return nullptr;
+      const bool is_tank = before->type->name == "tank" || before->type->name == "closed_tank";
+      if (is_tank) return port == "level" ? before : nullptr;
+      at = before->type->name == "level_sensor" ? before : nullptr;
+    }
+    return nullptr;
+  }
+
+  // What a full tank holds or is high, SI; nothing in another unit, or where it does not go in proportion.
+  static std::optional<double> whole_of(const ComponentText& tank, const components::Dimension& in) {
+    const components::Parameters& p = tank.parameters;
+    if (in == dimension_of("m3")) return p["volume"];
+    if (in == dimension_of("kg")) return p["volume"] * p.density_kg_m3;
+    if (in == dimension_of("m") && (tank.type->name != "tank" || p.is("shape", "upright")))
+      return p["height"];
+    return std::nullopt;
+  }
+
+  // `whole`: what 1 of the card's figure is in the sensor's dimension.
   void check_calibration(const translate::Sensor& sensor, const ComponentText& card,
-                         const components::Unit& unit) {
+                         const components::Unit& unit, double whole = 1.0) {
     const auto value_at = [&](double counts) {
       const components::Parameters& p = card.parameters;
       const double share = (counts - p["counts_low"]) / (p["counts_high"] - p["counts_low"]);
-      return unit.from_si(p["low"] + share * (p["high"] - p["low"]));
+      return unit.from_si(whole * (p["low"] + share * (p["high"] - p["low"])));
     };
     for (const translate::CalibrationPoint& point : sensor.calibration.points()) {
       const double there = value_at(point.counts);
@@ -145,8 +195,9 @@ class TerminalCheck {
           {"B0013", Severity::Error, sensor.where,
            fmt::format("'{}' takes {} counts for {} {}, and '{}' of the plant shows {} there", sensor.name,
                        exact(point.counts), exact(point.value), sensor.unit, card.name, exact(there)),
-           fmt::format("calibration = [[{}, {}], [{}, {}]]", exact(unit.from_si(p["low"])),
-                       exact(p["counts_low"]), exact(unit.from_si(p["high"])), exact(p["counts_high"]))});
+           fmt::format("calibration = [[{}, {}], [{}, {}]]", exact(unit.from_si(whole * p["low"])),
+                       exact(p["counts_low"]), exact(unit.from_si(whole * p["high"])),
+                       exact(p["counts_high"]))});
       return;
     }
   }

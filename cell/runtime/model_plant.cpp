@@ -41,6 +41,10 @@ result::Diagnostics check_model(const config::CellConfig& cell) {
   return problems;
 }
 
+bool knows_model_wires(const config::PlantConfig& plant) {
+  return components::read_model(plant.file, components::library::catalogue(), options_of(plant)).has_value();
+}
+
 std::vector<bridge::PortWire> model_wires(const config::PlantConfig& plant) {
   std::vector<bridge::PortWire> wires;
   auto text = components::read_model(plant.file, components::library::catalogue(), options_of(plant));

@@ -22,6 +22,8 @@ namespace stepwright::cell_runtime {
 // gives up within its first second (C0351). Processes of its parts are not started.
 [[nodiscard]] result::Diagnostics check_model(const config::CellConfig& cell);
 
+// Whether the plant's file can be read, so that its terminals are known.
+bool knows_model_wires(const config::PlantConfig& plant);
 // The terminals that the plant's file has; none if it cannot be read.
 std::vector<bridge::PortWire> model_wires(const config::PlantConfig& plant);
 

@@ -239,7 +239,9 @@ class Watch {
     const model::NamedState shown = as_shown(binding_, run_.initial, after);
     for (const std::string& each : translate::deviations(binding_, run_.initial, shown))
       result.detail += (result.detail.empty() ? "" : "; ") + each;
-    return ended(std::move(result), RunEnd::NotBegun, std::move(after));
+    result = ended(std::move(result), RunEnd::NotBegun, std::move(after));
+    result.expected = observed(binding_, run_.initial);
+    return result;
   }
 
   const translate::Binding& binding_;

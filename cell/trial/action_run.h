@@ -63,7 +63,7 @@ struct ActionRun {
   double simulated_s = 0.0;  // of the whole run
   Reading before;            // as it begins
   Reading after;             // with all at rest, or as the run ended
-  Reading expected;          // of `after`, by the domain and the binding
+  Reading expected;          // of `after`, by the domain and the binding; NotBegun: by :init
   model::PlannedAction planned;
   result::Diagnostics problems;  // NotBound
 };

@@ -87,7 +87,7 @@ class Judge {
     switch (end) {
       case RunEnd::NotBegun:
         return add(kNotBegunCode, "the plant does not begin where the problem's :init says: " + first.detail,
-                   "change :init, or the start values of the plant");
+                   swapped(first) + "change :init, or the start values of the plant");
       case RunEnd::NotReached:
         return add("B0021",
                    who_ + " was not tried" + times(runs) + ": on the way there, " + first.detail + " fails",
@@ -108,6 +108,38 @@ class Judge {
         return add("B0031", "the program or the plant fails while " + who_ + " runs" + times(runs),
                    "`stepwright plant` runs the plant without a program");
     }
+  }
+
+  // Two sensors of which each shows what the other one should.
+  std::string swapped(const ActionRun& run) const {
+    const auto is_near = [&](const translate::Sensor& shown, const translate::Sensor& wanted) {
+      return std::abs(value_of(run.after, shown.fluent) - value_of(run.expected, wanted.fluent)) <=
+             std::max(shown.tolerance, wanted.tolerance);
+    };
+    for (const translate::Sensor& a : binding_.sensors) {
+      for (const translate::Sensor& b : binding_.sensors) {
+        if (&a >= &b || is_near(a, a) || is_near(b, b) || !is_near(a, b) || !is_near(b, a)) continue;
+        return fmt::format(
+            "each shows what the other one should: tag = \"{}\" for '{}' and tag = \"{}\" for '{}'; or ",
+            b.tag, a.name, a.tag, b.name);
+      }
+    }
+    return {};
+  }
+
+  // Another level that goes as this one should, of which the domain says nothing: its tag may be the one.
+  std::string other_tag(const ActionRun& run) const {
+    const translate::Sensor* const mine = binding_.sensor_of(until_);
+    if (mine == nullptr) return {};
+    const double claimed = planned_.after.fluents.at(until_) - planned_.before.fluents.at(until_);
+    for (const translate::Sensor& other : binding_.sensors) {
+      const double change = value_of(run.after, other.fluent) - value_of(run.before, other.fluent);
+      if (claimed_.contains(other.fluent) || std::abs(change) <= other.tolerance || change * claimed < 0.0)
+        continue;
+      return fmt::format("tag = \"{}\" for '{}', if the tags of the two are swapped; ", other.tag,
+                         mine->name);
+    }
+    return {};
   }
 
   // The conjuncts of the precondition that do not hold as observed.
@@ -178,6 +210,7 @@ class Judge {
     const double change = value_of(first.after, until_) - value_of(first.before, until_);
     if (std::abs(change) <= binding_.sensor_of(until_)->tolerance) return no_change(runs, first);
     const double claimed = planned_.after.fluents.at(until_) - planned_.before.fluents.at(until_);
+    if (change * claimed < 0.0) return wrong_way(runs);
     const double rate = change / std::max(first.active_s, 1e-3);
     add("B0026",
         fmt::format("{} moves {} by {} of {} in {} s{}: too slow, or it ends before", who_, label(until_),
@@ -193,8 +226,9 @@ class Judge {
     add("B0024",
         fmt::format("{} changes nothing of {} in {} s with {} on{}", who_, label(until_),
                     number(first.active_s), outputs.empty() ? "no output" : outputs, times(runs)),
-        others.empty() ? "outputs = [...]: these move nothing that a sensor shows"
-                       : "what changes is " + others + ": other outputs, or another 'until'");
+        others.empty()
+            ? "outputs = [...]: these move nothing that a sensor shows"
+            : "what changes is " + others + ": " + other_tag(first) + "other outputs, or another 'until'");
   }
 
   void judge_done(const Runs& runs) {

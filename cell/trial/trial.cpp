@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "cell/binding/ground_actions.h"
+#include "cell/trial/sample.h"
 #include "cell/trial/starts.h"
 #include "supervisor/translate/schedule.h"
 
@@ -30,6 +31,7 @@ class Trial {
       return result::fail("M0031", {},
                           "no action of the domain matches " + translate::to_string(*options_.only),
                           "an action as the domain has it, such as --action \"(load ?v ?f ?l)\"");
+    samples_only_ = options_.most == 0 && !options_.every && wanted.size() > kTriedEach;
     for (std::size_t i = 0; i < wanted.size() && !cancelled(); ++i) {
       if (told_) told_({i, wanted.size(), model::to_string(wanted[i].action)});
       if (auto tried = try_action(wanted[i]); !tried) return result::forward(tried);
@@ -69,11 +71,19 @@ class Trial {
       return {};
     }
     if (options_.most > 0 && tried_of_[entry] >= options_.most) return {};
-    const std::vector<Start> starts = starts_.of(info);
+    if (samples_only_ && !samples_[entry].wants(info.action)) {
+      ++report_.left_out;
+      return {};
+    }
+    std::vector<Start> starts = starts_.of(info);
+    // The way to a second state is long, and what it shows of an entry one of its actions shows.
+    if (samples_only_ && tried_of_[entry] > 0 && starts.size() > 1) starts.resize(1);
     if (starts.empty()) {
+      samples_[entry].note_unreachable(info.action);
       report_.never.push_back(model::to_string(info.action));
       return {};
     }
+    samples_[entry].note_tried(info.action);
     ++tried_of_[entry];
     return run_all(info.action, *entry, starts);
   }
@@ -147,6 +157,8 @@ class Trial {
   const Told& told_;
   Starts starts_;
   TrialReport report_;
+  bool samples_only_ = false;
+  std::map<const ActionBinding*, Sample> samples_;
   std::map<const ActionBinding*, std::size_t> tried_of_;
   std::map<const ActionBinding*, std::vector<ActionRun>> runs_of_;
 };

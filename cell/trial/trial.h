@@ -21,10 +21,14 @@
 
 namespace stepwright::trial {
 
+// Of so many ground actions each is tried; of more a sample of each entry (sample.h).
+inline constexpr std::size_t kTriedEach = 60;
+
 struct TrialOptions {
   std::optional<translate::Pattern> only;   // "(load ?v ?f ?l)", "(load v1 f1 level8)"; nothing: every action
   std::size_t seeds = 3;                    // from the cell's own on
-  std::size_t most = 0;                     // ground actions of each entry of the binding; 0: all of them
+  std::size_t most = 0;                     // ground actions of each entry of the binding; 0: see `every`
+  bool every = false;                       // all of them, where there are more than kTriedEach
   std::chrono::milliseconds search{2'000};  // of each state to start from
   const std::atomic<bool>* cancel = nullptr;  // not owned; asked between runs; may be null
 };
@@ -43,6 +47,7 @@ struct TrialReport {
   std::vector<ActionTrial> actions;
   std::vector<std::string> never;  // actions for which no state was found in which they may start
   result::Diagnostics problems;    // in the order of the binding
+  std::size_t left_out = 0;        // ground actions beyond the sample
   bool complete = true;            // false: more ground actions than can be listed
   bool cancelled = false;
   double simulated_s = 0.0;

@@ -32,6 +32,10 @@ std::string to_text(const TrialReport& report) {
   }
   for (const std::string& action : report.never)
     text += fmt::format("{:<{}}  no plan leads to where it may start\n", action, width);
+  if (report.left_out > 0)
+    text +=
+        fmt::format("{} not tried: every object was tried, or sought, in every place; --every tries all\n",
+                    plural(report.left_out, "more ground action"));
   if (!report.complete) text += "there are more ground actions than these; --action tries others\n";
   text += fmt::format("{} in {}: {}; {:.0f} s simulated in {:.1f} s\n",
                       plural(report.actions.size(), "action"), plural(runs, "run"),
@@ -56,6 +60,7 @@ std::string to_json(const TrialReport& report) {
   const nlohmann::json json = {{"sound", !result::has_errors(report.problems)},
                                {"actions", std::move(actions)},
                                {"never", report.never},
+                               {"left_out", report.left_out},
                                {"complete", report.complete},
                                {"cancelled", report.cancelled},
                                {"diagnostics", process::diagnostics_json(report.problems)},

@@ -189,6 +189,18 @@ std::optional<Assembler::PortId> Assembler::find_port(const ConnectionText& conn
   return std::nullopt;
 }
 
+// Some outputs are there with a choice of a parameter only.
+bool Assembler::is_there(PortId port, const result::Location& where) {
+  const ComponentText& part = text_.components[component_of_[port]];
+  const NeededChoice& needed = spec(port).needs;
+  if (part.parameters.has(needed)) return true;
+  report("C0343", where,
+         "'" + part.name + "' has '" + spec(port).name + "' with " + needed.parameter + " = \"" +
+             needed.choice + "\" only",
+         needed.parameter + " = \"" + needed.choice + "\" in [components." + part.name + "]");
+  return false;
+}
+
 void Assembler::set_constant(PortId input, const ConnectionText& connection) {
   const PortSpec& port = spec(input);
   auto figure = parse_quantity(connection.to);
@@ -241,7 +253,8 @@ void Assembler::connect_signal(PortId input, const ConnectionText& connection) {
     used_[input] = true;
     return;
   }
-  if (const auto output = find_port(connection, input)) connect_signal_to(input, *output, connection.where);
+  const auto output = find_port(connection, input);
+  if (output && is_there(*output, connection.where)) connect_signal_to(input, *output, connection.where);
 }
 
 void Assembler::connect_signal_to(PortId input, PortId output, const result::Location& where) {

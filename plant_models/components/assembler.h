@@ -60,6 +60,7 @@ class Assembler {
   void list_reports();
   void add_aliases();
   std::optional<PortId> find_output(const std::string& text, const result::Location& where);
+  bool is_there(PortId port, const result::Location& where);
   void check_terminals();
   void list_terminals();
 

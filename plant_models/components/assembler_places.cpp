@@ -186,6 +186,7 @@ void Assembler::bind_component(std::uint32_t c) {
   for (std::uint32_t i = 0; i < type.faults.size(); ++i) {
     const FaultSpec& fault = type.faults[i];
     faults.push_back(fault.rest);
+    if (!text_.components[c].parameters.has(fault.needs)) continue;
     model.faults.push_back({text_.components[c].name + "." + fault.name, fault.unit, fault.meaning});
     const double factor = parse_unit(fault.unit).value_or(Unit{}).factor;
     model.fault_at.push_back({c, i, factor, fault.low, fault.high, fault.rest, fault.usual, fault.whole});

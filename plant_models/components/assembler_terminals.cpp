@@ -1,6 +1,8 @@
 // What is seen of the plant from outside: terminals, truths and faults.
 
 #include <algorithm>
+#include <map>
+#include <vector>
 
 #include "plant_models/components/assembler.h"
 #include "plant_models/components/component_reader.h"
@@ -8,8 +10,22 @@
 #include "runtime/ground/naming/direct_address.h"
 
 namespace stepwright::components {
+namespace {
+
+// The bits of an area that an address takes.
+std::pair<std::uint64_t, std::uint64_t> bits_of(const naming::DirectAddress& address) {
+  const std::uint64_t first = std::uint64_t{address.byte} * 8 + address.bit;
+  return {first, first + address.bits};
+}
+
+bool overlap(const naming::DirectAddress& a, const naming::DirectAddress& b) {
+  return a.area == b.area && bits_of(a).first < bits_of(b).second && bits_of(b).first < bits_of(a).second;
+}
+
+}  // namespace
 
 void Assembler::read_terminals() {
+  std::vector<std::pair<const TerminalText*, naming::DirectAddress>> taken;
   for (const TerminalText& terminal : text_.terminals) {
     if (find_component(terminal.name))
       report("C0348", terminal.where, "'" + terminal.name + "' is the name of a component, too",
@@ -24,6 +40,15 @@ void Assembler::read_terminals() {
                     : "what the program reads is at %IX0.0 or %IW1");
       continue;
     }
+    // As of every wire (bridge/port_map.h), here with its place in the plant's own file.
+    for (const auto& [before, at] : taken) {
+      if (overlap(at, *address))
+        report(
+            "C0304", terminal.where,
+            terminal.address + " overlaps " + before->address + ", to which '" + before->name + "' is wired",
+            "%IW1 is bytes 2 and 3: bits and words share the area");
+    }
+    taken.emplace_back(&terminal, *address);
     if (!drives) continue;
     const auto kind = address->bits == 1 ? core::PortKind::Bool : core::PortKind::Count;
     terminal_by_name_.emplace(terminal.name, static_cast<std::uint32_t>(model_->actuators.size()));
@@ -80,7 +105,7 @@ void Assembler::check_terminals() {
     const auto address = naming::parse_direct_address(terminal.address);
     if (terminal.from.empty() || !address) continue;
     const auto port = find_output(terminal.from, terminal.where);
-    if (!port) continue;
+    if (!port || !is_there(*port, terminal.where)) continue;
     used_[*port] = true;
     const bool bit = address->bits == 1;
     if (bit != (spec(*port).kind == PortKind::Logic)) {
@@ -109,6 +134,7 @@ void Assembler::list_reports() {
   for (PortId port = 0; port < component_of_.size(); ++port) {
     const PortSpec& mine = spec(port);
     if (mine.role != Role::Node || (mine.kind != PortKind::Signal && mine.kind != PortKind::Logic)) continue;
+    if (!text_.components[component_of_[port]].parameters.has(mine.needs)) continue;
     model.truths.push_back({name_of(port), unit_[port].text, mine.meaning});
     model.truth_at.push_back({slots_[port].across, unit_[port].factor, unit_[port].offset});
   }
@@ -150,11 +176,23 @@ void Assembler::add_aliases() {
     model.truths.push_back(std::move(truth));
     model.truth_at.push_back(at);
   }
+  std::map<std::string, std::string> named;
   for (const AliasText& alias : text_.faults) {
     const auto found = core::index_of(model.faults, alias.of);
     if (!found) {
-      report("C0343", alias.where, "there is no fault '" + alias.of + "'",
-             meant_or(alias.of, core::names_of(model.faults)));
+      report("C0343", alias.where, "there is no fault '" + alias.of + "'", fault_hint(model, alias.of));
+      continue;
+    }
+    const auto same = std::ranges::find(named, alias.of, &std::pair<const std::string, std::string>::second);
+    if (same != named.end()) {
+      report("C0343", alias.where, "'" + alias.of + "' is another name of '" + same->first + "'",
+             "one other name for each fault");
+      continue;
+    }
+    const auto [other, is_new] = named.emplace(alias.of, alias.name);
+    if (!is_new) {
+      report("C0343", alias.where, "'" + alias.of + "' has another name already: '" + other->second + "'",
+             "one other name for each fault");
       continue;
     }
     core::Quantity fault = model.faults[*found];

@@ -88,6 +88,15 @@ class Component {
     (void)y;
     return Event::None;
   }
+  // Behind an event that has changed states, which the frame has with their derivatives: what must not be
+  // passed again without being seen.
+  virtual void event_done(const Frame& frame) { (void)frame; }
+  // The name of an event that has been passed without being seen since event_done(): it follows itself faster
+  // than the solver steps. Null if there is none.
+  virtual const std::string* passed_unseen(const Frame& frame) const {
+    (void)frame;
+    return nullptr;
+  }
   // Modes that follow from inputs and states, after a terminal, a fault or a mode has changed; at the start
   // too. True if a value of the component follows from a mode that has changed.
   virtual bool settle(const Frame& frame) {

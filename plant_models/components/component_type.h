@@ -46,6 +46,12 @@ enum class Open : std::uint8_t {
   Fine,      // nothing flows
 };
 
+// What a port or fault needs of its component: a choice of a parameter. Without a name it needs nothing.
+struct NeededChoice {
+  std::string parameter{};
+  std::string choice{};
+};
+
 inline constexpr std::uint32_t kAtDerivative = 255;
 
 struct PortSpec {
@@ -59,6 +65,7 @@ struct PortSpec {
   double constant = 0.0;  // SI, of Open::Constant
   std::string meaning{};
   std::string same_as{};  // an output of unit "any": the input whose unit it has
+  NeededChoice needs{};
 };
 
 struct FaultSpec {
@@ -71,6 +78,7 @@ struct FaultSpec {
   bool whole = false;  // nothing between `low` and `high` has a meaning
   // A campaign tries no larger ones, in `unit`; such as the range is wide.
   double usual = std::numeric_limits<double>::infinity();
+  NeededChoice needs{};
 };
 
 // The figures of one component, checked and in SI.
@@ -79,6 +87,9 @@ class Parameters {
   double operator[](std::string_view name) const { return figures.find(name)->second; }
   const std::string& word(std::string_view name) const { return words.find(name)->second; }
   bool is(std::string_view name, std::string_view choice) const { return word(name) == choice; }
+  bool has(const NeededChoice& needed) const {
+    return needed.parameter.empty() || is(needed.parameter, needed.choice);
+  }
 
   std::map<std::string, double, std::less<>> figures;
   std::map<std::string, std::string, std::less<>> words;

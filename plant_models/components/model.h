@@ -108,10 +108,14 @@ struct Model {
   std::vector<double> tolerances() const;
 };
 
+// What may help whoever names a fault that the plant does not have: the choice of a parameter that gives it,
+// or names that are near.
+std::string fault_hint(const Model& model, const std::string& name);
+
 // Connects the parts and puts their equations into order. Fails with everything that is wrong: C0341 (units
 // of two ports), C0343 (what a port is connected to does not exist), C0344 (open port), C0345 (a component
 // without any connection), C0346 (circular without a state), C0347 (ports that cannot be joined), C0348
-// (terminal).
+// (terminal), C0304 (addresses of terminals that overlap).
 [[nodiscard]] result::Result<std::unique_ptr<Model>> assemble(ModelText text);
 
 }  // namespace stepwright::components

@@ -22,10 +22,23 @@ std::string number_text(double value) {
 result::Result<std::size_t> find_fault(const Model& model, std::string_view name) {
   if (const auto fault = core::index_of(model.faults, name)) return *fault;
   return result::fail("C0311", {}, "the plant has no fault named '" + std::string(name) + "'",
-                      meant_or(std::string(name), core::names_of(model.faults)));
+                      fault_hint(model, std::string(name)));
 }
 
 }  // namespace
+
+std::string fault_hint(const Model& model, const std::string& name) {
+  const std::size_t dot = name.rfind('.');
+  for (const ComponentText& part : model.text.components) {
+    if (dot == std::string::npos || part.name != name.substr(0, dot)) continue;
+    for (const FaultSpec& fault : part.type->faults) {
+      if (fault.name != name.substr(dot + 1) || part.parameters.has(fault.needs)) continue;
+      return fault.needs.parameter + " = \"" + fault.needs.choice + "\" in [components." + part.name +
+             "] gives it";
+    }
+  }
+  return meant_or(name, core::names_of(model.faults));
+}
 
 core::FaultRange ModelPlant::fault_range(std::size_t fault) const {
   const ModelFault& at = model_->fault_at[fault];

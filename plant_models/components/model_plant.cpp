@@ -15,6 +15,7 @@ namespace {
 constexpr int kMostSettlings = 16;   // modes that change modes
 constexpr int kMostEvents = 10'000;  // within kEventSpan_s: what is built has fewer
 constexpr double kEventSpan_s = 1e-3;
+constexpr double kBehindEvent_s = 0.01;  // first steps behind an event, which may be longer than what follows
 
 double seconds(std::chrono::nanoseconds time) {
   return static_cast<double>(time.count()) * 1e-9;
@@ -166,7 +167,8 @@ core::PlantStatus ModelPlant::advance_alone(std::chrono::nanoseconds time) {
 }
 
 core::PlantStatus ModelPlant::give_up() {
-  failed_component_ = endless_events_ ? last_event_component_ : stiffest_component();
+  failed_component_ =
+      endless_events_ || unseen_event_ != nullptr ? last_event_component_ : stiffest_component();
   trouble_known_.store(true, std::memory_order_release);
   return core::PlantStatus::Failed;
 }
@@ -181,6 +183,10 @@ std::string ModelPlant::trouble() {
   std::array<char, 32> at{};
   std::snprintf(at.data(), at.size(), "%.3f", seconds(now_));
   const std::string& name = model_->names[failed_component_];
+  if (unseen_event_ != nullptr)
+    return "the plant cannot go on at " + std::string(at.data()) + " s: event '" + *unseen_event_ + "' of '" +
+           name +
+           "' follows itself ever more quickly; its states need a rest, such as a derivative that is 0 there";
   if (endless_events_)
     return "the plant cannot go on at " + std::string(at.data()) + " s: an event of '" + name +
            "' happens again and again without time between";
@@ -207,8 +213,23 @@ bool ModelPlant::run_to(double t_s) {
     const ode::StepOutcome outcome = solver_->step();
     if (outcome == ode::StepOutcome::Failed) return false;
     event_pending_ = outcome == ode::StepOutcome::Root;
+    if (solver_->time() - event_at_s_ < kBehindEvent_s && is_unseen()) return false;
   }
   return solver_->state_at(t_s, y_);
+}
+
+// Whether an event that has just happened was passed again, within one step.
+bool ModelPlant::is_unseen() {
+  if (event_pending_ || !solver_->state_at(solver_->time(), y_)) return false;
+  const Frame at = frame(solver_->time());
+  equations_->evaluate(at);
+  for (const std::uint32_t c : model_->with_roots) {
+    unseen_event_ = model_->components[c]->passed_unseen(at);
+    if (unseen_event_ == nullptr) continue;
+    last_event_component_ = c;
+    return true;
+  }
+  return false;
 }
 
 // Returns false if the solver cannot go on.
@@ -230,7 +251,14 @@ bool ModelPlant::handle_event() {
     most = std::max(most, component.handle(at, of_component, y_.data()));
   }
   if (most == Event::None) return true;
-  if (most == Event::Restart) return restart(t_s);
+  event_at_s_ = t_s;
+  if (most == Event::Restart) {
+    if (!restart(t_s)) return false;
+    at.dydt = after_.data();
+    equations_->derivatives(at);
+    for (const std::uint32_t c : model_->with_roots) model_->components[c]->event_done(at);
+    return true;
+  }
   settle(t_s);
   at.dydt = after_.data();
   equations_->evaluate(at);

@@ -78,6 +78,7 @@ class ModelPlant final : public core::Plant {
   bool give_inputs();
   bool run_to(double t_s);
   bool handle_event();
+  bool is_unseen();
   enum class Sampled : std::uint8_t { Nothing, Shown, All };
   void sample(Sampled wanted) const;
   Frame sampled_frame() const;
@@ -107,6 +108,8 @@ class ModelPlant final : public core::Plant {
   bool event_pending_ = false;    // the solver stands at a root that has not been handled
   bool failed_ = false;
   bool endless_events_ = false;
+  const std::string* unseen_event_ = nullptr;  // that was passed without being seen
+  double event_at_s_ = -1.0;                   // the last one
   std::uint32_t last_event_component_ = 0;
   std::uint32_t failed_component_ = 0;
   std::atomic<bool> trouble_known_{false};  // then time and component of the failure do not change any more

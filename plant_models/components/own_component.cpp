@@ -1,5 +1,6 @@
 #include "plant_models/components/own_component.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace stepwright::components {
@@ -35,6 +36,8 @@ class OwnComponent final : public Component {
       for (const auto& [state, text] : event.set) sets_.back().push_back({state, sure(text, variables)});
     }
     set_roots(events_.size(), true);
+    happened_.resize(events_.size());
+    reverses_.resize(events_.size());
   }
 
   void evaluate(std::uint32_t stage, const Frame& f) const override {
@@ -70,17 +73,45 @@ class OwnComponent final : public Component {
   Event handle(const Frame& f, const int* signs, double* all) override {
     load(f);
     Event most = Event::None;
+    happened_.assign(events_.size(), false);
+    reverses_.assign(events_.size(), 0.0);
     for (std::size_t i = 0; i < events_.size(); ++i) {
       const OwnEvent& event = equations_->events[i];
       const bool happens = (signs[i] > 0 && event.rising) || (signs[i] < 0 && event.falling);
       if (!happens) continue;
       for (const auto& [state, value] : sets_[i]) state_of(all, state) = value.value();
+      happened_[i] = true;
       most = Event::Restart;
     }
     return most;
   }
 
+  // A ball that bounces: what has fallen through zero rises again, or the other way round.
+  void event_done(const Frame& f) override {
+    load(f);
+    for (std::size_t i = 0; i < happened_.size(); ++i) {
+      if (!happened_[i] || equations_->events[i].rising == equations_->events[i].falling) continue;
+      const double now = away(i);
+      for (std::size_t s = 0; s < derivatives_.size(); ++s) values_[first_state_ + s] += kSoon_s * dydt(f, s);
+      reverses_[i] = std::max(0.0, away(i) - now);
+      load(f);
+    }
+    happened_.assign(happened_.size(), false);
+  }
+  const std::string* passed_unseen(const Frame& f) const override {
+    load(f);
+    for (std::size_t i = 0; i < reverses_.size(); ++i)
+      if (reverses_[i] > 0.0 && away(i) < -reverses_[i]) return &equations_->events[i].name;
+    return nullptr;
+  }
+
  private:
+  static constexpr double kSoon_s = 1e-6;
+
+  // How far the condition of an event is from zero, on the side that it comes from.
+  double away(std::size_t event) const {
+    return equations_->events[event].falling ? events_[event].value() : -events_[event].value();
+  }
   void load(const Frame& f) const {
     const OwnEquations& e = *equations_;
     for (std::size_t i = 0; i < e.faults.size(); ++i) values_[first_fault_ + i] = fault(i);
@@ -98,6 +129,8 @@ class OwnComponent final : public Component {
   std::size_t first_fault_ = 0, first_read_ = 0, first_state_ = 0;
   std::vector<Expression> derivatives_, outputs_, events_;
   std::vector<std::vector<std::pair<std::size_t, Expression>>> sets_;
+  std::vector<bool> happened_;    // at the root that is handled
+  std::vector<double> reverses_;  // how far away each event's condition is kSoon_s behind it; 0: it goes on
 };
 
 }  // namespace

@@ -39,6 +39,7 @@ struct OwnState {
 };
 
 struct OwnEvent {
+  std::string name;
   std::string when;  // crosses zero
   bool falling = false;
   bool rising = true;

@@ -210,6 +210,7 @@ class OwnTypeReader {
     for (const std::string& key : all.keys()) {
       const TomlTable one = all.table(key);
       OwnEvent event;
+      event.name = key;
       event.when = one.required_text("when");
       event.falling = one.boolean("falling", false);
       event.rising = one.boolean("rising", !event.falling);

@@ -13,6 +13,7 @@ namespace {
 using Component = void*;
 using Reference = unsigned int;
 enum Status : int { kOk, kWarning, kDiscard, kError, kFatal, kPending };
+constexpr int kTerminated = 3;  // of fmi2StatusKind
 constexpr int kCoSimulation = 1;
 
 struct Callbacks {
@@ -34,6 +35,7 @@ struct Functions {
   int (*exit_initialization)(Component) = nullptr;
   int (*terminate)(Component) = nullptr;
   int (*step)(Component, double time, double step, int no_earlier_state) = nullptr;
+  int (*boolean_status)(Component, int kind, int* value) = nullptr;  // may be null
   int (*set_real)(Component, const Reference*, std::size_t, const double*) = nullptr;
   int (*get_real)(Component, const Reference*, std::size_t, double*) = nullptr;
   int (*set_integer)(Component, const Reference*, std::size_t, const int*) = nullptr;
@@ -49,6 +51,7 @@ struct Functions {
     library.find("fmi2ExitInitializationMode", exit_initialization);
     library.find("fmi2Terminate", terminate);
     library.find("fmi2DoStep", step);
+    library.find_optional("fmi2GetBooleanStatus", boolean_status);
     library.find("fmi2SetReal", set_real);
     library.find("fmi2GetReal", get_real);
     library.find("fmi2SetInteger", set_integer);
@@ -137,10 +140,21 @@ class Fmi2Instance final : public ModelInstance {
     running_ = good(call_.exit_initialization(component_));
     return running_;
   }
-  bool step(double time_s, double step_s) override { return good(call_.step(component_, time_s, step_s, 1)); }
+  bool step(double time_s, double step_s) override {
+    const int status = call_.step(component_, time_s, step_s, 1);
+    if (status == kDiscard && has_ended()) said_ = "it asks for the end of the simulation";
+    return good(status);
+  }
   std::string said() const override { return said_; }
 
  private:
+  // A step that is discarded for that reason is no failure of a solver.
+  bool has_ended() {
+    int ended = 0;
+    return call_.boolean_status != nullptr && call_.boolean_status(component_, kTerminated, &ended) == kOk &&
+           ended != 0;
+  }
+
   static void log(void* environment, const char*, int status, const char*, const char* message, ...) {
     if (environment == nullptr || message == nullptr || status == kOk) return;
     std::array<char, 512> text{};

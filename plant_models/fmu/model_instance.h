@@ -51,6 +51,11 @@ class Library {
     function = reinterpret_cast<Function*>(symbol(name));
     if (function == nullptr) missing_ += missing_.empty() ? name : std::string(", ") + name;
   }
+  // Null where there is no such function, and none is needed.
+  template <typename Function>
+  void find_optional(const char* name, Function*& function) {
+    function = reinterpret_cast<Function*>(symbol(name));
+  }
   // C0334 where functions are missing.
   [[nodiscard]] result::Result<void> complete() const;
 

@@ -32,6 +32,7 @@ struct Arguments {
   std::string action;
   std::size_t seeds = 3;
   std::size_t most = 0;
+  bool every = false;
   std::string json;
 };
 
@@ -67,6 +68,7 @@ result::Result<trial::TrialOptions> options_of(const Arguments& arguments) {
   trial::TrialOptions options;
   options.seeds = arguments.seeds;
   options.most = arguments.most;
+  options.every = arguments.every;
   options.cancel = &cancelled;
   if (arguments.action.empty()) return options;
   const bool whole = arguments.action.front() == '(';
@@ -119,8 +121,12 @@ int main(int argc, char** argv) {
   command
       .add_option("--seeds", arguments.seeds, "runs of each, with seeds from the cell's own on (default 3)")
       ->check(CLI::Range(std::size_t{1}, kMostSeeds));
-  command.add_option("--most", arguments.most, "so many actions of each entry of the binding (default: all)")
+  command
+      .add_option("--most", arguments.most,
+                  "so many actions of each entry of the binding (default: all; where there are more than 60, "
+                  "so many that every object is tried in every place)")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}));
+  command.add_flag("--every", arguments.every, "every ground action, however many there are");
   command.add_option("--json", arguments.json, "write what was found to this file");
   app.footer(
       "Exit codes: 0 the plant does as it is said, 1 it does not, or wrong input, 2 wrong usage, "

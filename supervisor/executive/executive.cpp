@@ -5,6 +5,7 @@
 
 #include "supervisor/executive/journal.h"
 #include "supervisor/pddl/plan/describe_run.h"
+#include "supervisor/translate/sensor_program.h"
 
 namespace stepwright::executive {
 namespace {
@@ -219,11 +220,26 @@ bool Executive::observe_once(const PreparedPlan& observer, bool& lost) {
       if (progress.finished) {
         means_ = reader_->values(event->image);
         observed_event_ = event->sequence;
-        return true;  // not acknowledged: the clock stands still while the plan is made
+        // Not acknowledged: the clock stands still while the plan is made.
+        return !give_up_leap();
       }
     }
     (void)controller_.acknowledge(event->sequence);  // a lost runtime shows in the next round
   }
+}
+
+// True, and the run is over, if a sensor has leapt while the plant was observed, or since the plan before:
+// what it shows now would be believed.
+bool Executive::give_up_leap() {
+  for (const translate::Sensor& sensor : planning_.binding().sensors) {
+    const auto leaping = means_.find(translate::leaping_variable(sensor));
+    if (leaping == means_.end() || leaping->second < translate::kLeapingScans) continue;
+    const bool open = !record_.incidents.empty() && record_.incidents.back().response == run::Response::Open;
+    if (open) record_.incidents.back().kind = run::IncidentKind::FailedSensor;
+    return !give_up("sensor " + sensor.name + " leaps: no plant changes so fast",
+                    run::IncidentKind::FailedSensor);
+  }
+  return false;
 }
 
 bool Executive::launch() {

@@ -115,6 +115,7 @@ class Executive final : public run::Mission {
   bool stay_over(Journal&& journal);
   bool observe(bool locate);
   bool observe_once(const PreparedPlan& observer, bool& lost);
+  bool give_up_leap();
   bool launch();
   // Supervisor: this one has just begun, where another one has left its journal.
   bool recover_runtime(Away who);

@@ -5,6 +5,7 @@
 
 #include "supervisor/executive/executive.h"
 #include "supervisor/translate/monitors.h"
+#include "supervisor/translate/sensor_program.h"
 
 namespace stepwright::executive {
 
@@ -13,7 +14,9 @@ result::Result<run::ImageReader> Executive::reader_of(const PreparedPlan& prepar
   for (const translate::Sensor& sensor : planning_.binding().sensors) {
     variables.push_back(translate::filtered_variable(sensor));
     variables.push_back(sensor.tag);
-    if (kind == Kind::Observer) variables.push_back(translate::half_variable(sensor));
+    if (kind != Kind::Observer) continue;
+    variables.push_back(translate::half_variable(sensor));
+    if (sensor.max_rate > 0.0) variables.push_back(translate::leaping_variable(sensor));
   }
   for (const translate::ObservedFact& fact : planning_.binding().facts) variables.push_back(fact.tag);
   return run::ImageReader::create(prepared.container, prepared.translation.instance, variables);

@@ -100,13 +100,20 @@ void check_groups(const Binding& binding, std::span<const model::GroundAction> i
   }
 }
 
-// Two decimals at most, one at least: "3.9", "4.78".
-std::string level_text(double value) {
+// Two decimals at most, one at least: "3.9", "4.78"; more where a tolerance is smaller than that.
+std::string level_text(double value, int digits = 2) {
   char text[48];
-  std::snprintf(text, sizeof text, "%.2f", value);
+  std::snprintf(text, sizeof text, "%.*f", digits, value);
   std::string trimmed = text;
-  if (trimmed.back() == '0') trimmed.pop_back();
+  while (trimmed.back() == '0' && trimmed[trimmed.size() - 2] != '.') trimmed.pop_back();
   return trimmed;
+}
+
+// Decimals in which a tolerance, and what is beyond it, can be seen.
+int digits_of(double tolerance) {
+  constexpr double kMost = 9.0;
+  if (tolerance <= 0.0) return 2;
+  return static_cast<int>(std::clamp(std::ceil(-std::log10(tolerance)), 2.0, kMost));
 }
 
 }  // namespace
@@ -166,8 +173,10 @@ std::string to_string(const Difference& difference) {
     return "'" + difference.label + "' is " +
            (difference.measured != 0.0 ? "observed, but not expected" : "not observed, but expected");
   }
-  return difference.label + " is " + level_text(difference.measured) + ", expected " +
-         level_text(difference.expected) + " (tolerance " + level_text(difference.tolerance) + ")";
+  const int digits = digits_of(difference.tolerance);
+  return difference.label + " is " + level_text(difference.measured, digits) + ", expected " +
+         level_text(difference.expected, digits) + " (tolerance " + level_text(difference.tolerance, digits) +
+         ")";
 }
 
 std::vector<std::string> deviations(const Binding& binding, const model::NamedState& expected,

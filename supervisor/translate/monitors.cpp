@@ -11,7 +11,6 @@
 #include "supervisor/translate/internal/expectation.h"
 #include "supervisor/translate/internal/monitor_names.h"
 #include "supervisor/translate/internal/pace.h"
-#include "supervisor/translate/internal/rate.h"
 #include "supervisor/translate/internal/watch_chart.h"
 #include "supervisor/translate/sensor_program.h"
 
@@ -25,7 +24,6 @@ using internal::had_failed_flag;
 using internal::kAlarmsTold;
 using internal::kNow;
 using internal::last_variable;
-using internal::leaping_variable;
 using internal::mark_variable;
 using internal::numbered;
 using internal::ran_flag;
@@ -107,7 +105,6 @@ class Monitors {
     for (const Sensor& sensor : binding_.sensors) {
       needed.push_back(still_variable(sensor));
       needed.push_back(last_variable(sensor));
-      needed.push_back(leaping_variable(sensor));
     }
     for (const std::string& name : needed) {
       if (names.insert(name)) continue;
@@ -128,26 +125,15 @@ class Monitors {
     ladder_.rungs.push_back(std::move(rung));
   }
 
-  // How far the counts are from the filtered ones tells how fast they change.
+  // The sensor program counts the scans in every scan, also while no plan runs.
   void rate(const Sensor& sensor) {
     if (sensor.max_rate == 0.0) return;
-    const std::string leaping = leaping_variable(sensor);
-    const std::string filtered = filtered_variable(sensor);
-    graphic::Block count;
-    count.st_body = "IF ABS(" + as_dint(sensor.tag) + " - " + as_dint(filtered) + ") > " +
-                    std::to_string(internal::most_counts_from_filtered(sensor)) + " THEN " + leaping +
-                    " := " + leaping + " + 1; ELSE " + leaping + " := 0; END_IF;";
-    Rung counts;
-    counts.comment = "scans for which " + sensor.tag + " has changed faster than it can";
-    counts.blocks.push_back(std::move(count));
-    ladder_.rungs.push_back(std::move(counts));
-    raise({std::nullopt, MonitorKind::Rate,
-           sensor.label + " changes by no more than " + short_number(sensor.max_rate) + " in a second",
-           sensor.tag, sensor.name},
-          graphic::always(),
-          graphic::compare(leaping, graphic::CompareOp::Less, std::to_string(internal::kLeapingScans)));
-    read_.insert(filtered);
-    leaping_.insert(sensor.name);
+    raise(
+        {std::nullopt, MonitorKind::Rate,
+         sensor.label + " changes by no more than " + short_number(sensor.max_rate) + " in a second",
+         sensor.tag, sensor.name},
+        graphic::always(),
+        graphic::compare(leaping_variable(sensor), graphic::CompareOp::Less, std::to_string(kLeapingScans)));
   }
 
   void section(std::size_t action, const Expectation& expected) {
@@ -394,10 +380,6 @@ class Monitors {
       monitors.variables.push_back(
           variable(last_variable(sensor), binding_.tag(sensor.tag)->type, VariableSection::Local));
     }
-    for (const Sensor& sensor : binding_.sensors) {
-      if (leaping_.contains(sensor.name))
-        monitors.variables.push_back(variable(leaping_variable(sensor), "DINT", VariableSection::Local));
-    }
     for (const std::size_t action : paced_) {
       monitors.variables.push_back(variable(mark_variable(action), "DINT", VariableSection::Local));
       monitors.variables.push_back(variable(since_variable(action), "DINT", VariableSection::Local));
@@ -423,7 +405,6 @@ class Monitors {
   std::string next_label_;  // where the section before jumps to
   std::vector<std::size_t> watched_;
   std::set<std::string> moved_;     // sensors whose counts are compared with the last ones
-  std::set<std::string> leaping_;   // sensors whose rate is watched
   std::vector<std::size_t> paced_;  // actions whose level has to go on
   std::set<std::string> read_;      // globals that the rungs read
 };

@@ -1,11 +1,13 @@
 #include "supervisor/translate/sensor_program.h"
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <utility>
 #include <vector>
 
 #include "supervisor/translate/guard.h"
+#include "supervisor/translate/internal/rate.h"
 
 namespace stepwright::translate {
 
@@ -54,27 +56,72 @@ std::string value_statements(const Sensor& sensor, const std::string& type, doub
   return points.size() == 2 ? last : text + "ELSE\n  " + last + "END_IF;\n";
 }
 
+std::string counts_of(const Binding& binding, const Sensor& sensor) {
+  return binding.tag(sensor.tag)->type + "_TO_REAL(" + sensor.tag + ")";
+}
+
+// Every filter starts at its first sample.
+std::string start_text(const Binding& binding) {
+  std::string text = "IF first THEN\n";
+  for (const Sensor& sensor : binding.sensors)
+    text += "  " + state_variable(sensor) + " := " + counts_of(binding, sensor) + ";\n";
+  return text + "  first := FALSE;\nEND_IF;\n";
+}
+
+std::string state_statement(const Binding& binding, const Sensor& sensor, std::int64_t interval_us) {
+  const std::string state = state_variable(sensor);
+  const double interval_s = static_cast<double>(interval_us) * 1e-6;
+  const double filter_s = static_cast<double>(sensor.filter.count()) * 1e-3;
+  const double weight = 1.0 - std::exp(-interval_s / filter_s);
+  return state + " := " + state + " + " + real_literal(weight) + " * (" + counts_of(binding, sensor) + " - " +
+         state + ");\n";
+}
+
+// A count that has reached its end stays there: whoever looks later must know, too.
+std::string rate_statements(const Binding& binding, const Sensor& sensor) {
+  if (sensor.max_rate == 0.0) return {};
+  const std::string leaping = leaping_variable(sensor);
+  return "IF " + leaping + " < " + std::to_string(kLeapingScans) + " THEN\n  IF ABS(" +
+         counts_of(binding, sensor) + " - " + state_variable(sensor) + ") > " +
+         real_literal(internal::most_counts_from_filtered(sensor)) + " THEN\n    " + leaping +
+         " := " + leaping + " + 1;\n  ELSE\n    " + leaping + " := 0;\n  END_IF;\nEND_IF;\n";
+}
+
 std::string filter_text(const Binding& binding, const SensorProgramOptions& options) {
-  std::string first;
-  std::string every;
+  std::string text = start_text(binding);
   for (const Sensor& sensor : binding.sensors) {
     const std::string& type = binding.tag(sensor.tag)->type;
-    const std::string counts = type + "_TO_REAL(" + sensor.tag + ")";
-    const std::string state = state_variable(sensor);
-    const double interval_s = static_cast<double>(options.interval_us) * 1e-6;
-    const double filter_s = static_cast<double>(sensor.filter.count()) * 1e-3;
-    const double weight = 1.0 - std::exp(-interval_s / filter_s);
-    first += "  " + state + " := " + counts + ";\n";
-    every += state + " := " + state + " + " + real_literal(weight) + " * (" + counts + " - " + state + ");\n";
-    every += filtered_variable(sensor) + " := REAL_TO_" + type + "(" + state + ");\n";
+    text += state_statement(binding, sensor, options.interval_us);
+    text += filtered_variable(sensor) + " := REAL_TO_" + type + "(" + state_variable(sensor) + ");\n";
+    text += rate_statements(binding, sensor);
     if (!options.values.contains(sensor.name)) continue;
-    every += value_statements(sensor, type, tare_of(options.tare, sensor));
+    text += value_statements(sensor, type, tare_of(options.tare, sensor));
   }
-  return "IF first THEN\n" + first + "  first := FALSE;\nEND_IF;\n" + every;
+  return text;
+}
+
+bool watches_rates(const Binding& binding) {
+  return std::ranges::any_of(binding.sensors, [](const Sensor& each) { return each.max_rate > 0.0; });
+}
+
+// Filters of all sensors, so that the program that takes over goes on with each of them. Nothing but zeros
+// since the first scan is no reading yet: a device that has not answered begins with its first answer,
+// without a leap.
+std::string watch_text(const Binding& binding, const SensorProgramOptions& options) {
+  if (!watches_rates(binding)) return {};
+  std::string text = start_text(binding);
+  for (const Sensor& sensor : binding.sensors) {
+    const std::string state = state_variable(sensor);
+    text += "IF " + state + " = 0.0 THEN " + state + " := " + counts_of(binding, sensor) + "; END_IF;\n";
+    text += state_statement(binding, sensor, options.interval_us);
+    text += rate_statements(binding, sensor);
+  }
+  return text;
 }
 
 std::string mean_text(const Binding& binding, const SensorProgramOptions& options) {
-  std::string text = std::string("IF ") + kAveragingVariable + " THEN\n  samples := samples + 1;\n";
+  std::string text = watch_text(binding, options);
+  text += std::string("IF ") + kAveragingVariable + " THEN\n  samples := samples + 1;\n";
   for (const Sensor& sensor : binding.sensors) {
     const std::string& type = binding.tag(sensor.tag)->type;
     const std::string sum = sum_variable(sensor);
@@ -145,6 +192,11 @@ std::vector<Variable> cell_globals(const Binding& binding, const SensorProgramOp
     Variable filtered = variable(filtered_variable(sensor), type, VariableSection::Global);
     filtered.comment = sensor.label + ", filtered counts";
     globals.push_back(std::move(filtered));
+    if (sensor.max_rate > 0.0) {
+      Variable leaping = variable(leaping_variable(sensor), "DINT", VariableSection::Global);
+      leaping.comment = "scans for which " + sensor.tag + " has changed faster than it can";
+      globals.push_back(std::move(leaping));
+    }
     if (options.mode == SensorMode::Mean) {
       Variable half = variable(half_variable(sensor), type, VariableSection::Global);
       half.comment = sensor.label + ", mean counts of the first half";
@@ -161,9 +213,13 @@ std::vector<Variable> cell_globals(const Binding& binding, const SensorProgramOp
   return globals;
 }
 
+std::string leaping_variable(const Sensor& sensor) {
+  return sensor.name + "_leaping";
+}
+
 std::vector<std::string> generated_variables(const Sensor& sensor) {
-  return {filtered_variable(sensor), half_variable(sensor), value_variable(sensor), state_variable(sensor),
-          sum_variable(sensor)};
+  return {filtered_variable(sensor), half_variable(sensor), value_variable(sensor),
+          state_variable(sensor),    sum_variable(sensor),  leaping_variable(sensor)};
 }
 
 std::vector<std::string> declared_variables(const Binding& binding) {
@@ -181,14 +237,12 @@ graphic::Pou sensor_program(const Binding& binding, const SensorProgramOptions& 
   const bool mean = options.mode == SensorMode::Mean;
   const std::string text = mean ? mean_text(binding, options) : filter_text(binding, options);
   pou.variables = externals(cell_globals(binding, options), text);
-  if (mean) {
-    pou.variables.push_back(variable("samples", "DINT", VariableSection::Local));
-  } else {
-    pou.variables.push_back(variable("first", "BOOL", VariableSection::Local, "TRUE"));
-  }
+  const bool filters = !mean || watches_rates(binding);
+  if (mean) pou.variables.push_back(variable("samples", "DINT", VariableSection::Local));
+  if (filters) pou.variables.push_back(variable("first", "BOOL", VariableSection::Local, "TRUE"));
   for (const Sensor& sensor : binding.sensors) {
-    pou.variables.push_back(mean ? variable(sum_variable(sensor), "DINT", VariableSection::Local)
-                                 : variable(state_variable(sensor), "REAL", VariableSection::Local));
+    if (mean) pou.variables.push_back(variable(sum_variable(sensor), "DINT", VariableSection::Local));
+    if (filters) pou.variables.push_back(variable(state_variable(sensor), "REAL", VariableSection::Local));
   }
   pou.body = graphic::StBody{text};
   return pou;

@@ -8,6 +8,11 @@
 // mean afterwards, and what it was after `half_samples` in `half_variable(sensor)`; sums begin anew when
 // `averaging` does. Both write
 // `filtered_variable(sensor)` in the type of the sensor's tag.
+//
+// Rate, in both modes: where a sensor has `max_rate`, its counts are compared with the filter's state in
+// every scan (internal/rate.h). `leaping_variable(sensor)` counts the scans in a row in which they change too
+// fast and stays at kLeapingScans once it is there. Filters and counts go on when one program takes over from
+// another, so that a leap is seen across the change, too.
 
 #include <cstdint>
 #include <set>
@@ -35,6 +40,10 @@ struct SensorProgramOptions {
 
 // Tags and generated variables as globals.
 std::vector<graphic::Variable> cell_globals(const Binding& binding, const SensorProgramOptions& options);
+// The scans in a row for which a sensor with `max_rate` has changed faster than its level can; DINT.
+std::string leaping_variable(const Sensor& sensor);
+// A disturbed sample alone is no leap: so many in a row are, and the sensor has failed.
+inline constexpr int kLeapingScans = 3;
 // The names of the variables that are generated for one sensor, in any mode.
 std::vector<std::string> generated_variables(const Sensor& sensor);
 // The names of all variables that a generated program may declare, tags included.

@@ -147,7 +147,8 @@ ComponentType pump_type() {
             .role = Role::Node,
             .unit = "l",
             .open = Open::Fine,
-            .meaning = "so far, with a totaliser"}},
+            .meaning = "so far, with a totaliser",
+            .needs = {"totaliser", "yes"}}},
       .faults = {{.name = "weak",
                   .unit = "",
                   .low = 0.0,
@@ -165,7 +166,8 @@ ComponentType pump_type() {
                   .high = 1e6,
                   .rest = 0.0,
                   .meaning = "with a totaliser: it delivers this much whatever it is told",
-                  .usual = 10.0}},
+                  .usual = 10.0,
+                  .needs = {"totaliser", "yes"}}},
       .stages = 2,
       .make = [](const Parameters& p) { return std::make_unique<Pump>(p); }};
 }

@@ -32,10 +32,6 @@ std::string last_variable(const Sensor& sensor) {
   return "LAST_" + sensor.name;
 }
 
-std::string leaping_variable(const Sensor& sensor) {
-  return "LEAPING_" + sensor.name;
-}
-
 std::string mark_variable(std::size_t action) {
   return numbered("MARK", action + 1);
 }

@@ -28,9 +28,6 @@ std::string had_failed_flag(std::size_t action);
 std::string still_variable(const Sensor& sensor);
 std::string last_variable(const Sensor& sensor);
 
-// Scans for which the counts of a sensor have changed faster than they can.
-std::string leaping_variable(const Sensor& sensor);
-
 // Counts at which the level that an action moves was found to have gone on, and the scans since then.
 std::string mark_variable(std::size_t action);
 std::string since_variable(std::size_t action);

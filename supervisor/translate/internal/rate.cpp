@@ -6,7 +6,7 @@
 
 namespace stepwright::translate::internal {
 
-long most_counts_from_filtered(const Sensor& sensor) {
+double most_counts_from_filtered(const Sensor& sensor) {
   const std::vector<CalibrationPoint>& points = sensor.calibration.points();
   double slope = 0.0;  // counts per unit
   for (std::size_t i = 1; i < points.size(); ++i) {
@@ -16,7 +16,7 @@ long most_counts_from_filtered(const Sensor& sensor) {
   }
   const double filter_s = static_cast<double>(sensor.filter.count()) * 1e-3;
   const double counts = (sensor.max_rate * filter_s + sensor.tolerance) * slope;
-  return std::lround(std::min(counts, 65'535.0));  // what no counts of 16 bits reach
+  return std::round(std::min(counts, 65'535.0));  // what no counts of 16 bits reach
 }
 
 }  // namespace stepwright::translate::internal

@@ -10,11 +10,8 @@
 
 namespace stepwright::translate::internal {
 
-// A disturbed sample alone is no leap: so many in a row are.
-inline constexpr int kLeapingScans = 3;
-
 // The greatest distance between counts and filtered counts of a sound sensor, from its `max_rate`; where the
 // calibration has several lines, on the steepest one.
-long most_counts_from_filtered(const Sensor& sensor);
+double most_counts_from_filtered(const Sensor& sensor);
 
 }  // namespace stepwright::translate::internal

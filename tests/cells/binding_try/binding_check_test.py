@@ -3,6 +3,7 @@
 import unittest
 
 from planned_cell import CELLS, PlannedCell
+from processes import stepwright
 
 VALVE = """
 [components.shut_off]
@@ -51,6 +52,43 @@ class BindingCheck(unittest.TestCase):
             cell = self.cell("batch_mixer")
             cell.change("binding.toml", old, new)
             self.says(cell, "B0013", word)
+
+    def test_units_and_scales_that_the_tank_does_not_have(self):
+        lines = 'unit = "percent"\nrange = [0, 100]\ncalibration = [[0, 0], [100, 27648]]\n'
+        for unit, full, said in (("m3", 100, "calibration = [[0, 0], [5, 27648]]"), ("l", 100, "calibration = [[0, 0], [5000, 27648]]"),
+                                 ("m", 100, "calibration = [[0, 0], [5, 27648]]"), ("t", 100, "calibration = [[0, 0], [5, 27648]]"),
+                                 ("bar", 100, "a share of the tank 'north'"), ("m3", 5, ""), ("l", 5000, ""), ("m", 5, "")):
+            cell = self.cell("pump_station")
+            text = (cell.folder / "binding.toml").read_text(encoding="utf-8")
+            before, after = text.split("[sensors.north]")
+            self.assertIn(lines, after)
+            (cell.folder / "binding.toml").write_text(before + "[sensors.north]" + after.replace(
+                lines, f'unit = "{unit}"\nrange = [0, {full}]\ncalibration = [[0, 0], [{full}, 27648]]\n', 1), encoding="utf-8")
+            if said:
+                self.says(cell, "B0013", said)
+            else:
+                self.assertNotIn("B0013", cell.check().stderr)
+
+    def test_two_sensors_that_read_one_tag(self):
+        cell = self.cell("pump_station")
+        cell.change("binding.toml", 'tag = "L_SOUTH"', 'tag = "L_NORTH"')
+        self.says(cell, "B0016", "'north' and 'south' read the same tag 'L_NORTH'")
+
+    def test_a_plant_that_cannot_be_read_is_one_error(self):
+        cell = self.cell("pump_station")
+        cell.change("plant.toml", 'volume = "20 m3"', 'volume = "20 s"')
+        checked = cell.check()
+        self.assertEqual(checked.returncode, 1)
+        self.assertIn("C0341", checked.stderr)
+        self.assertNotIn("C0531", checked.stderr)
+
+    def test_addresses_that_overlap(self):
+        cell = self.cell("pump_station")
+        cell.change("plant.toml", '"%IW2"', '"%IW1"')
+        self.assertIn("C0304", cell.check().stderr)
+        said = stepwright("plant", cell.folder / "plant.toml")
+        self.assertEqual(said.returncode, 1)
+        self.assertRegex(said.stderr, r"plant\.toml:\d+:\d+: C0304: %IW1 overlaps %IW1, to which 'L_NORTH' is wired")
 
     def test_completions_that_can_never_be(self):
         cell = self.cell("batch_mixer")

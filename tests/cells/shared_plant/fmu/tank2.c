@@ -56,12 +56,19 @@ EXPORT int fmi2DoStep(void *instance, double time, double step, int no_earlier) 
     tank->call.logger(tank->call.environment, "tank", ERROR, "logStatusError", "the solver gave up at %g s", time);
     return ERROR;
   }
+  if (n[TRAP] == 4) return DISCARD;
   n[LEVEL] += (0.01 * (n[VALVE] != 0) - 0.005 * (n[DRAIN] != 0) - n[LEAK]) / n[AREA] * step;
   if (n[LEVEL] < 0) n[LEVEL] = 0;
   if (n[LEVEL] > 2) n[LEVEL] = 2;
   n[FULL] = n[LEVEL] >= 1.9;
   n[VOLUME] = 1000 * n[AREA] * n[LEVEL];
   n[STEPS] += 1;
+  return OK;
+}
+
+/* Kind 3: whether the step was discarded because the simulation has ended. */
+EXPORT int fmi2GetBooleanStatus(void *tank, int kind, int *value) {
+  *value = kind == 3 && ((struct tank *)tank)->number[TRAP] == 4;
   return OK;
 }
 

@@ -114,6 +114,42 @@ TEST(JudgeRuns, WhenNothingMovesInItsTime_ThenItHasNoEffect) {
   EXPECT_EQ(codes(judge_runs(binding(), std::vector{run})), Codes{"B0024"});
 }
 
+TEST(JudgeRuns, WhenAnotherLevelRisesInItsPlace_ThenItsTagIsProposed) {
+  ActionRun run = run_of(10, 150);
+  run.end = RunEnd::TimedOut;
+  run.after = run.before;
+  run.after["(level t2)"] = 10.0;
+  const result::Diagnostics problems = judge_runs(binding(), std::vector{run});
+  ASSERT_EQ(codes(problems), Codes{"B0024"});
+  EXPECT_NE(problems.front().hint.find("tag = \"M\" for 'L', if the tags of the two are swapped"),
+            std::string::npos)
+      << problems.front().hint;
+  run.after["(level t2)"] = -10.0;
+  EXPECT_EQ(judge_runs(binding(), std::vector{run}).front().hint.find("swapped"), std::string::npos);
+}
+
+TEST(JudgeRuns, WhenEachOfTwoSensorsBeginsWhereTheOtherOneShould_ThenTheirTagsAreSwapped) {
+  ActionRun run = run_of(10, 3);
+  run.end = RunEnd::NotBegun;
+  run.expected = {{"(level t1)", 5.0}, {"(level t2)", 30.0}};
+  run.after = {{"(level t1)", 30.1}, {"(level t2)", 4.9}};
+  const result::Diagnostics problems = judge_runs(binding(), std::vector{run});
+  ASSERT_EQ(codes(problems), Codes{"B0020"});
+  EXPECT_EQ(problems.front().hint.rfind("each shows what the other one should: tag = \"M\" for 'L'", 0), 0u)
+      << problems.front().hint;
+  run.after["(level t2)"] = 12.0;
+  EXPECT_EQ(judge_runs(binding(), std::vector{run}).front().hint,
+            "change :init, or the start values of the plant");
+}
+
+// It has gone the other way, too slowly to be stopped for that: no time would be enough.
+TEST(JudgeRuns, WhenALevelHasFallenInAllItsTime_ThenNoTimeoutIsProposed) {
+  ActionRun run = run_of(10, 150);
+  run.end = RunEnd::TimedOut;
+  run.after["(level t1)"] = -1.5;
+  EXPECT_EQ(codes(judge_runs(binding(), std::vector{run})), Codes{"B0025"});
+}
+
 TEST(JudgeRuns, WhenALevelFallsInsteadOfRising_ThenTheSignIsWrong) {
   ActionRun run = run_of(10, 3);
   run.end = RunEnd::WrongWay;

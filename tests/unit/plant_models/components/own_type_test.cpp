@@ -58,6 +58,31 @@ command = "s.up"
       << rig.plant().trouble();
 }
 
+// Bounces become infinitely quick within 2.6 s: a ball that nothing brings to rest would fall through the
+// floor.
+TEST(OwnType, WhenAnEventFollowsItselfEverMoreQuickly_ThenItIsNamed) {
+  ModelRig rig(R"toml([types.ball]
+parameters.g = { unit = "m/s2", default = "9.81 m/s2" }
+parameters.middle = { unit = "m", default = "0.5 m" }
+states.h = { unit = "m", start = "middle + middle", derivative = "v" }
+states.v = { unit = "m/s", start = "0 * g * sqrt(middle / g)", derivative = "-g" }
+outputs.height = { unit = "m", value = "h" }
+outputs.low = { switch = true, value = "h < middle" }
+events.bounce = { when = "h", falling = true, set = { v = "-0.7 * v" } }
+[components.b]
+type = "ball"
+[components.l]
+type = "lamp"
+command = "b.low"
+)toml");
+  EXPECT_TRUE(rig.run(2.0));
+  EXPECT_FALSE(rig.run(10.0));
+  EXPECT_NE(rig.plant().trouble().find("event 'bounce' of 'b' follows itself"), std::string::npos)
+      << rig.plant().trouble();
+  EXPECT_LT(rig.plant().now(), std::chrono::milliseconds(2'700));
+  EXPECT_GT(rig.truth("b.height"), -1e-4);
+}
+
 // Nothing is left of what decays for long, and no number takes longer than another one.
 TEST(OwnType, WhenAStateHasDecayedForLong_ThenItIsZero) {
   ModelRig rig(kReactor +

@@ -75,6 +75,37 @@ TEST(WrongModel, WhenAFileHasSlips_ThenEachHasItsPlaceAndAHint) {
           "an analog_input between them"});
   expect({tanks + "[terminals]\nB = \"%IX0.0\"\n", "C0348", 9, "is no address for 'B'"});
   expect({tanks + "[terminals]\nB = \"%QX0.0\"\n", "C0344", 9, "drives nothing"});
+  expect({tanks + "[components.c]\ntype = \"analog_input\"\nof = \"t1.level\"\nlow = \"0 percent\"\nhigh = "
+                  "\"100 percent\"\n[terminals]\nA = { address = \"%IW1\", from = \"c\" }\n"
+                  "B = { address = \"%IX3.7\", from = \"c\" }\n",
+          "C0304", 15, "%IX3.7 overlaps %IW1, to which 'A' is wired"});
+}
+
+TEST(WrongModel, WhenAChoiceOfTheComponentIsNeeded_ThenItIsNamed) {
+  const std::string pump =
+      std::string(kTanks) +
+      "[components.p]\ntype = \"pump\"\nhead = \"10 m\"\nresistance = \"5000 m/(m3/s)\"\n"
+      "in = \"t1\"\nout = \"t2\"\ncommand = \"true\"\n";
+  const std::string card =
+      "[components.c]\ntype = \"analog_input\"\nof = \"p.delivered\"\nlow = \"0 l\"\n"
+      "high = \"100 l\"\n[terminals]\nD = { address = \"%IW0\", from = \"c\" }\n";
+  expect({pump + card, "C0343", 17, "totaliser = \"yes\" in [components.p]"});
+  expect({pump + "[faults]\nmore = \"p.extra\"\n", "C0343", 16, "totaliser = \"yes\" in [components.p]"});
+  const auto plain = ModelRig::load(pump);
+  ASSERT_TRUE(plain) << result::to_string(plain.error());
+  const auto refused = (*plain)->inject_fault("p.extra", 1.0);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().front().hint, "totaliser = \"yes\" in [components.p] gives it");
+  EXPECT_FALSE(core::find_truth(**plain, "p.delivered"));
+  EXPECT_TRUE(ModelRig::load(pump + "totaliser = \"yes\"\n" + card));
+}
+
+TEST(WrongModel, WhenAFaultHasTwoOtherNames_ThenTheSecondIsAnError) {
+  const std::string text =
+      std::string(kTanks) + kPipe + "in = \"t1\"\nout = \"t2\"\n[faults]\ncrack = \"t1.leak\"\n";
+  expect({text + "hole = \"t1.leak\"\n", "C0343", 17, "has another name already: 'crack'"});
+  expect({text + "hole = \"crack\"\n", "C0343", 17, "is another name of 't1.leak'"});
+  EXPECT_TRUE(ModelRig::load(text));
 }
 
 TEST(WrongModel, WhenThingsGoRoundWithoutAState_ThenTheCircleIsNamed) {

@@ -48,6 +48,29 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"Leak", {20.0, "leak_a1", 0.5}, run::IncidentKind::Level}),
     [](const auto& each) { return std::string(each.param.name); });
 
+// S3 shows 237 counts a unit: this is four units a second.
+constexpr double kLeap = 1'000.0;
+
+// No program acts while the plant is observed: what a sensor leaps to then would be where the plan begins.
+TEST(ExecutiveIncident, WhenASensorLeapsWhileThePlantIsObserved_ThenNothingIsPlannedOnIt) {
+  const support::TemporaryFolder folder;
+  const PlanningService planning =
+      bench_planning_with("must_move = true\n", "must_move = true\nmax_rate = 1\n", folder.path());
+  for (const double at_s : {0.3, 0.9, 2.5, 21.0}) {
+    SimulatedController controller(exact_bench(), {{at_s, "drift_s3", kLeap}});
+    ExecutiveOptions options;
+    options.goal_changes = {{20.0, "(demand c1)", 8.0}};
+    const run::RunRecord record = run_bench(controller, options, planning);
+    EXPECT_EQ(record.phase, run::Phase::Safe) << story(record);
+    ASSERT_FALSE(record.incidents.empty());
+    const run::Incident& last = record.incidents.back();
+    EXPECT_EQ(last.kind, run::IncidentKind::FailedSensor) << at_s;
+    EXPECT_EQ(last.evidence.back(), "sensor S3 leaps: no plant changes so fast") << at_s;
+    EXPECT_EQ(record.episodes.empty(), at_s < 20.0) << story(record);
+    EXPECT_FALSE(controller.any_output());
+  }
+}
+
 TEST(ExecutiveIncident, WhenAClientChangesItsDemand_ThenItIsARepairOrANewPlanAndBothAreTimed) {
   SimulatedController controller({});
   ExecutiveOptions options;

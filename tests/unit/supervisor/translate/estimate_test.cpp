@@ -75,6 +75,16 @@ TEST_F(EstimateTest, WhenASensorIsNotTared_ThenItIsBelieved) {
                           "level of a2 is 1.5, expected 2.0 (tolerance 0.2)"));
 }
 
+TEST_F(EstimateTest, WhenAToleranceIsSmall_ThenItAndWhatIsBeyondItCanBeSeen) {
+  const auto said = [](double expected, double measured, double tolerance) {
+    return to_string(Difference{"(lev v1)", "level", false, expected, measured, tolerance});
+  };
+  EXPECT_EQ(said(20.0, 19.9942, 0.001), "level is 19.994, expected 20.0 (tolerance 0.001)");
+  EXPECT_EQ(said(20.0, 19.5, 0.0002), "level is 19.5, expected 20.0 (tolerance 0.0002)");
+  EXPECT_EQ(said(3.0, 2.674, 0.25), "level is 2.67, expected 3.0 (tolerance 0.25)");
+  EXPECT_EQ(said(80.0, 71.0, 2.0), "level is 71.0, expected 80.0 (tolerance 2.0)");
+}
+
 TEST_F(EstimateTest, WhenALevelMovesWhileTheSensorsAreRead_ThenThatIsSaid) {
   Values shown = values(2, 1.6, 2);
   const Calibration& a1 = binding_.sensors[1].calibration;
