@@ -6,7 +6,7 @@ import { join } from 'node:path';
 import { startDemo } from './demo_process.mjs';
 import { leadOverPage } from './page_run.mjs';
 import { asks, BY_OPERATOR, isAccessible, startsTheRun } from './people.mjs';
-import { check, drawn, options, until, waitFor } from './support.mjs';
+import { check, drawn, FLUENT, options, until, waitFor } from './support.mjs';
 
 const SPEED = 2; // a page on a busy machine draws a few pictures a second
 
@@ -88,7 +88,7 @@ await leadOverPage(given, {
   name: 'line',
   look: { reducedMotion: 'no-preference' },
   watch: keepHistory,
-  start: () => startDemo(given.server, SPEED, 'conveyor', BY_OPERATOR),
+  start: () => startDemo(given.server, SPEED, 'conveyor', [...BY_OPERATOR, ...FLUENT]),
   steps: async (page, demo) => {
     await waitFor(page, 'belts, chutes and pushers are drawn', () =>
       document.querySelectorAll('[data-belt]').length === 9 && document.querySelectorAll('[data-pusher]').length === 4);

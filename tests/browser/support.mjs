@@ -11,6 +11,10 @@ import { createInterface } from 'node:readline';
 const PATIENCE_MS = 600_000;
 const WHOLE_TEST_MS = 1_740_000; // a minute less than ctest waits
 
+// For processes of a cell: a page whose motion nobody looks at gets values ten times a second, which is less work.
+export const PACED = ['--set', 'hmi.refresh_ms=100'];
+export const FLUENT = ['--set', 'hmi.refresh_ms=20'];
+
 export function options() {
   const given = {};
   for (let i = 2; i < process.argv.length; i += 2) given[process.argv[i].replace(/^--/, '')] = process.argv[i + 1];
