@@ -6,13 +6,13 @@ import { join } from 'node:path';
 import { startField } from './field.mjs';
 import { startDevice } from './modbus_device.mjs';
 import { axeFile, isAccessible } from './people.mjs';
-import { check, drawn, endInTime, launchBrowser, openPage, options, waitFor } from './support.mjs';
+import { check, drawn, endInTime, launchBrowser, openPage, options, pictures, waitFor } from './support.mjs';
 
 const US_PER = { 'µs': 1, ms: 1_000, s: 1_000_000 }; // a machine that rests for seconds is seen in them
 
 const given = options();
 
-const shot = (page, name) => page.screenshot({ path: join(given.out, `scan-${name}.png`), animations: 'disabled', fullPage: true });
+const shot = pictures(given, 'scan-', { fullPage: true });
 const row = (runtime) => `[data-runtime="${runtime}"]`;
 
 async function opensByKeyboard(page) {

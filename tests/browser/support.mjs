@@ -101,6 +101,17 @@ export async function openPage(context, url) {
   return { page, problems };
 }
 
+// Takes pictures of a page, or of a part of it, for people: nothing compares them, and each costs as much as seconds of looking. Those who
+// want them set STEPWRIGHT_PICTURES. `usual` is for all of them.
+export function pictures({ out }, prefix, { fullPage = false } = {}) {
+  const wanted = (process.env.STEPWRIGHT_PICTURES ?? '') !== '';
+  return async (where, name, more = {}) => {
+    if (!wanted) return;
+    const whole = 'goto' in where ? { fullPage } : {}; // a part of a page has its own size
+    await where.screenshot({ path: join(out, `${prefix}${name}.png`), animations: 'disabled', ...whole, ...more });
+  };
+}
+
 export function check(condition, what) {
   if (!condition) throw new Error(`not so: ${what}`);
   console.log(`ok: ${what}`);

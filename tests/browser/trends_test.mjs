@@ -6,11 +6,11 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 
 import { asks, axeFile, dialog, isAccessible, logsIn } from './people.mjs';
-import { check, endInTime, fitsEveryWidth, launchBrowser, openPage, options, startServer, until, waitFor } from './support.mjs';
+import { check, endInTime, fitsEveryWidth, launchBrowser, openPage, options, pictures, startServer, until, waitFor } from './support.mjs';
 
 const given = options();
 const folder = mkdtempSync(join(tmpdir(), 'hmi-trends-'));
-const shot = (page, name) => page.screenshot({ path: join(given.out, `trends-${name}.png`), fullPage: true });
+const shot = pictures(given, 'trends-', { fullPage: true });
 
 // Tones are counted: nobody hears a test.
 function listensToTones() {
