@@ -44,7 +44,7 @@ export async function startField(program, device) {
       `[hmi]\nport = ${port}\nanonymous = "viewer"\nrefresh_ms = 100\nmetrics_of = ["${names.press}", "ghost"]\n` +
       `[[modbus.device]]\nname = "levels"\nhost = "127.0.0.1"\nport = ${device.port}\non_loss = "hold"\n${tags(1)}` +
       `[[modbus.device]]\nname = "pumps"\nhost = "127.0.0.1"\nport = ${dead}\non_loss = "hold"\n${tags(2)}`,
-    [names.press]: base(names.press),
+    [names.press]: `${base(names.press)}[clock]\nspeed = 1\n`, // else it takes all of a processor
   };
   const config = (name) => join(folder, `${name}.toml`);
   for (const [name, text] of Object.entries(texts)) {
