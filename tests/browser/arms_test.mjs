@@ -1,8 +1,6 @@
 // Two arms that work on an order, as a person sees them: the cell in space before anything moves, then arms, things, ways and the distance
 // as they change, the same as figures beside it, seen from any side, and the same on a telephone.
 
-import { join } from 'node:path';
-
 import { startDemo } from './demo_process.mjs';
 import { hiddenFocus, unreadable } from './narrow.mjs';
 import { leadOverPage } from './page_run.mjs';

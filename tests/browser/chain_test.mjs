@@ -1,8 +1,6 @@
 // The whole chain as a person sees it: planner, executive, runtime, link and HMI of the bench, at ten times real
 // time, watched from a page. In the middle the HMI is killed, which must not matter to the run.
 
-import { join } from 'node:path';
-
 import { startDemo } from './demo_process.mjs';
 import { leadOverPage } from './page_run.mjs';
 import { BY_OPERATOR, startsTheRun } from './people.mjs';

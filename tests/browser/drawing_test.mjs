@@ -1,6 +1,5 @@
 // A plant that somebody has drawn, as it lives on the page of a running cell.
 
-
 import { leadOverPage } from './page_run.mjs';
 import { asks, claims, isAccessible } from './people.mjs';
 import { startMixer } from './recipe_cell.mjs';

@@ -1,7 +1,6 @@
 // A fleet and an operator at its page: holds it, blocks and frees a place, orders, takes back a vehicle that died, lets
 // it go on. The fleet is held soon after that vehicle is lost, which it can be only while it drives; then it waits for the test.
 
-
 import { startDemo } from './demo_process.mjs';
 import { leadOverPage } from './page_run.mjs';
 import { asks, asksApi, claims, dialog, fill, isAccessible, setupToken, submits } from './people.mjs';

@@ -1,8 +1,6 @@
 // A page whose connection is cut for some seconds: what it missed comes afterwards and nothing else, the trend has no hole, values
 // are right. And: what it is told of the program's variables is what it shows of them. Against the real server over a scripted bench.
 
-import { join } from 'node:path';
-
 import { cuttableLine } from './cut_line.mjs';
 import { check, endInTime, launchBrowser, openPage, options, pictures, startServer, until, waitFor } from './support.mjs';
 

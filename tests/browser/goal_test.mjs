@@ -1,8 +1,6 @@
 // Goals as an operator puts them together: a real bench whose runs an operator starts; the form, a plan that is only
 // looked at, the start with that goal, another goal meanwhile, and another run from where the plant is.
 
-import { join } from 'node:path';
-
 import { startDemo } from './demo_process.mjs';
 import { leadOverPage } from './page_run.mjs';
 import { asksApi, claims, dialog, dialogIsGone, fill, isAccessible, setupToken, submits } from './people.mjs';

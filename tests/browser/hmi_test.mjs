@@ -1,7 +1,5 @@
 // Drives the page as a person would see it, against the real server over a scripted bench, and keeps pictures.
 
-import { join } from 'node:path';
-
 import { check, fitsEveryWidth, launchBrowser, openPage, options, pictures, startServer, waitFor } from './support.mjs';
 
 const given = options();

@@ -6,7 +6,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 
 import { axeFile, isAccessible } from './people.mjs';
-import { check, drawn, endInTime, launchBrowser, openPage, options, pictures, startServer, waitFor } from './support.mjs';
+import { check, drawn, endInTime, failurePicture, launchBrowser, openPage, options, pictures, startServer, waitFor } from './support.mjs';
 
 const given = options();
 const folder = mkdtempSync(join(tmpdir(), 'hmi-language-'));
@@ -141,7 +141,7 @@ try {
   const unexpected = problems.filter((problem) => !/status of (401|403)/.test(problem));
   check(unexpected.length === 0, `no errors, no foreign requests, no policy violations ${unexpected.join('; ')}`);
 } catch (error) {
-  if (opened) await shot(opened.page, 'failure');
+  if (opened) await failurePicture(given, 'language', opened.page);
   throw error;
 } finally {
   await browser.close();

@@ -1,8 +1,6 @@
 // The sorting line as a person sees it: its own processes at twice real time, drawn from above on the same page
 // as the bench.
 
-import { join } from 'node:path';
-
 import { startDemo } from './demo_process.mjs';
 import { leadOverPage } from './page_run.mjs';
 import { asks, BY_OPERATOR, isAccessible, startsTheRun } from './people.mjs';

@@ -1,7 +1,6 @@
 // History and alarms of a cell of real processes: its values are drawn, zoomed into, panned and exported, its alarm is
 // shelved for a time, suppressed and taken out of service.
 
-
 import { leadOverPage } from './page_run.mjs';
 import { claims, dialogIsGone, fill } from './people.mjs';
 import { KEEPS_RECORDS, LEVEL_ALARM, startMixer } from './recipe_cell.mjs';

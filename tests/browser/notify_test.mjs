@@ -1,8 +1,6 @@
 // People are told of an alarm that nobody acknowledges, by mail and by a web hook; a server that never answers holds up nothing; a
 // button sends a test. An online change that takes away what an alarm watches is told on the page and in the log.
 
-import { join } from 'node:path';
-
 import { leadOverPage } from './page_run.mjs';
 import { asksApi, claims, isAccessible } from './people.mjs';
 import { startMailServer, startSilentServer, startWebHook } from './receivers.mjs';

@@ -1,7 +1,6 @@
 // The program as a person reads it while it runs: a page over a cell of real processes whose program is written in ST, as a
 // chart, as ladder and as function blocks.
 
-
 import { leadOverPage } from './page_run.mjs';
 import { isAccessible } from './people.mjs';
 import { startProgramCell } from './program_cell.mjs';

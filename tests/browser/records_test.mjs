@@ -6,7 +6,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 
 import { axeFile, dialog, fill, isAccessible, PASSWORD } from './people.mjs';
-import { check, drawn, fitsEveryWidth, launchBrowser, openPage, options, pictures, startServer, until, waitFor } from './support.mjs';
+import { check, drawn, failurePicture, fitsEveryWidth, launchBrowser, openPage, options, pictures, startServer, until, waitFor } from './support.mjs';
 
 const given = options();
 const folder = mkdtempSync(join(tmpdir(), 'hmi-records-'));
@@ -330,7 +330,7 @@ try {
   const unexpected = problems.filter((problem) => !/status of (401|403|409)/.test(problem));
   check(unexpected.length === 0, `no errors, no foreign requests, no policy violations ${unexpected.join('; ')}`);
 } catch (error) {
-  if (opened) await shot(opened.page, 'failure');
+  if (opened) await failurePicture(given, 'records', opened.page);
   throw error;
 } finally {
   await browser.close();

@@ -1,8 +1,6 @@
 // Drawing screens, further: lines and pipes by points, handles, turning, order; a start for each role; and what goes wrong
 // meanwhile: names and files that cannot be, a screen that is removed, a session that ends, an answer that is lost.
 
-import { join } from 'node:path';
-
 import { leadOverPage } from './page_run.mjs';
 import { addsUsers, asks, claims, dialog, dialogIsGone, isAccessible, logsIn, PASSWORD } from './people.mjs';
 import { KEEPS_RECORDS, LEVEL_ALARM, startMixer } from './recipe_cell.mjs';

@@ -1,7 +1,6 @@
 // The sorting line, started by an operator while its emergency stop is pressed: the page says so, nothing moves, not even when it is released
 // again without a reset; after the reset the run goes on to its goal.
 
-
 import { startDemo } from './demo_process.mjs';
 import { leadOverPage } from './page_run.mjs';
 import { BY_OPERATOR, isAccessible, startsTheRun } from './people.mjs';

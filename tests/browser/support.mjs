@@ -112,6 +112,11 @@ export function pictures({ out }, prefix, { fullPage = false } = {}) {
   };
 }
 
+// How a page looked when its test failed.
+export async function failurePicture({ out }, name, page) {
+  await page.screenshot({ path: join(out, `${name}-failure.png`) }).catch(() => {});
+}
+
 export function check(condition, what) {
   if (!condition) throw new Error(`not so: ${what}`);
   console.log(`ok: ${what}`);

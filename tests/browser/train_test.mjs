@@ -1,8 +1,6 @@
 // A train that is told what, as a person sees it: the floor with regions and places before anything moves, then what the train has swept and
 // what it will, the train itself and its task's automaton as they change, another task on the way, and the same on a telephone.
 
-import { join } from 'node:path';
-
 import { startDemo } from './demo_process.mjs';
 import { hiddenFocus, unreadable } from './narrow.mjs';
 import { leadOverPage } from './page_run.mjs';

@@ -6,7 +6,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 
 import { asks, axeFile, dialog, isAccessible, logsIn } from './people.mjs';
-import { check, endInTime, fitsEveryWidth, launchBrowser, openPage, options, pictures, startServer, until, waitFor } from './support.mjs';
+import { check, endInTime, failurePicture, fitsEveryWidth, launchBrowser, openPage, options, pictures, startServer, until, waitFor } from './support.mjs';
 
 const given = options();
 const folder = mkdtempSync(join(tmpdir(), 'hmi-trends-'));
@@ -166,7 +166,7 @@ try {
   await hangsOnTheWall(browser.context, server.url);
   check(problems.length === 0, `no errors, no foreign requests, no policy violations ${problems.join('; ')}`);
 } catch (error) {
-  if (opened) await shot(opened.page, 'failure');
+  if (opened) await failurePicture(given, 'trends', opened.page);
   throw error;
 } finally {
   await browser.close();
