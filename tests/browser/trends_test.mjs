@@ -100,7 +100,8 @@ async function acknowledgesAllInSight(page, server) {
   await shot(page, 'all');
   await page.getByRole('button', { name: /^Acknowledge .* in sight$/ }).click();
   await waitFor(page, 'all in sight are acknowledged with one click', () => document.querySelector('[data-alarm="runtime.lost"]')?.dataset.state === 'acknowledged');
-  check(/^\d+ acknowledged$/.test(await page.getByTestId('acknowledged').innerText()), 'and counted');
+  // The answer to the request may come after the news of the alarm.
+  await until('and counted', async () => /^\d+ acknowledged$/.test(await page.getByTestId('acknowledged').innerText()));
   server.tell('runtime on');
   await waitFor(page, 'it returns', () => document.querySelector('[data-alarm="runtime.lost"]') === null);
 }
