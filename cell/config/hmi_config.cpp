@@ -93,6 +93,7 @@ HmiConfig read_hmi(const settings::TomlTable& hmi, const std::filesystem::path& 
   if (config.recipes_dir.empty()) config.recipes_dir = state_dir / "recipes";
   config.idle = std::chrono::minutes(hmi.integer("idle_minutes", 30, {1, 24 * 60}));
   config.session = std::chrono::hours(hmi.integer("session_hours", 12, {1, 24 * 7}));
+  config.refresh = std::chrono::milliseconds(hmi.integer("refresh_ms", 20, {20, 1'000}));
   if (config.certificate.empty() != config.key.empty()) {
     hmi.report(config.key.empty() ? "tls_certificate" : "tls_key", "TLS needs a certificate and its key",
                "set both, tls_certificate and tls_key", "0469");

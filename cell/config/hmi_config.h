@@ -12,6 +12,7 @@
 //   access_dir = "access"         # users, audit trail; default: in the state folder
 //   idle_minutes = 30             # without any request: logged out
 //   session_hours = 12            # logged out in any case
+//   refresh_ms = 20               # at the shortest, between two pictures of the values
 //   recipes = "recipes.toml"      # beside this file: the tags that recipes set (hmi_web/doc/recipes.md)
 //   recipes_dir = "recipes"       # the recipes themselves; default: in the state folder
 //   programs_dir = "programs"     # programs that can be brought back (hmi_web/doc/change.md); likewise
@@ -61,6 +62,7 @@ struct HmiConfig {
   WallConfig wall;
   std::chrono::minutes idle{30};
   std::chrono::hours session{12};
+  std::chrono::milliseconds refresh{20};  // between two pictures of the values, at the shortest
 };
 
 // "localhost", 127.x.y.z, ::1.

@@ -130,6 +130,8 @@ constexpr std::array kProcessKeys = {
              "alarms, picture of the plant, plan and trend"},
     KeyWords{"hmi.idle_minutes", "Whoever does nothing for so long is logged out."},
     KeyWords{"hmi.session_hours", "Everybody is logged out after so long."},
+    KeyWords{"hmi.refresh_ms",
+             "At the shortest, between two pictures of the values: 100 is less work for a slow display."},
 
     KeyWords{"notify", "Who is told of alarms that nobody acknowledges, by e-mail or by a web hook."},
     KeyWords{"notify.name", "For people; no two are alike."},

@@ -66,8 +66,10 @@ bool Feed::take_program(const CellView& view) {
 }
 
 bool Feed::take_state(const CellView& view, bool whole, Time now) {
-  const bool beat = now - last_sent_ >= options_.beat;
-  if (sequence_ != 0 && !whole && !beat && view.state == state_) return false;
+  const auto since = now - last_sent_;
+  const bool goes_on = sequence_ != 0 && !whole;
+  if (goes_on && since < options_.state_spacing) return false;
+  if (goes_on && since < options_.beat && view.state == state_) return false;
   ++sequence_;
   if (whole) state_begin_ = sequence_;
   live_.take(view.state, sequence_, whole);

@@ -35,11 +35,12 @@ using MessageText = std::shared_ptr<const std::string>;
 
 struct FeedOptions {
   std::chrono::milliseconds beat{1'000};         // a viewer hears something at least this often
+  std::chrono::milliseconds state_spacing{0};    // between two states, at the shortest; 0: as they come
   std::chrono::milliseconds trend_spacing{100};  // between two rows of the trend
   std::size_t trend_rows = 6'000;                // kept: ten minutes
   std::size_t trend_rows_per_message = 1'000;
   std::size_t max_plan_bytes = 16u << 20;  // a longer plan document is ignored
-  std::string epoch;                       // of this run of the server; empty = a random one
+  std::string epoch = {};                  // of this run of the server; empty = a random one
 };
 
 class Feed {

@@ -68,7 +68,7 @@ int run(const config::CellConfig& config) {
   }
   server::Feed feed({config.name, STEPWRIGHT_VERSION, !config.hmi.recipes.empty(), !drawn.svg.empty(),
                      hmi::tag_notes(config.tags)},
-                    picture->synoptic);
+                    picture->synoptic, {.state_spacing = config.hmi.refresh});
   const auto where = hmi::listening_of(config.hmi);
   if (!where) return fail(where.error(), ExitCode::BadInput);
   // The port first: it fails at once, and before anything else has begun.

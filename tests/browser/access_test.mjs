@@ -9,13 +9,13 @@ import { startDemo } from './demo_process.mjs';
 import { unreadable } from './narrow.mjs';
 import { leadOverPage } from './page_run.mjs';
 import { asks, asksApi, dialog, dialogIsGone, fill, isAccessible, logsIn, PASSWORD, setupToken, submits, userLine } from './people.mjs';
-import { check, drawn, launchBrowser, openPage, options, waitFor } from './support.mjs';
+import { check, drawn, launchBrowser, openPage, options, pictures, waitFor } from './support.mjs';
 
 const SPEED = 0.4; // so that the run lasts until somebody holds it
 
 const given = options();
 
-const shot = (page, name) => page.screenshot({ path: join(given.out, `access-${name}.png`), animations: 'disabled' });
+const shot = pictures(given, 'access-');
 
 async function looksWithoutLoggingIn(page) {
   await waitFor(page, 'whoever looks sees the plan', () => document.querySelectorAll('[data-action]').length > 5);
@@ -137,7 +137,7 @@ async function marksThePicture(page, tag) {
         const seen = await look();
         check(seen.letter === 'F' && seen.more === 0 && seen.inside && seen.contrast >= 4.5,
           `${theme}, ${colours}, ${width} px: a letter that can be read, at one place of the picture (${JSON.stringify(seen)})`);
-        await page.locator('[data-panel=synoptic]').screenshot({ path: join(given.out, `access-forced-${theme}-${colours}-${width}.png`) });
+        await shot(page.locator('[data-panel=synoptic]'), `forced-${theme}-${colours}-${width}`);
       }
   await page.setViewportSize({ width: 1440, height: 900 });
   await page.reload();

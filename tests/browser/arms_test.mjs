@@ -1,21 +1,18 @@
 // Two arms that work on an order, as a person sees them: the cell in space before anything moves, then arms, things, ways and the distance
 // as they change, the same as figures beside it, seen from any side, and the same on a telephone.
 
-import { join } from 'node:path';
-
 import { startDemo } from './demo_process.mjs';
 import { hiddenFocus, unreadable } from './narrow.mjs';
 import { leadOverPage } from './page_run.mjs';
 import { BY_OPERATOR, dialogIsGone, isAccessible, startsTheRun } from './people.mjs';
-import { check, drawn, fitsEachLook, options, waitFor } from './support.mjs';
+import { check, drawn, fitsEachLook, options, pictures, waitFor } from './support.mjs';
 
 const SPEED = 1;
 const ROUNDED_M = 0.0006; // a page gets three digits of a number with a fraction
 const LOOKS = [['light', 1440], ['dark', 1440], ['light', 820], ['light', 360], ['dark', 360]];
 
 const given = options();
-const shot = (page, name, selector) =>
-  (selector ? page.locator(selector) : page).screenshot({ path: join(given.out, `arms-${name}.png`), animations: 'disabled', ...(selector ? {} : { fullPage: true }) });
+const shot = pictures(given, 'arms-', { fullPage: true });
 
 // What the table has said so far, how near the arms were, and by how much the drawn distance is another one than the controller's.
 function keepHistory() {
@@ -68,7 +65,7 @@ async function isReadEverywhere(page) {
     const cut = look.endsWith('360') ? await page.evaluate(unreadable) : [];
     check(cut.length === 0, `${look} can be read ${cut.join('; ')}`);
     await shot(page, look);
-    await shot(page, `panel-${look}`, '[data-panel=arms]'); // light-1440: hmi_web/doc/arms.png
+    await shot(page.locator('[data-panel=arms]'), `panel-${look}`); // light-1440: hmi_web/doc/arms.png
   });
   await page.emulateMedia({ colorScheme: 'light' });
   await isAccessible(page, 'the page at 360 px');
@@ -84,7 +81,7 @@ async function isSeenFromAnySide(page) {
     await drawn(page);
     check((await read('azimuth')) === azimuth && (await read('elevation')) === elevation, `seen from the ${sight}`);
     check((await pixels(page)) !== before, 'another picture');
-    await shot(page, sight, '[data-testid=arms-view]');
+    await shot(page.locator('[data-testid=arms-view]'), sight);
   }
   await page.locator('[data-sight=corner]').click();
   await drawn(page);

@@ -7,7 +7,7 @@ import { dirname, join } from 'node:path';
 
 import { freePort } from './demo_process.mjs';
 import { keepProcesses } from './processes.mjs';
-import { until } from './support.mjs';
+import { PACED, until } from './support.mjs';
 
 // `optionsOf`: what each command is told after its name, of the folder and the port of the page.
 export async function cellInFolder(program, name, optionsOf) {
@@ -20,7 +20,7 @@ export async function cellInFolder(program, name, optionsOf) {
     url,
     folder,
     file: (one) => join(folder, one),
-    start: (command) => processes.start(command, [command, ...options]),
+    start: (command) => processes.start(command, [command, ...options, ...PACED]),
     stop: processes.end,
     pid: processes.pid,
     logs: processes.logs,

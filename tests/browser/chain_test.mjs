@@ -1,17 +1,16 @@
 // The whole chain as a person sees it: planner, executive, runtime, link and HMI of the bench, at ten times real
 // time, watched from a page. In the middle the HMI is killed, which must not matter to the run.
 
-import { join } from 'node:path';
-
 import { startDemo } from './demo_process.mjs';
 import { leadOverPage } from './page_run.mjs';
 import { BY_OPERATOR, startsTheRun } from './people.mjs';
-import { check, options, until, waitFor } from './support.mjs';
+import { check, options, pictures, until, waitFor } from './support.mjs';
 
 const SPEED = 10;
 const KILL_AFTER_ACTIONS = 3;
 
 const given = options();
+const shot = pictures(given, 'chain-', { fullPage: true });
 
 // Notes every value that the page shows, so that nothing is missed between two looks of the test.
 function keepHistory() {
@@ -44,7 +43,7 @@ async function takePictures(page, moment) {
     });
     const wide = await page.evaluate(() => document.documentElement.scrollWidth);
     check(wide <= width, `nothing sticks out at ${width} px (${wide})`);
-    await page.screenshot({ path: join(given.out, `chain-${moment}-${width}.png`), fullPage: true, animations: 'disabled' });
+    await shot(page, `${moment}-${width}`);
   }
 }
 

@@ -8,10 +8,10 @@ import { startBottles } from './change_cell.mjs';
 import { leadOverPage } from './page_run.mjs';
 import { addsUsers, asks, claims, codeOf, isAccessible, logsIn } from './people.mjs';
 import { DRAWN, TEXT } from './program_sources.mjs';
-import { check, fitsEachLook, options, until, waitFor } from './support.mjs';
+import { check, fitsEachLook, options, pictures, until, waitFor } from './support.mjs';
 
 const given = options();
-const shot = (page, name) => page.screenshot({ path: join(given.out, `change-${name}.png`), animations: 'disabled', fullPage: true });
+const shot = pictures(given, 'change-', { fullPage: true });
 
 async function operatorMayNot(page) {
   await logsIn(page, 'olga');
@@ -93,7 +93,7 @@ async function showsWhatIsDifferent(page, cell) {
   await shot(page, 'compared');
   await fitsEachLook(page, [['light', 1440], ['dark', 1440], ['light', 360], ['dark', 360]], async (look) => {
     await isAccessible(page, `the differences, ${look}`);
-    await page.locator('#change-details').screenshot({ path: join(given.out, `change-compared-${look}.png`), animations: 'disabled' });
+    await shot(page.locator('#change-details'), `compared-${look}`);
   });
   await page.emulateMedia({ colorScheme: 'light' });
   await page.setViewportSize({ width: 1440, height: 900 });
@@ -101,7 +101,7 @@ async function showsWhatIsDifferent(page, cell) {
   for (const theme of ['light', 'dark']) {
     await look(theme, 'distinct');
     await isAccessible(page, `the differences in colours that everybody tells apart, ${theme}`);
-    await page.locator('#change-details').screenshot({ path: join(given.out, `change-distinct-${theme}.png`), animations: 'disabled' });
+    await shot(page.locator('#change-details'), `distinct-${theme}`);
   }
   await page.evaluate(() => {
     document.documentElement.dataset.theme = 'light';
@@ -243,7 +243,7 @@ async function speaksOtherLanguages(page) {
     check((await page.locator('#title-change-details').innerText()) === title, `the panel is in ${code}`);
     const wide = await page.evaluate(() => document.documentElement.scrollWidth);
     check(wide <= 360, `and fits in 360 px (${wide})`);
-    await page.locator('#change-details').screenshot({ path: join(given.out, `change-${code}-360.png`), animations: 'disabled' });
+    await shot(page.locator('#change-details'), `${code}-360`);
   }
   await page.evaluate(() => localStorage.setItem('stepwright.language', 'en'));
   await page.setViewportSize({ width: 1440, height: 900 });

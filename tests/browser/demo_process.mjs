@@ -7,7 +7,7 @@ import { createServer } from 'node:net';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 
-import { until } from './support.mjs';
+import { PACED, until } from './support.mjs';
 
 export async function freePort() {
   const server = createServer();
@@ -39,7 +39,7 @@ export async function startDemo(program, speed, cell = 'bench', more = []) {
   const stateDir = mkdtempSync(join(tmpdir(), 'stepwright-chain-'));
   const demo = spawn(
     program,
-    ['demo', cell, '--port', port, '--no-compare', '--set', `clock.speed=${speed}`, '--state-dir', stateDir, ...more].map(String),
+    ['demo', cell, '--port', port, '--no-compare', '--set', `clock.speed=${speed}`, '--state-dir', stateDir, ...PACED, ...more].map(String),
     { stdio: ['ignore', 'pipe', 'inherit'] },
   );
   // Whatever ends the test ends the demo, and the demo's death ends its processes.

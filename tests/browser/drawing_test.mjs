@@ -1,12 +1,10 @@
 // A plant that somebody has drawn, as it lives on the page of a running cell.
 
-import { join } from 'node:path';
-
 import { leadOverPage } from './page_run.mjs';
 import { asks, claims, isAccessible } from './people.mjs';
 import { startMixer } from './recipe_cell.mjs';
 import { editor, says } from './screen_editor.mjs';
-import { check, fitsEachLook, options, waitFor } from './support.mjs';
+import { check, fitsEachLook, options, pictures, waitFor } from './support.mjs';
 
 const DRAWING = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 400 200">
   <title>Mixer hall</title>
@@ -18,7 +16,7 @@ const DRAWING = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 400 200">
 </svg>`;
 
 const given = options();
-const shot = (page, name) => page.screenshot({ path: join(given.out, `drawing-${name}.png`), animations: 'disabled' });
+const shot = pictures(given, 'drawing-');
 const part = (id) => `#drawing-${id}`;
 
 async function livesByValues(page) {

@@ -8,10 +8,10 @@ import { cellInFolder, cellWithFiles, configurationOf } from './cell_folder.mjs'
 import { hiddenFocus, unreadable } from './narrow.mjs';
 import { leadOverPage } from './page_run.mjs';
 import { addsUsers, asksApi, claims, dialog, dialogIsGone, fill, isAccessible, logsIn } from './people.mjs';
-import { check, options, until, waitFor } from './support.mjs';
+import { check, options, pictures, until, waitFor } from './support.mjs';
 
 const given = options();
-const shot = (page, name) => page.screenshot({ path: join(given.out, `faults-${name}.png`), fullPage: true });
+const shot = pictures(given, 'faults-', { fullPage: true });
 
 const PLANT = `
 [components.source]

@@ -42,10 +42,10 @@ export async function startField(program, device, { page = '', more = '' } = {})
       `${base(names.line)}[clock]\nmode = "real"\n[watchdog]\ntime_us = 2_000_000\nsensitivity = 3\n[io]\nkind = "modbus"\n` +
       // A busy machine keeps the client from running for longer than plants allow.
       `[modbus.client]\nsilence_ms = 10_000\nholder_timeout_ms = 60_000\n` +
-      `[hmi]\nport = ${port}\nanonymous = "viewer"\nmetrics_of = ["${names.press}", "ghost"]\n${page}${more}` +
+      `[hmi]\nport = ${port}\nanonymous = "viewer"\nrefresh_ms = 100\nmetrics_of = ["${names.press}", "ghost"]\n${page}${more}` +
       `[[modbus.device]]\nname = "levels"\nhost = "127.0.0.1"\nport = ${device.port}\non_loss = "hold"\n${tags(1)}` +
       `[[modbus.device]]\nname = "pumps"\nhost = "127.0.0.1"\nport = ${dead}\non_loss = "hold"\n${tags(2)}`,
-    [names.press]: base(names.press),
+    [names.press]: `${base(names.press)}[clock]\nspeed = 1\n`, // else it takes all of a processor
   };
   const config = (name) => join(folder, `${name}.toml`);
   for (const [name, text] of Object.entries(texts)) {

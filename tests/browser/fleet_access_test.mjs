@@ -1,12 +1,10 @@
 // A fleet and an operator at its page: holds it, blocks and frees a place, orders, takes back a vehicle that died, lets
 // it go on. The fleet is held soon after that vehicle is lost, which it can be only while it drives; then it waits for the test.
 
-import { join } from 'node:path';
-
 import { startDemo } from './demo_process.mjs';
 import { leadOverPage } from './page_run.mjs';
 import { asks, asksApi, claims, dialog, fill, isAccessible, setupToken, submits } from './people.mjs';
-import { check, options, until, waitFor } from './support.mjs';
+import { check, options, pictures, until, waitFor } from './support.mjs';
 
 // Slower than real time: where vehicles come to rest is not to depend on how fast the browser is.
 const SPEED = 0.15;
@@ -16,7 +14,7 @@ const LIVES_AGAIN_S = 4.5;
 
 const given = options();
 
-const shot = (page, name) => page.screenshot({ path: join(given.out, `fleet-access-${name}.png`), animations: 'disabled' });
+const shot = pictures(given, 'fleet-access-');
 const phaseIs = (page, what, phase) =>
   waitFor(page, what, (wanted) => document.querySelector('[data-testid=phase]')?.innerText === wanted, phase);
 

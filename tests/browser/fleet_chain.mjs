@@ -8,7 +8,7 @@ import { dirname, join } from 'node:path';
 import { createInterface } from 'node:readline';
 
 import { freePort } from './demo_process.mjs';
-import { until } from './support.mjs';
+import { PACED, until } from './support.mjs';
 
 // Several tests run on one machine, and what one sends must not reach another.
 const DOMAIN = 100 + (process.pid % 90);
@@ -32,7 +32,7 @@ export async function startFleet({ server, supervisor }, vehicles, speed) {
     planner.once('exit', (code) => reject(new Error(`the planner ended with ${code}`)));
   });
   for (const name of ['runtime', 'link', 'hmi']) {
-    const more = name === 'hmi' ? ['--port', String(port), '--set', 'hmi.anonymous=viewer'] : [];
+    const more = name === 'hmi' ? ['--port', String(port), '--set', 'hmi.anonymous=viewer', ...PACED] : [];
     const settings = ['--config', join(folder, 'cell.toml'), '--set', `cell.state_dir=${join(folder, 'state')}`];
     children.push(spawn(join(dirname(server), `stepwright-${name}`), [name, ...settings, ...more], { stdio: ['ignore', 'ignore', 'inherit'] }));
   }

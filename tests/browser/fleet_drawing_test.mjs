@@ -8,7 +8,7 @@ import { startDemo } from './demo_process.mjs';
 import { hiddenFocus, unreadable } from './narrow.mjs';
 import { leadOverPage } from './page_run.mjs';
 import { isAccessible } from './people.mjs';
-import { check, fitsEachLook, options, until, waitFor } from './support.mjs';
+import { check, fitsEachLook, options, pictures, until, waitFor } from './support.mjs';
 
 const SPEED = 2; // the job takes 106 s
 const SCALE = 20; // of the drawing
@@ -18,7 +18,7 @@ const DRAWN_PALLET = `<rect id="pallet1" x="-12" y="-8" width="24" height="16" f
   data-pose-x="pallet p1.x" data-pose-y="pallet p1.y" data-pose-heading="pallet p1.angle"><title>pallet 1</title></rect>`;
 
 const given = options();
-const shot = (page, name) => page.screenshot({ path: join(given.out, `fleet-drawing-${name}.png`), animations: 'disabled' });
+const shot = pictures(given, 'fleet-drawing-');
 const part = (id) => `#drawing-${id}`;
 
 // Where an element of the drawing is, in m and degrees of the floor; null while it is where it was drawn.

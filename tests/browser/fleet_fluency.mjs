@@ -11,7 +11,7 @@ import { readFileSync, writeFileSync } from 'node:fs';
 import { extname, join } from 'node:path';
 
 import { startDemo } from './demo_process.mjs';
-import { launchBrowser, options } from './support.mjs';
+import { FLUENT, launchBrowser, options } from './support.mjs';
 
 const WINDOW_MS = 8_000;
 const SETTLE_MS = 3_000;
@@ -93,7 +93,7 @@ async function measure(context, url, [name, dist]) {
 const browser = await launchBrowser(given, { flags: ['--disable-features=LocalNetworkAccessChecks'], reducedMotion: 'no-preference' });
 const cell = given.cell ?? join(import.meta.dirname, '../cells/fleet/large_hall.toml');
 const running = { url: given.url, end: () => {}, forget: () => {} };
-const demo = given.url ? running : await startDemo(given.server, Number(given.speed ?? 1), cell);
+const demo = given.url ? running : await startDemo(given.server, Number(given.speed ?? 1), cell, FLUENT);
 const results = [];
 try {
   await new Promise((resolve) => setTimeout(resolve, 1_000));

@@ -1,16 +1,15 @@
 // A floor with vehicles as a person sees it: seven forklifts that a program drives through a mine at twenty times
 // real time, drawn with their plan; by mouse, by keyboard alone, and on a telephone.
 
-import { join } from 'node:path';
-
 import { startFleet } from './fleet_chain.mjs';
 import { leadOverPage } from './page_run.mjs';
-import { check, options, waitFor } from './support.mjs';
+import { check, options, pictures, waitFor } from './support.mjs';
 
 const VEHICLES = 7;
 const SPEED = 20;
 
 const given = options();
+const shot = pictures(given, 'fleet-', { fullPage: true });
 if (!given.supervisor) throw new Error('--supervisor is missing');
 
 // Notes every place at which the page draws a vehicle, how many polygons each has left and may be in, who waits.
@@ -99,7 +98,7 @@ async function takePictures(page, moment, schemes) {
     await page.setViewportSize({ width, height: 900 });
     const wide = await page.evaluate(() => document.documentElement.scrollWidth);
     check(wide <= width, `nothing sticks out at ${width} px (${wide})`);
-    await page.screenshot({ path: join(given.out, `fleet-${moment}-${width}-${scheme}.png`), fullPage: true, animations: 'disabled' });
+    await shot(page, `${moment}-${width}-${scheme}`);
   }
 }
 

@@ -1,10 +1,8 @@
 // A page whose connection is cut for some seconds: what it missed comes afterwards and nothing else, the trend has no hole, values
 // are right. And: what it is told of the program's variables is what it shows of them. Against the real server over a scripted bench.
 
-import { join } from 'node:path';
-
 import { cuttableLine } from './cut_line.mjs';
-import { check, endInTime, launchBrowser, openPage, options, startServer, until, waitFor } from './support.mjs';
+import { check, endInTime, launchBrowser, openPage, options, pictures, startServer, until, waitFor } from './support.mjs';
 
 const SPEED = 2;
 const CUT_MS = 6_000; // the page gives up after 3 s without a word
@@ -109,7 +107,7 @@ async function showsTheSameAsANewPage(page, server) {
 const server = await startServer(given.server, 0, SPEED, 24);
 const line = await cuttableLine(server.port);
 const browser = await launchBrowser(given);
-const shot = (page, name) => page.screenshot({ path: join(given.out, `${name}.png`), fullPage: true });
+const shot = pictures(given, '', { fullPage: true });
 try {
   const lines = [];
   browser.context.once('page', (page) => listenTo(page, lines));

@@ -1,18 +1,16 @@
 // Goals as an operator puts them together: a real bench whose runs an operator starts; the form, a plan that is only
 // looked at, the start with that goal, another goal meanwhile, and another run from where the plant is.
 
-import { join } from 'node:path';
-
 import { startDemo } from './demo_process.mjs';
 import { leadOverPage } from './page_run.mjs';
 import { asksApi, claims, dialog, dialogIsGone, fill, isAccessible, setupToken, submits } from './people.mjs';
-import { check, fitsEveryWidth, options, until, waitFor } from './support.mjs';
+import { check, fitsEveryWidth, options, pictures, until, waitFor } from './support.mjs';
 
 const SPEED = 2; // a run that is not held lasts for half a minute
 
 const given = options();
 
-const shot = (page, name) => page.screenshot({ path: join(given.out, `goal-${name}.png`), animations: 'disabled' });
+const shot = pictures(given, 'goal-');
 const row = (page, number) => dialog(page).locator(`[data-condition="${number}"]`);
 const rows = (page) => dialog(page).locator('[data-condition]').count();
 const button = (page, name) => dialog(page).getByRole('button', { name, exact: true });

@@ -1,11 +1,9 @@
 // Drives the page as a person would see it, against the real server over a scripted bench, and keeps pictures.
 
-import { join } from 'node:path';
-
-import { check, fitsEveryWidth, launchBrowser, openPage, options, startServer, waitFor } from './support.mjs';
+import { check, fitsEveryWidth, launchBrowser, openPage, options, pictures, startServer, waitFor } from './support.mjs';
 
 const given = options();
-const shot = (page, name, fullPage = true) => page.screenshot({ path: join(given.out, `${name}.png`), fullPage });
+const shot = pictures(given, '', { fullPage: true });
 
 async function picksUpTheCell(page) {
   await waitFor(page, 'the synoptic shows every tank', () => document.querySelectorAll('[data-tank]').length === 4);
@@ -141,7 +139,7 @@ async function outlivesTheServer(page, server) {
   await waitFor(page, 'a banner says that the server is gone', () =>
     document.querySelector('[data-testid=banner]')?.innerText.includes('No connection'),
   );
-  await shot(page, 'stale-1440', false);
+  await shot(page, 'stale-1440', { fullPage: false });
   const again = await startServer(given.server, server.port, 4, 55);
   again.tell('run');
   await waitFor(page, 'the page comes back by itself', () =>

@@ -4,12 +4,11 @@
 
 import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
-import { join } from 'node:path';
 
 import { startBench } from './bench_processes.mjs';
 import { asksApi, axeFile, claims, isAccessible, logsIn } from './people.mjs';
 import { KEEPS_RECORDS, LEVEL_ALARM, PROGRAM, startMixer } from './recipe_cell.mjs';
-import { check, endInTime, eventually, launchBrowser, openPage, options, until, waitFor } from './support.mjs';
+import { check, endInTime, eventually, failurePicture, launchBrowser, openPage, options, pictures, until, waitFor } from './support.mjs';
 
 const CLOCK_MS = 400; // a snapshot and an answer may be so old on a busy machine
 const STILL_MS = 2_500; // less than after which a page takes its connection for lost
@@ -33,7 +32,7 @@ const HEAVY = PROGRAM.replace('torn : DINT;', 'torn : DINT;\n    ballast : ARRAY
 
 const given = options();
 
-const shot = (page, name) => page.screenshot({ path: join(given.out, `kill-${name}.png`), animations: 'disabled' });
+const shot = pictures(given, 'kill-');
 const get = (page, path) => page.evaluate(async (where) => (await fetch(where)).json(), path);
 const tells = (page, what, words) => waitFor(page, what, (text) => document.querySelector('[data-testid=banner]')?.innerText.includes(text), words);
 const tellsNothing = (page, what) => waitFor(page, what, () => document.querySelector('[data-testid=banner]') === null);
@@ -304,7 +303,7 @@ try {
   await theSupervisorIsKilled(page, cell);
   await endsWell();
 } catch (error) {
-  if (opened && !opened.page.isClosed()) await shot(opened.page, 'failure').catch(() => {});
+  if (opened) await failurePicture(given, 'kill', opened.page);
   if (cell) console.error(cell.logs());
   throw error;
 } finally {

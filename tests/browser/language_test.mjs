@@ -6,11 +6,11 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 
 import { axeFile, isAccessible } from './people.mjs';
-import { check, drawn, endInTime, launchBrowser, openPage, options, startServer, waitFor } from './support.mjs';
+import { check, drawn, endInTime, failurePicture, launchBrowser, openPage, options, pictures, startServer, waitFor } from './support.mjs';
 
 const given = options();
 const folder = mkdtempSync(join(tmpdir(), 'hmi-language-'));
-const shot = (page, name) => page.screenshot({ path: join(given.out, `language-${name}.png`), fullPage: true });
+const shot = pictures(given, 'language-', { fullPage: true });
 
 // What the panels are called: one of the first load, one that is fetched when it is opened.
 const WORDS = {
@@ -64,7 +64,7 @@ async function fitsAPhone(page, code) {
   await opensTheMenu(page);
   const { left, right } = await page.evaluate(() => document.querySelector('[data-testid=preferences] + .menu').getBoundingClientRect().toJSON());
   check(left >= 0 && right <= 360, `nor does the menu (${left} to ${right})`);
-  await page.screenshot({ path: join(given.out, `language-${code}-menu.png`) });
+  await shot(page, `${code}-menu`, { fullPage: false });
   await closesTheMenu(page);
   await page.setViewportSize({ width: 1440, height: 900 });
 }
@@ -141,7 +141,7 @@ try {
   const unexpected = problems.filter((problem) => !/status of (401|403)/.test(problem));
   check(unexpected.length === 0, `no errors, no foreign requests, no policy violations ${unexpected.join('; ')}`);
 } catch (error) {
-  if (opened) await shot(opened.page, 'failure');
+  if (opened) await failurePicture(given, 'language', opened.page);
   throw error;
 } finally {
   await browser.close();

@@ -1,16 +1,15 @@
 // The sorting line as a person sees it: its own processes at twice real time, drawn from above on the same page
 // as the bench.
 
-import { join } from 'node:path';
-
 import { startDemo } from './demo_process.mjs';
 import { leadOverPage } from './page_run.mjs';
 import { asks, BY_OPERATOR, isAccessible, startsTheRun } from './people.mjs';
-import { check, drawn, options, until, waitFor } from './support.mjs';
+import { check, drawn, FLUENT, options, pictures, until, waitFor } from './support.mjs';
 
 const SPEED = 2; // a page on a busy machine draws a few pictures a second
 
 const given = options();
+const shot = pictures(given, 'line-', { fullPage: true });
 
 // Notes every place at which the page draws a box, how many there are at once, every paddle and every lit belt and eye.
 function keepHistory() {
@@ -36,7 +35,7 @@ async function takePictures(page) {
     await page.setViewportSize({ width, height: 900 });
     const wide = await page.evaluate(() => document.documentElement.scrollWidth);
     check(wide <= width, `nothing sticks out at ${width} px (${wide})`);
-    await page.screenshot({ path: join(given.out, `line-${width}.png`), fullPage: true, animations: 'disabled' });
+    await shot(page, `${width}`);
   }
 }
 
@@ -79,7 +78,7 @@ async function marksWhatIsForced(page) {
       return boxes.every((a, i) => boxes.every((b, k) => i === k || a.right <= b.left || b.right <= a.left || a.bottom <= b.top || b.bottom <= a.top));
     });
     check(apart, `at ${width} px no mark hides another`);
-    await page.locator('[data-panel=synoptic]').screenshot({ path: join(given.out, `line-forced-${width}.png`), animations: 'disabled' });
+    await shot(page.locator('[data-panel=synoptic]'), `forced-${width}`);
   }
   await isAccessible(page, 'the page with forced parts of the line');
 }
@@ -88,7 +87,7 @@ await leadOverPage(given, {
   name: 'line',
   look: { reducedMotion: 'no-preference' },
   watch: keepHistory,
-  start: () => startDemo(given.server, SPEED, 'conveyor', BY_OPERATOR),
+  start: () => startDemo(given.server, SPEED, 'conveyor', [...BY_OPERATOR, ...FLUENT]),
   steps: async (page, demo) => {
     await waitFor(page, 'belts, chutes and pushers are drawn', () =>
       document.querySelectorAll('[data-belt]').length === 9 && document.querySelectorAll('[data-pusher]').length === 4);

@@ -1,15 +1,13 @@
 // History and alarms of a cell of real processes: its values are drawn, zoomed into, panned and exported, its alarm is
 // shelved for a time, suppressed and taken out of service.
 
-import { join } from 'node:path';
-
 import { leadOverPage } from './page_run.mjs';
 import { claims, dialogIsGone, fill } from './people.mjs';
 import { KEEPS_RECORDS, LEVEL_ALARM, startMixer } from './recipe_cell.mjs';
-import { options, until, waitFor } from './support.mjs';
+import { options, pictures, until, waitFor } from './support.mjs';
 
 const given = options();
-const shot = (page, name) => page.screenshot({ path: join(given.out, `live-records-${name}.png`), fullPage: true, animations: 'disabled' });
+const shot = pictures(given, 'live-records-', { fullPage: true });
 
 const span = (page) => page.getByTestId('history').evaluate((one) => [Number(one.dataset.from), Number(one.dataset.to)]);
 

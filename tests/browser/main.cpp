@@ -115,7 +115,9 @@ struct OpenAccess {
 int main(int argc, char** argv) {
   const auto port = static_cast<std::uint16_t>(argc > 1 ? std::atoi(argv[1]) : 0);
   browser::ScriptedCell cell(argc > 2 ? std::atof(argv[2]) : 1, argc > 3 ? std::atof(argv[3]) : 0);
-  server::Feed feed({"bench", "test"}, browser::bench_synoptic());
+  // Often enough for a page whose motion nobody looks at.
+  server::Feed feed({"bench", "test"}, browser::bench_synoptic(),
+                    {.state_spacing = std::chrono::milliseconds(100)});
   auto http = server::HttpServer::listen({"127.0.0.1", port}, client::client_assets(), feed);
   if (!http) {
     std::fputs(result::to_string(http.error()).c_str(), stderr);

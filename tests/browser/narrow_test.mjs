@@ -8,7 +8,7 @@ import { startDemo } from './demo_process.mjs';
 import { hiddenFocus, unreadable } from './narrow.mjs';
 import { leadOverPage } from './page_run.mjs';
 import { dialog, dialogIsGone, fill, isAccessible, PASSWORD, setupToken } from './people.mjs';
-import { check, drawn, options, waitFor } from './support.mjs';
+import { check, drawn, options, pictures, waitFor } from './support.mjs';
 
 const WIDTH = 360;
 const SPEED = 0.25; // the run is still there when it is held, however slow the machine is
@@ -16,7 +16,7 @@ const MOST_TABS = 500;
 const RECIPES = '[[tag]]\nname = "B1"\ntype = "BOOL"\ncomment = "supplier pump"\n';
 
 const given = options();
-const shot = (page, name, fullPage = false) => page.screenshot({ path: join(given.out, `narrow-${name}.png`), fullPage, animations: 'disabled' });
+const shot = pictures(given, 'narrow-');
 
 // Everything that is wrong is told at once, at the end.
 const faults = [];
@@ -153,7 +153,7 @@ await leadOverPage(given, {
     await waitFor(page, 'the plan is ready', () => document.querySelector('[data-testid=phase]')?.innerText === 'ready');
     await claims(page, await setupToken(demo));
     await canBeRead(page, 'the page', 'page');
-    await shot(page, 'page-whole', true);
+    await shot(page, 'page-whole', { fullPage: true });
     await visitsDialogs(page);
     await visitsGoal(page);
     await visitsRegions(page);
@@ -165,7 +165,7 @@ await leadOverPage(given, {
     // First: on a slow machine the run may have ended before all else is read.
     await visits(page, { what: 'holding the run', name: 'hold', opener: await named(page, 'Hold'), inside: DIALOG });
     await canBeRead(page, 'the page of a run', 'run');
-    await shot(page, 'run-whole', true);
+    await shot(page, 'run-whole', { fullPage: true });
     await visits(page, { what: 'the program that runs', name: 'program', opener: '#program-more', inside: '[data-panel=program-details]' });
     await visitsForce(page);
     await visitsHelp(page);

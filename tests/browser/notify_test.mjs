@@ -1,16 +1,14 @@
 // People are told of an alarm that nobody acknowledges, by mail and by a web hook; a server that never answers holds up nothing; a
 // button sends a test. An online change that takes away what an alarm watches is told on the page and in the log.
 
-import { join } from 'node:path';
-
 import { leadOverPage } from './page_run.mjs';
 import { asksApi, claims, isAccessible } from './people.mjs';
 import { startMailServer, startSilentServer, startWebHook } from './receivers.mjs';
 import { KEEPS_RECORDS, LEVEL_ALARM, PROGRAM, startMixer } from './recipe_cell.mjs';
-import { check, options, until, waitFor } from './support.mjs';
+import { check, options, pictures, until, waitFor } from './support.mjs';
 
 const given = options();
-const shot = (page, name) => page.screenshot({ path: join(given.out, `notify-${name}.png`), fullPage: true, animations: 'disabled' });
+const shot = pictures(given, 'notify-', { fullPage: true });
 const mail = await startMailServer();
 const hook = await startWebHook();
 const silent = await startSilentServer();

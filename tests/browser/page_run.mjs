@@ -1,9 +1,7 @@
 // The frame of a test that leads over the page of one cell.
 
-import { join } from 'node:path';
-
 import { axeFile } from './people.mjs';
-import { check, endInTime, launchBrowser, openPage } from './support.mjs';
+import { check, endInTime, failurePicture, launchBrowser, openPage } from './support.mjs';
 
 // `start` brings up a cell with url, logs and end; `steps` are taken on its page, in which `watch` has run before anything else.
 // `look`: how the browser is to draw.
@@ -23,7 +21,7 @@ export async function leadOverPage(given, { name, start, steps, watch, expected 
     const unexpected = problems.filter((problem) => !expected.some((status) => problem.includes(`status of ${status}`)));
     check(unexpected.length === 0, `no errors, no foreign requests, no policy violations ${unexpected.join('; ')}`);
   } catch (error) {
-    await opened?.page.screenshot({ path: join(given.out, `${name}-failure.png`) }).catch(() => {});
+    if (opened) await failurePicture(given, name, opened.page);
     if (opened) console.error(opened.problems.join('\n'));
     if (cell) console.error(cell.logs());
     throw error;

@@ -1,16 +1,14 @@
 // The program as a person reads it while it runs: a page over a cell of real processes whose program is written in ST, as a
 // chart, as ladder and as function blocks.
 
-import { join } from 'node:path';
-
 import { leadOverPage } from './page_run.mjs';
 import { isAccessible } from './people.mjs';
 import { startProgramCell } from './program_cell.mjs';
-import { check, drawn, options, waitFor } from './support.mjs';
+import { check, drawn, options, pictures, waitFor } from './support.mjs';
 
 const given = options();
 
-const shot = (page, name) => page.screenshot({ path: join(given.out, `program-${name}.png`), animations: 'disabled', fullPage: true });
+const shot = pictures(given, 'program-', { fullPage: true });
 const openSheet = (page, name) => page.locator(`[data-sheet="${name}"]`).click();
 
 async function opensByKeyboard(page) {

@@ -7,10 +7,10 @@ import { join } from 'node:path';
 import { leadOverPage } from './page_run.mjs';
 import { addsUsers, asks, claims, dialog, dialogIsGone, fill, isAccessible, logsIn } from './people.mjs';
 import { startMixer } from './recipe_cell.mjs';
-import { check, options, until, waitFor } from './support.mjs';
+import { check, options, pictures, until, waitFor } from './support.mjs';
 
 const given = options();
-const shot = (page, name) => page.screenshot({ path: join(given.out, `recipes-${name}.png`), fullPage: true });
+const shot = pictures(given, 'recipes-', { fullPage: true });
 
 async function valuesNow(page) {
   const { json } = await asks(page, 'GET', '/api/recipe-tags');
@@ -175,7 +175,7 @@ async function fitsEveryWidth(page) {
   await until('the dialog has its fields', async () => (await page.locator('[data-recipe-field]').count()) === 4);
   const wide = await page.evaluate(() => document.querySelector('dialog').scrollWidth - document.querySelector('dialog').clientWidth);
   check(wide <= 0, `the dialog fits in 360 px (${wide})`);
-  await page.screenshot({ path: join(given.out, 'recipes-edit-360.png') });
+  await shot(page, 'edit-360', { fullPage: false });
   await page.keyboard.press('Escape');
   await dialogIsGone(page, 'Escape closes it');
   await page.setViewportSize({ width: 1440, height: 900 });

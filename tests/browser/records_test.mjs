@@ -6,11 +6,11 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 
 import { axeFile, dialog, fill, isAccessible, PASSWORD } from './people.mjs';
-import { check, drawn, fitsEveryWidth, launchBrowser, openPage, options, startServer, until, waitFor } from './support.mjs';
+import { check, drawn, failurePicture, fitsEveryWidth, launchBrowser, openPage, options, pictures, startServer, until, waitFor } from './support.mjs';
 
 const given = options();
 const folder = mkdtempSync(join(tmpdir(), 'hmi-records-'));
-const shot = (page, name) => page.screenshot({ path: join(given.out, `records-${name}.png`), fullPage: true });
+const shot = pictures(given, 'records-', { fullPage: true });
 const span = (page) => page.getByTestId('history').evaluate((node) => [Number(node.dataset.from), Number(node.dataset.to)]);
 
 async function opensOnlyWhenAsked(page) {
@@ -169,7 +169,7 @@ async function actsOnAlarms(page) {
   await fill(page, { Minutes: '481', Reason: 'works at the tank' });
   await dialog(page).getByRole('button', { name: 'Shelve' }).click();
   check((await dialog(page).count()) === 1, 'a shelf longer than the alarm allows is not even asked for');
-  await page.screenshot({ path: join(given.out, 'records-shelve.png') });
+  await shot(page, 'shelve', { fullPage: false });
   await isAccessible(page, 'shelving');
   await gives(page, 'works at the tank', { Minutes: '60' });
   await stateOf(page, 'a1.low', 'shelved', 'an alarm is shelved for a time');
@@ -242,11 +242,11 @@ async function comesAgain(page, server) {
 async function isReadOnAPhone(page) {
   await page.setViewportSize({ width: 360, height: 1400 });
   await drawn(page);
-  await page.screenshot({ path: join(given.out, 'records-phone.png') });
+  await shot(page, 'phone', { fullPage: false });
   await page.getByRole('button', { name: 'Journal' }).click();
   await waitFor(page, 'the journal is read on a phone, too', () => document.querySelectorAll('[data-testid=journal] tbody tr').length > 0);
   check((await page.evaluate(() => document.documentElement.scrollWidth)) <= 360, 'and does not stick out');
-  await page.screenshot({ path: join(given.out, 'records-phone-journal.png') });
+  await shot(page, 'phone-journal', { fullPage: false });
   await page.getByRole('button', { name: 'All', exact: true }).first().click();
   await fitsEveryWidth(page, [1440, 768, 360], shot);
 }
@@ -330,7 +330,7 @@ try {
   const unexpected = problems.filter((problem) => !/status of (401|403|409)/.test(problem));
   check(unexpected.length === 0, `no errors, no foreign requests, no policy violations ${unexpected.join('; ')}`);
 } catch (error) {
-  if (opened) await shot(opened.page, 'failure');
+  if (opened) await failurePicture(given, 'records', opened.page);
   throw error;
 } finally {
   await browser.close();

@@ -1,18 +1,16 @@
 // How runtimes are, as a person looks at it: a page over two cells as real processes, with Modbus devices of which one is
 // there and one is not, and a third runtime that nobody has started.
 
-import { join } from 'node:path';
-
 import { startField } from './field.mjs';
 import { startDevice } from './modbus_device.mjs';
 import { axeFile, isAccessible } from './people.mjs';
-import { check, drawn, endInTime, launchBrowser, openPage, options, waitFor } from './support.mjs';
+import { check, drawn, endInTime, failurePicture, launchBrowser, openPage, options, pictures, waitFor } from './support.mjs';
 
 const US_PER = { 'µs': 1, ms: 1_000, s: 1_000_000 }; // a machine that rests for seconds is seen in them
 
 const given = options();
 
-const shot = (page, name) => page.screenshot({ path: join(given.out, `scan-${name}.png`), animations: 'disabled', fullPage: true });
+const shot = pictures(given, 'scan-', { fullPage: true });
 const row = (runtime) => `[data-runtime="${runtime}"]`;
 
 async function opensByKeyboard(page) {
@@ -149,7 +147,7 @@ try {
   await closes(page);
   check(problems.length === 0, `no errors, no foreign requests, no policy violations ${problems.join('; ')}`);
 } catch (error) {
-  if (opened) await shot(opened.page, 'failure').catch(() => {});
+  if (opened) await failurePicture(given, 'scan', opened.page);
   if (opened) console.error(opened.problems.join('\n'));
   if (field) console.error(field.logs());
   throw error;

@@ -1,16 +1,14 @@
 // Drawing screens, further: lines and pipes by points, handles, turning, order; a start for each role; and what goes wrong
 // meanwhile: names and files that cannot be, a screen that is removed, a session that ends, an answer that is lost.
 
-import { join } from 'node:path';
-
 import { leadOverPage } from './page_run.mjs';
 import { addsUsers, asks, claims, dialog, dialogIsGone, isAccessible, logsIn, PASSWORD } from './people.mjs';
 import { KEEPS_RECORDS, LEVEL_ALARM, startMixer } from './recipe_cell.mjs';
 import { adds, editor, field, item, places, says } from './screen_editor.mjs';
-import { check, fitsEachLook, options, until, waitFor } from './support.mjs';
+import { check, fitsEachLook, options, pictures, until, waitFor } from './support.mjs';
 
 const given = options();
-const shot = (page, name) => page.screenshot({ path: join(given.out, `screens-edit-${name}.png`), animations: 'disabled' });
+const shot = pictures(given, 'screens-edit-');
 const button = (page, name) => editor(page).getByRole('button', { name, exact: true });
 const placeOf = (page, key) => item(page, key).getAttribute('transform');
 const pointsOf = (page, key) => item(page, key).locator('polyline').first().getAttribute('points');

@@ -2,13 +2,12 @@
 // changed by two people at once, and brought in from a file that could do harm.
 
 import { readFileSync } from 'node:fs';
-import { join } from 'node:path';
 
 import { leadOverPage } from './page_run.mjs';
 import { addsUsers, asks, claims, codeOf, dialog, dialogIsGone, isAccessible, logsIn, PASSWORD } from './people.mjs';
 import { KEEPS_RECORDS, LEVEL_ALARM, startMixer } from './recipe_cell.mjs';
 import { adds, editor, field, item, places, says } from './screen_editor.mjs';
-import { check, drawn, fitsEachLook, options, until, waitFor } from './support.mjs';
+import { check, drawn, fitsEachLook, options, pictures, until, waitFor } from './support.mjs';
 
 const TAGS = '[tags."Main.level"]\nunit = "%"\ndescription = "level of the mixer"\ndecimals = 1\n[tags."Main.batches"]\ndescription = "batches in a row"\n';
 const HARMFUL = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9">\n  <script>alert(1)</script>\n  <rect onclick="x()" width="9" height="9"/>\n</svg>';
@@ -16,7 +15,7 @@ const FOREIGN =
   '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 100 50">\n<rect id="a" width="40" height="40" fill="url(#g)"/><defs><linearGradient id="g"><stop offset="0" stop-color="#888"/></linearGradient></defs>\n<text x="50" y="25" data-text="Main.batches">-</text></svg>';
 
 const given = options();
-const shot = (page, name) => page.screenshot({ path: join(given.out, `screens-${name}.png`), animations: 'disabled' });
+const shot = pictures(given, 'screens-');
 const part = (page, key) => page.locator(`[data-testid=screen] [data-part-key=${key}]`);
 const has = (page, what, key, words) =>
   waitFor(page, what, ([name, wanted]) => document.querySelector(`[data-testid=screen] [data-part-key=${name}]`)?.innerText.includes(wanted), [key, words]);

@@ -1,19 +1,17 @@
 // The sorting line, started by an operator while its emergency stop is pressed: the page says so, nothing moves, not even when it is released
 // again without a reset; after the reset the run goes on to its goal.
 
-import { join } from 'node:path';
-
 import { startDemo } from './demo_process.mjs';
 import { leadOverPage } from './page_run.mjs';
 import { BY_OPERATOR, isAccessible, startsTheRun } from './people.mjs';
-import { check, options, waitFor } from './support.mjs';
+import { check, options, pictures, waitFor } from './support.mjs';
 
 const SPEED = 2;
 const RELEASED_S = 22; // of the cell's time
 const RESET_S = 42;
 
 const given = options();
-const shot = (page, name) => page.screenshot({ path: join(given.out, `stop-${name}.png`), animations: 'disabled' });
+const shot = pictures(given, 'stop-');
 const clockIs = (page, what, seconds) =>
   waitFor(page, what, (wanted) => {
     const [minutes, rest] = document.querySelector('[data-testid=clock]').innerText.split(' ')[0].split(':').map(Number);

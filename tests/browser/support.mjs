@@ -11,6 +11,10 @@ import { createInterface } from 'node:readline';
 const PATIENCE_MS = 600_000;
 const WHOLE_TEST_MS = 1_740_000; // a minute less than ctest waits
 
+// For processes of a cell: a page whose motion nobody looks at gets values ten times a second, which is less work.
+export const PACED = ['--set', 'hmi.refresh_ms=100'];
+export const FLUENT = ['--set', 'hmi.refresh_ms=20'];
+
 export function options() {
   const given = {};
   for (let i = 2; i < process.argv.length; i += 2) given[process.argv[i].replace(/^--/, '')] = process.argv[i + 1];
@@ -95,6 +99,22 @@ export async function openPage(context, url) {
   });
   await page.goto(url);
   return { page, problems };
+}
+
+// Takes pictures of a page, or of a part of it, for people: nothing compares them, and each costs as much as seconds of looking. Those who
+// want them set STEPWRIGHT_PICTURES. `usual` is for all of them.
+export function pictures({ out }, prefix, { fullPage = false } = {}) {
+  const wanted = (process.env.STEPWRIGHT_PICTURES ?? '') !== '';
+  return async (where, name, more = {}) => {
+    if (!wanted) return;
+    const whole = 'goto' in where ? { fullPage } : {}; // a part of a page has its own size
+    await where.screenshot({ path: join(out, `${prefix}${name}.png`), animations: 'disabled', ...whole, ...more });
+  };
+}
+
+// How a page looked when its test failed.
+export async function failurePicture({ out }, name, page) {
+  await page.screenshot({ path: join(out, `${name}-failure.png`) }).catch(() => {});
 }
 
 export function check(condition, what) {

@@ -1,13 +1,11 @@
 // A train that is told what, as a person sees it: the floor with regions and places before anything moves, then what the train has swept and
 // what it will, the train itself and its task's automaton as they change, another task on the way, and the same on a telephone.
 
-import { join } from 'node:path';
-
 import { startDemo } from './demo_process.mjs';
 import { hiddenFocus, unreadable } from './narrow.mjs';
 import { leadOverPage } from './page_run.mjs';
 import { asks, BY_OPERATOR, dialog, isAccessible, startsTheRun, submits } from './people.mjs';
-import { check, fitsEachLook, options, waitFor } from './support.mjs';
+import { check, fitsEachLook, options, pictures, waitFor } from './support.mjs';
 
 const SPEED = 2;
 // The run is held on its way to the second place, however slow the browser is; then it waits for the test.
@@ -16,8 +14,7 @@ const HELD_ON_THE_WAY = ['--set', `ltl.requests=[{at_s=${HELD_S}, request="hold"
 const LOOKS = [['light', 1440], ['dark', 1440], ['light', 820], ['light', 360], ['dark', 360]];
 
 const given = options();
-const shot = (page, name, selector) =>
-  (selector ? page.locator(selector) : page).screenshot({ path: join(given.out, `train-${name}.png`), animations: 'disabled', ...(selector ? {} : { fullPage: true }) });
+const shot = pictures(given, 'train-', { fullPage: true });
 
 // Every state that the task was in, every place at which the car was drawn, every stop that was reached, how many pieces lie behind,
 // what of the plan was drawn while it was driven, and how long each message with pictures was.
@@ -103,7 +100,7 @@ async function isReadEverywhere(page) {
     const cut = look.endsWith('360') ? await page.evaluate(unreadable) : [];
     check(cut.length === 0, `${look} can be read ${cut.join('; ')}`);
     await shot(page, look);
-    for (const panel of ['plan-floor', 'automaton', 'monitors']) await shot(page, `${panel}-${look}`, `[data-panel=${panel}]`);
+    for (const panel of ['plan-floor', 'automaton', 'monitors']) await shot(page.locator(`[data-panel=${panel}]`), `${panel}-${look}`);
   });
   await page.emulateMedia({ colorScheme: 'light' });
   await isAccessible(page, 'the page at 360 px');
@@ -147,7 +144,7 @@ async function blocksAPlaceAndFreesIt(page) {
   await submits(page, 'Block the place', 'the supervisor has accepted the place');
   await waitFor(page, 'it is told to everybody, and drawn', () =>
     document.querySelector('[data-testid=blocked]').innerText.includes('rack_b is blocked') && document.querySelector('[data-blocked=rack_b]') !== null);
-  await shot(page, 'blocked', '[data-panel=plan-floor]');
+  await shot(page.locator('[data-panel=plan-floor]'), 'blocked');
   await page.getByRole('button', { name: 'Free rack_b' }).click();
   await submits(page, 'Free the place', 'the supervisor has accepted that it is free');
   await waitFor(page, 'and it is', () => document.querySelector('[data-testid=blocked]').innerText.trim() === '');
@@ -169,7 +166,7 @@ async function drawsAnotherPlan(page) {
     );
   });
   await waitFor(page, 'and the automaton has its state', () => document.querySelectorAll('[data-testid=automaton] [data-now=true]').length === 1);
-  await shot(page, 'replanned', '[data-panel=plan-floor]');
+  await shot(page.locator('[data-panel=plan-floor]'), 'replanned');
 }
 
 async function tellsTheEnd(page) {
@@ -197,7 +194,7 @@ await leadOverPage(given, {
     await drawsThePlan(page);
     await drawsItMoving(page);
     await page.evaluate(() => scrollTo(0, 0));
-    await page.screenshot({ path: join(given.out, 'train-overview.png'), clip: { x: 0, y: 0, width: 1440, height: 548 } }); // hmi_web/doc/train.png
+    await shot(page, 'overview', { fullPage: false, clip: { x: 0, y: 0, width: 1440, height: 548 } }); // hmi_web/doc/train.png
     await holdsStill(page);
     await blocksAPlaceAndFreesIt(page);
     await isReadEverywhere(page);

@@ -6,11 +6,11 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 
 import { asks, axeFile, dialog, isAccessible, logsIn } from './people.mjs';
-import { check, endInTime, fitsEveryWidth, launchBrowser, openPage, options, startServer, until, waitFor } from './support.mjs';
+import { check, endInTime, failurePicture, fitsEveryWidth, launchBrowser, openPage, options, pictures, startServer, until, waitFor } from './support.mjs';
 
 const given = options();
 const folder = mkdtempSync(join(tmpdir(), 'hmi-trends-'));
-const shot = (page, name) => page.screenshot({ path: join(given.out, `trends-${name}.png`), fullPage: true });
+const shot = pictures(given, 'trends-', { fullPage: true });
 
 // Tones are counted: nobody hears a test.
 function listensToTones() {
@@ -100,7 +100,8 @@ async function acknowledgesAllInSight(page, server) {
   await shot(page, 'all');
   await page.getByRole('button', { name: /^Acknowledge .* in sight$/ }).click();
   await waitFor(page, 'all in sight are acknowledged with one click', () => document.querySelector('[data-alarm="runtime.lost"]')?.dataset.state === 'acknowledged');
-  check(/^\d+ acknowledged$/.test(await page.getByTestId('acknowledged').innerText()), 'and counted');
+  // The answer to the request may come after the news of the alarm.
+  await until('and counted', async () => /^\d+ acknowledged$/.test(await page.getByTestId('acknowledged').innerText()));
   server.tell('runtime on');
   await waitFor(page, 'it returns', () => document.querySelector('[data-alarm="runtime.lost"]') === null);
 }
@@ -166,7 +167,7 @@ try {
   await hangsOnTheWall(browser.context, server.url);
   check(problems.length === 0, `no errors, no foreign requests, no policy violations ${problems.join('; ')}`);
 } catch (error) {
-  if (opened) await shot(opened.page, 'failure');
+  if (opened) await failurePicture(given, 'trends', opened.page);
   throw error;
 } finally {
   await browser.close();

@@ -30,6 +30,7 @@ TEST(HmiConfig, WhenNothingIsSaid_ThenNobodyLooksAndNobodyElseReachesIt) {
   EXPECT_EQ(plain.config.recipes_dir, "/state/recipes");
   EXPECT_EQ(plain.config.screens_dir, "/state/screens");
   EXPECT_EQ(plain.config.idle, std::chrono::minutes(30));
+  EXPECT_EQ(plain.config.refresh, std::chrono::milliseconds(20));
 }
 
 TEST(HmiConfig, WhenFilesAreNamed_ThenFromTheFolderOfTheConfiguration) {
@@ -73,6 +74,8 @@ TEST(HmiConfig, WhenSomethingIsWrong_ThenItsCodeIsTold) {
   EXPECT_EQ(read("tls_certificate = \"a.pem\"\n").codes, "C0469");
   EXPECT_NE(read("anonymous = \"operator\"\n").codes, "");
   EXPECT_EQ(read("idle_minutes = 0\n").codes, "C0004");
+  EXPECT_EQ(read("refresh_ms = 19\n").codes, "C0004");
+  EXPECT_EQ(read("refresh_ms = 1001\n").codes, "C0004") << "a page takes silence for a loss";
 }
 
 TEST(HmiConfig, WhenADisplayHangsOnTheWall_ThenItsAddressesAndPanelsAreRead) {

@@ -51,6 +51,26 @@ TEST_F(FeedTest, WhenAValueChanges_ThenAReaderThatKeptUpGetsADelta) {
   EXPECT_EQ(messages[0]["points"], json({{"1", 0}}));
 }
 
+TEST_F(FeedTest, WhenStatesComeFasterThanTheyAreSent_ThenTheNewestFollowsInTime) {
+  Feed paced({"bench", "1"}, synoptic(), {.state_spacing = 100ms, .epoch = "e1"});
+  paced.update(view_, now_);
+  Feed::Cursor cursor = viewer();
+  while (paced.next(cursor)) continue;
+
+  for (const auto passed : {30ms, 60ms}) {
+    now_ += passed;
+    view_.state.points[1] = *view_.state.points[1] + 1;
+    paced.update(view_, now_);
+    EXPECT_EQ(paced.next(cursor), nullptr) << passed.count();
+  }
+  now_ += 10ms;
+  EXPECT_TRUE(paced.update(view_, now_)) << "though nothing has changed since the last look";
+
+  const auto delta = paced.next(cursor);
+  ASSERT_NE(delta, nullptr);
+  EXPECT_EQ(json::parse(*delta)["points"], json({{"1", 3}}));
+}
+
 TEST_F(FeedTest, WhenAReaderWasSlow_ThenOneDeltaHasAllThatItMissed) {
   update();
   Feed::Cursor cursor = viewer();
