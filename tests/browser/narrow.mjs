@@ -12,11 +12,12 @@ export function unreadable() {
     }
     return false;
   };
-  // A box that neither shows what is larger than it nor scrolls, before one that scrolls.
+  // A box that neither shows what is larger than it nor scrolls, before one that does; a picture that keys move is such a one.
   const isCut = (node, box) => {
     for (let at = node.parentElement; at && at !== document.body; at = at.parentElement) {
       const { overflowX, overflowY, position } = getComputedStyle(at);
-      if ([overflowX, overflowY].some((one) => one === 'auto' || one === 'scroll') || position === 'fixed') return false;
+      const moves = [overflowX, overflowY].some((one) => one === 'auto' || one === 'scroll') || at.matches('[role=region][tabindex="0"]');
+      if (moves || position === 'fixed') return false;
       const around = at.getBoundingClientRect();
       const hides = (overflow) => overflow === 'hidden' || overflow === 'clip';
       if (hides(overflowX) && (box.right > around.right + 1 || box.left < around.left - 1)) return true;
