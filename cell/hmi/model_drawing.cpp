@@ -78,12 +78,14 @@ class ModelDrawing {
   }
 
   BoxLines lines_of(std::uint32_t component) const {
-    const auto& words = model_.text.components[component].parameters.words;
-    const auto thermal = words.find("thermal");
-    const bool cold = thermal != words.end() && thermal->second == "no";  // its temperature stays as it is
+    const components::Parameters& parameters = model_.text.components[component].parameters;
+    const auto thermal = parameters.words.find("thermal");
+    // Its temperature stays as it is.
+    const bool cold = thermal != parameters.words.end() && thermal->second == "no";
     BoxLines lines;
     for (const PortSpec& port : model_.types[component]->ports) {
-      if (port.role != Role::Node || (cold && port.name == "temperature_out")) continue;
+      if (port.role != Role::Node || !parameters.has(port.needs)) continue;
+      if (cold && port.name == "temperature_out") continue;
       if (port.kind == PortKind::Signal && lines.values.size() < kMostValues) lines.values.push_back(&port);
       if (port.kind == PortKind::Logic && lines.switches.size() < kMostSwitches)
         lines.switches.push_back(&port);

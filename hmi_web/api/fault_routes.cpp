@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "hmi_web/api/cell_codes.h"
 #include "hmi_web/api/routes.h"
 
 namespace stepwright::api {
@@ -58,21 +59,32 @@ Answer done_or_not(CellControl& cell, const std::string& name, std::optional<dou
   return answer;
 }
 
+// Pages ask again and again: a runtime that does not answer just now is news for them, and no failure.
+Answer without_answer(const result::Diagnostics& problems) {
+  Answer answer = refused(problems);
+  if (!nobody_answers(problems)) return answer;
+  json document = json::parse(answer.text);
+  document["answers"] = false;
+  document["faults"] = json::array();
+  return {.text = to_text(document)};
+}
+
 }  // namespace
 
 std::vector<Route> fault_routes(const Services& services) {
   CellControl* cell = services.cell;
-  Route list = reading_row(
-      "/api/faults", "fault.list", "Faults of the simulated plant; value: null where one does not hold",
-      R"({"type": "object", "required": ["faults"], "properties": {"faults": {"type": "array", "items":
+  Route list = reading_row("/api/faults", "fault.list",
+                           "Faults of the simulated plant; value: null where one does not hold",
+                           R"({"type": "object", "required": ["answers", "faults"], "properties": {
+    "answers": {"type": "boolean"}, "problems": {"type": "array"}, "faults": {"type": "array", "items":
     {"type": "object", "required": ["name", "unit", "meaning", "low", "high", "whole", "value"], "properties": {
       "name": {"type": "string"}, "unit": {"type": "string"}, "meaning": {"type": "string"},
       "low": {"type": ["number", "null"]}, "high": {"type": ["number", "null"]}, "whole": {"type": "boolean"},
       "value": {"type": ["number", "null"]}}}}}})");
   list.handler = [cell](const Call&) {
     const auto faults = cell->faults();
-    if (!faults) return refused(faults.error());
-    json document = {{"faults", json::array()}};
+    if (!faults) return without_answer(faults.error());
+    json document = {{"answers", true}, {"faults", json::array()}};
     for (const host::PlantFault& fault : *faults) document["faults"].push_back(to_json(fault));
     return Answer{.text = to_text(document)};
   };

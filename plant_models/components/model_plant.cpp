@@ -192,7 +192,9 @@ std::string ModelPlant::trouble() {
            "' happens again and again without time between";
   return std::string("the plant's solver gave up at ") + at.data() + " s: no step is small enough" +
          (name.empty() ? std::string() : "; '" + name + "' changes fastest") +
-         (model_->text.solver.implicit ? "" : " ([solver] method = \"implicit\" is for stiff plants)");
+         (model_->text.solver.implicit
+              ? ": a state with large values may need a tolerance of its own that is as large"
+              : " ([solver] method = \"implicit\" is for stiff plants)");
 }
 
 bool ModelPlant::run_to(double t_s) {

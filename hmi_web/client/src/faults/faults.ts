@@ -1,6 +1,6 @@
 // Faults of a simulated plant as the server lists them: what it can have, and what holds now.
 
-import { ask, sentences } from '../access/api';
+import { ask, sentences, type Problem } from '../access/api';
 import { short } from '../lib/format';
 
 export interface PlantFault {
@@ -16,8 +16,9 @@ export interface PlantFault {
 
 // Of a plant that is real: none.
 export async function readFaults(signal: AbortSignal): Promise<PlantFault[]> {
-  const reply = await ask<{ faults: PlantFault[] }>('GET', '/api/faults', '', undefined, signal);
+  const reply = await ask<{ answers: boolean; problems?: Problem[]; faults: PlantFault[] }>('GET', '/api/faults', '', undefined, signal);
   if (!reply.ok) throw new Error(sentences(reply.problems));
+  if (!reply.data.answers) throw new Error(sentences(reply.data.problems ?? []));
   return reply.data.faults;
 }
 
