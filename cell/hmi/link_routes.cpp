@@ -10,11 +10,11 @@ namespace {
 
 constexpr double kStubPitch = 11.0;  // between two lines that end at the same side of a box
 constexpr double kTrackPitch = 9.0;
-constexpr double kMargin = 20.0;      // beside the tracks between two columns
-constexpr double kLaneMargin = 14.0;  // likewise between two rows
+constexpr double kTrackMargin = 20.0;  // beside the tracks between two columns
+constexpr double kLaneMargin = 14.0;   // likewise between two rows
 
 // A line from one place between columns to another: with one vertical part, or with two and a lane.
-struct Link {
+struct RoutedLink {
   std::uint32_t from_column = 0, from_row = 0, to_column = 0, to_row = 0;
   std::uint32_t lane = 0;  // below this row, if it leads past others
 
@@ -57,8 +57,8 @@ class Router {
   }
 
  private:
-  static Link link_of(const components::Placed& from, const components::Placed& to) {
-    Link link{from.column, from.row, to.column, to.row, std::max(from.row, to.row)};
+  static RoutedLink link_of(const components::Placed& from, const components::Placed& to) {
+    RoutedLink link{from.column, from.row, to.column, to.row, std::max(from.row, to.row)};
     if (to.column > from.column) link.lane = to.row < from.row ? from.row - 1 : from.row;
     return link;
   }
@@ -70,7 +70,7 @@ class Router {
   void gather_stubs() {
     stubs_.resize((columns_ + 1) * rows_);
     for (std::size_t i = 0; i < links_.size(); ++i) {
-      const Link& link = links_[i];
+      const RoutedLink& link = links_[i];
       const double past = link.lane + 0.5;
       stubs_at(link.exit(), link.from_row).push_back({link.adjacent() ? link.to_row : past, i, true});
       if (!link.straight())
@@ -121,7 +121,7 @@ class Router {
   std::vector<Riser> risers_of(std::uint32_t channel) const {
     std::vector<Riser> risers;
     for (std::size_t i = 0; i < links_.size(); ++i) {
-      const Link& link = links_[i];
+      const RoutedLink& link = links_[i];
       if (link.straight()) continue;
       if (link.adjacent() && link.exit() == channel) risers.push_back({i, true, out_y_[i], in_y_[i]});
       if (link.adjacent()) continue;
@@ -143,10 +143,12 @@ class Router {
     for (std::uint32_t channel = 0; channel <= columns_; ++channel) {
       const std::vector<Riser> risers = risers_of(channel);
       for (std::size_t k = 0; k < risers.size(); ++k)
-        (risers[k].out ? out_x_ : in_x_)[risers[k].link] = x + kMargin + kTrackPitch * static_cast<double>(k);
+        (risers[k].out ? out_x_ : in_x_)[risers[k].link] =
+            x + kTrackMargin + kTrackPitch * static_cast<double>(k);
       const bool outside = channel == 0 || channel == columns_;
       if (!outside || !risers.empty())
-        x += 2.0 * kMargin + kTrackPitch * static_cast<double>(std::max<std::size_t>(risers.size(), 1) - 1);
+        x += 2.0 * kTrackMargin +
+             kTrackPitch * static_cast<double>(std::max<std::size_t>(risers.size(), 1) - 1);
       if (channel == columns_) break;
       routes_.left.push_back(x);
       x += sizes_.box_width;
@@ -155,7 +157,7 @@ class Router {
   }
 
   std::vector<Corner> way_of(std::size_t i) const {
-    const Link& link = links_[i];
+    const RoutedLink& link = links_[i];
     const double begin = routes_.left[link.from_column] + sizes_.box_width;
     const double end = routes_.left[link.to_column];
     if (link.straight()) return {{begin, out_y_[i]}, {end, in_y_[i]}};
@@ -171,7 +173,7 @@ class Router {
 
   const BoxSizes& sizes_;
   std::uint32_t columns_, rows_;
-  std::vector<Link> links_;
+  std::vector<RoutedLink> links_;
   std::vector<std::vector<Stub>> stubs_;  // by channel and row
   std::vector<std::size_t> lane_track_;   // by link, of those that lead past others
   std::vector<double> out_y_, in_y_;      // by link, at the boxes
