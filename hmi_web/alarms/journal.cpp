@@ -8,6 +8,7 @@
 #include "hmi_web/alarms/internal/journal_file.h"
 #include "hmi_web/storage/batch_queue.h"
 #include "hmi_web/storage/codes.h"
+#include "runtime/ground/naming/ascii_names.h"
 #include "runtime/ground/result/last_barrier.h"
 
 namespace stepwright::alarms {
@@ -41,6 +42,23 @@ class AlarmJournal::Core {
     status.dropped += queue.dropped();
     status.problems.insert(status.problems.end(), warnings_.begin(), warnings_.end());
     return status;
+  }
+
+  // Alarms whose text people read it in, in whatever language: each name in a line of its own, with a line
+  // break at both ends; empty: there is none.
+  std::string names_with(const std::string& text) const {
+    const std::string wanted = naming::upper(text);
+    const auto says = [&](const std::string& words) {
+      return naming::upper(words).find(wanted) != std::string::npos;
+    };
+    std::string names;
+    for (const AlarmDefinition& each : definitions_) {
+      const bool found = says(each.text) || std::ranges::any_of(each.words, [&](const auto& language) {
+                           return says(language.second.text);
+                         });
+      if (found) names += (names.empty() ? "\n" : "") + each.name + "\n";
+    }
+    return names;
   }
 
   storage::BatchQueue<Transition> queue;
@@ -154,7 +172,7 @@ result::Result<std::vector<JournalEntry>> AlarmJournal::find(const JournalQuery&
                                                              std::size_t most) const {
   auto view = JournalView::open(core_->path);
   if (!view) return result::forward(view);
-  return view->find(query, most);
+  return view->find(query, query.text ? core_->names_with(*query.text) : std::string(), most);
 }
 
 result::Result<std::vector<AlarmJournal::Last>> AlarmJournal::last() const {

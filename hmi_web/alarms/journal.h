@@ -53,7 +53,8 @@ struct JournalQuery {
   std::optional<std::string> alarm{};
   std::optional<std::string> source{};  // upper and lower case alike
   std::optional<std::string> user{};
-  std::optional<std::string> text{};  // somewhere in name, source, user or comment, in any case
+  std::optional<std::string>
+      text{};  // somewhere in name, text, source, user or comment, in any case and language
   std::optional<AlarmState> state{};  // into which it went
   std::optional<AlarmEvent> event{};
   std::optional<Priority> at_least{};    // this priority or a higher one

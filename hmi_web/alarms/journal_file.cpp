@@ -229,6 +229,7 @@ result::Result<JournalView> JournalView::open(const std::filesystem::path& file)
 }
 
 result::Result<std::vector<JournalEntry>> JournalView::find(const JournalQuery& query,
+                                                            const std::string& named,
                                                             std::size_t most) const {
   std::string sql =
       "SELECT e.id, a.name, a.source, priority, time_ns, event, from_state, to_state, e.status, e.value, "
@@ -247,8 +248,8 @@ result::Result<std::vector<JournalEntry>> JournalView::find(const JournalQuery& 
   // instr, not LIKE: what somebody looks for has no wildcards.
   if (query.text)
     sql +=
-        " AND instr(lower(a.name || char(10) || a.source || char(10) || user || char(10) || comment), "
-        "lower(?11)) > 0";
+        " AND (instr(lower(a.name || char(10) || a.source || char(10) || user || char(10) || comment), "
+        "lower(?11)) > 0 OR instr(?12, char(10) || a.name || char(10)) > 0)";
   sql += " ORDER BY time_ns DESC, e.id DESC LIMIT ?9";
   auto statement = database_.prepare(sql);
   if (!statement) return result::forward(statement);
@@ -262,7 +263,7 @@ result::Result<std::vector<JournalEntry>> JournalView::find(const JournalQuery& 
   if (query.before) statement->bind(8, *query.before);
   statement->bind(9, static_cast<std::int64_t>(most));
   if (query.user) statement->bind(10, *query.user);
-  if (query.text) statement->bind(11, *query.text);
+  if (query.text) statement->bind(11, *query.text).bind(12, named);
   std::vector<JournalEntry> entries;
   while (true) {
     auto more = statement->step();

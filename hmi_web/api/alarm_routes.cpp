@@ -16,6 +16,7 @@ const Field kShelfMinutes{.name = "minutes",
                           .kind = Kind::Number,
                           .least = 1,
                           .most = 10'080,
+                          .whole = true,
                           .description = "after which it is shown again by itself; the alarm may allow less"};
 
 struct AlarmCommand {

@@ -157,7 +157,7 @@ class Events : public nlohmann::json_sax<json> {
       case Kind::Text:
         return "a text: " + field_->description;
       case Kind::Number:
-        return "a number: " + field_->description;
+        return (field_->whole ? "a whole number: " : "a number: ") + field_->description;
       case Kind::Boolean:
         return "true or false: " + field_->description;
       case Kind::Points:
@@ -199,6 +199,8 @@ class Events : public nlohmann::json_sax<json> {
                         : kind == Kind::List  ? static_cast<double>(std::get<Body::List>(value).size())
                                               : field_->least;
     if (!(size >= field_->least && size <= field_->most)) return out_of_range();
+    if (kind == Kind::Number && field_->whole && size != std::floor(size))
+      return wrong_type("no whole number");
     if (kind == Kind::Text && !field_->choices.empty() && !is_choice(std::get<std::string>(value)))
       return false;
     body.set(field_->name, std::move(value));

@@ -36,6 +36,7 @@ struct Field {
   double most = 256;  // likewise
   std::vector<std::string> choices = {};  // of a text; empty: any
   std::size_t longest = kLongestText;     // of a text in an object or a list of texts: bytes
+  bool whole = false;                     // of a number
   std::string description = {};
 };
 

@@ -23,7 +23,9 @@ ordered_json schema_of(const Field& field) {
       if (!field.choices.empty()) schema["enum"] = field.choices;
       break;
     case Kind::Number:
-      schema = {{"type", "number"}, {"minimum", number(field.least)}, {"maximum", number(field.most)}};
+      schema = {{"type", field.whole ? "integer" : "number"},
+                {"minimum", number(field.least)},
+                {"maximum", number(field.most)}};
       break;
     case Kind::Boolean:
       schema = {{"type", "boolean"}};

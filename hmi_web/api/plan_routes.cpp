@@ -36,6 +36,7 @@ std::vector<Route> fleet_rows(CellControl* cell) {
                      .required = false,
                      .least = 1,
                      .most = 1'000'000,
+                     .whole = true,
                      .description = "how many loads"};
   const Field corners{.name = "corners_m",
                       .kind = Kind::Points,

@@ -22,6 +22,7 @@ const Field kSvg{.name = "svg",
 const Field kVersion{.name = "version",
                      .kind = Kind::Number,
                      .most = 999'999,
+                     .whole = true,
                      .description = "the version that was changed; 0 of a new screen"};
 const Field kComment{.name = "comment",
                      .required = false,

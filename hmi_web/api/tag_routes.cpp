@@ -17,6 +17,7 @@ const Field kMinutes{.name = "minutes",
                      .required = false,
                      .least = 1,
                      .most = 480,
+                     .whole = true,
                      .description = "after which it is released by itself (15)"};
 
 Route row(const char* path, const char* name, const char* summary, Shape shape) {

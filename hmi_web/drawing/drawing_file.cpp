@@ -19,7 +19,7 @@ namespace stepwright::drawing {
 namespace {
 
 constexpr unsigned kParse = pugi::parse_cdata | pugi::parse_escapes | pugi::parse_eol |
-                            pugi::parse_wconv_attribute | pugi::parse_ws_pcdata;
+                            pugi::parse_wconv_attribute | pugi::parse_ws_pcdata | pugi::parse_doctype;
 // Ids are the drawing's own, and none of the page.
 constexpr const char* kPrefix = "drawing-";
 constexpr std::size_t kPrefixLength = 8;
@@ -72,6 +72,7 @@ class Reader {
            "is the file complete, and every element closed?");
       return tl::unexpected(mistakes_);
     }
+    refuse_entities();
     const pugi::xml_node root = in_.document_element();
     if (plain_name(root.name()) != "svg") {
       tell("C0640", root.offset_debug(),
@@ -126,6 +127,23 @@ class Reader {
     const auto line = static_cast<std::uint32_t>(std::count(before.begin(), before.end(), '\n')) + 1;
     const std::size_t start = before.rfind('\n') + 1;  // npos + 1 is 0
     return {name_, line, static_cast<std::uint32_t>(before.size() - start) + 1};
+  }
+
+  // The parser reads none that the file declares, and leaves those that nobody declares as they stand.
+  void refuse_entities() {
+    for (const pugi::xml_node child : in_.children()) {
+      if (child.type() != pugi::node_doctype ||
+          std::string_view(child.value()).find('[') == std::string_view::npos)
+        continue;
+      return tell("C0641", child.offset_debug(), "a DOCTYPE with declarations of its own is refused",
+                  "drawing programs leave it out when they save a plain SVG");
+    }
+    if (const auto at = unknown_entity(text_))
+      tell("C0640", static_cast<std::ptrdiff_t>(*at),
+           "this is no character that XML knows: " +
+               std::string(
+                   text_.substr(*at, std::min<std::size_t>(10, text_.find_first_of(";<\n", *at) - *at))),
+           "&amp; &lt; &gt; &quot; &apos; or a number such as &#176;");
   }
 
   void copy(pugi::xml_node from, pugi::xml_node to, int depth) {
@@ -210,6 +228,8 @@ class Reader {
         copy_value(from, name, value, to);
       } else if (standing_of_attribute(name) == Standing::Refused) {
         refuse(from, name, value, "a drawing runs nothing; bind it with data-on, data-text and so on");
+      } else if (name != "style" && name.find(':') == std::string_view::npos) {  // of a drawing program
+        refuse_harmful(from, name, value);
       }
     }
     copy_style(from, from.attribute("style").value(), to);
@@ -230,9 +250,18 @@ class Reader {
       const std::size_t colon = declaration.find(':');
       if (colon == std::string_view::npos) continue;
       const std::string_view property = trimmed(declaration.substr(0, colon));
-      if (is_presentation(property))
+      if (!is_presentation(property)) {
+        refuse_harmful(from, property, trimmed(declaration.substr(std::min(colon + 1, declaration.size()))));
+      } else {
         copy_value(from, property, std::string(trimmed(declaration.substr(colon + 1))), to);
+      }
     }
+  }
+
+  // What is left out in silence says how something looks; what loads something is told.
+  void refuse_harmful(pugi::xml_node from, std::string_view name, std::string_view value) {
+    if (!is_harmless(value))
+      refuse(from, name, std::string(value), "only plain values, and url(#id) of the drawing itself");
   }
 
   void copy_value(pugi::xml_node from, std::string_view name, const std::string& value, pugi::xml_node to) {

@@ -7,6 +7,12 @@ namespace stepwright::protocol {
 
 using nlohmann::json;
 
+namespace {
+
+constexpr std::size_t kMostLeftOut = 100;  // names of arrays
+
+}  // namespace
+
 std::string program_message(const Program& program, const PointTags& points) {
   json steps = json::array();
   for (const auto& step : program.steps) {
@@ -36,6 +42,10 @@ std::string program_message(const Program& program, const PointTags& points) {
     for (const auto& [value, name] : enumeration) names[std::to_string(value)] = name;
     enumerations.push_back(std::move(names));
   }
+  json left_out = json::array();
+  for (const auto& array : program.left_out) {
+    if (left_out.size() < kMostLeftOut) left_out.push_back({{"name", array.name}, {"values", array.values}});
+  }
   return text({{"type", "program"},
                {"digest", program.digest},
                {"charts", std::move(charts)},
@@ -43,6 +53,7 @@ std::string program_message(const Program& program, const PointTags& points) {
                {"transitions", std::move(transitions)},
                {"tags", std::move(tags)},
                {"enumerations", std::move(enumerations)},
+               {"left_out", std::move(left_out)},
                {"points", points}});
 }
 

@@ -5,6 +5,7 @@
 //
 // Plain values; any thread.
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -51,6 +52,13 @@ struct ProgramChart {
   std::uint32_t transitions = 0;
 };
 
+// An array whose values are no tags.
+struct LeftOutArray {
+  std::string name;
+  std::size_t values = 0;  // single ones
+  bool of_blocks = false;  // of function blocks; else a table
+};
+
 struct Program {
   std::string digest;  // hex; empty = no program
   std::vector<ProgramChart> charts;
@@ -58,6 +66,7 @@ struct Program {
   std::vector<ProgramTransition> transitions;
   std::vector<ProgramTag> tags;
   std::vector<Enumeration> enumerations;
+  std::vector<LeftOutArray> left_out = {};
 };
 
 }  // namespace stepwright::protocol

@@ -334,6 +334,8 @@ void CellAlarms::take(const RecordedScan& scan) {
 // Pages are told, though nothing has happened to an alarm.
 void CellAlarms::note_missing(Source& source, Missing missing) {
   if (std::exchange(source.missing, missing) != missing) ++revision_;
+  // While there is no image nobody knows: what was known last stays.
+  if (missing != Missing::Image) source.has_no_variable = missing == Missing::Variable;
 }
 
 const char* CellAlarms::word_of(AlarmId id) const {
@@ -410,7 +412,7 @@ std::vector<std::pair<std::string, std::string>> CellAlarms::without_variable() 
   std::vector<std::pair<std::string, std::string>> all;
   for (std::uint32_t i = 0; i < uses_.size(); ++i) {
     const Source& source = *uses_[i].watched;
-    if (source.missing == Missing::Variable) all.emplace_back(engine_.definitions()[i].name, source.name);
+    if (source.has_no_variable) all.emplace_back(engine_.definitions()[i].name, source.name);
   }
   return all;
 }

@@ -112,6 +112,7 @@ class CellAlarms {
     bool offered = false;
     std::optional<double> last;
     Missing missing = Missing::Image;
+    bool has_no_variable = false;  // in the program whose image was seen last
   };
 
   CellAlarms(alarms::AlarmEngine engine, std::unique_ptr<alarms::AlarmJournal> journal,

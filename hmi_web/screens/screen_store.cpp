@@ -8,6 +8,7 @@
 #include "hmi_web/access/durable_file.h"
 #include "hmi_web/screens/codes.h"
 #include "hmi_web/screens/version_text.h"
+#include "runtime/ground/naming/ascii_names.h"
 
 namespace stepwright::screens {
 namespace {
@@ -16,9 +17,14 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kLargestHead = 4'096;
 
-// "start", "start-operator".
-std::string start_file(const std::string& role) {
-  return role.empty() ? "start" : "start-" + role;
+// No screen has a name that begins with a dot.
+constexpr const char* kStart = ".start";
+// Of folders from before: beside it no folder of a screen called so could stand.
+constexpr const char* kOldStart = "start";
+
+// ".start", ".start-operator".
+std::string start_file(const std::string& role, const char* name = kStart) {
+  return role.empty() ? name : std::string(name) + "-" + role;
 }
 bool has_start(const std::string& role) {
   return role.empty() || std::find(kStartRoles.begin(), kStartRoles.end(), role) != kStartRoles.end();
@@ -45,12 +51,22 @@ const Version* Screen::current() const {
   return found == versions.rend() ? nullptr : &*found;
 }
 
+namespace {
+
+bool is_name(std::string_view name) {
+  return !name.empty() && name.size() <= kLongestName && is_letter_or_digit(name.front()) &&
+         is_letter_or_digit(name.back()) && std::all_of(name.begin(), name.end(), [](char c) {
+           return is_letter_or_digit(c) || c == ' ' || c == '.' || c == '_' || c == '-';
+         });
+}
+
+}  // namespace
+
 result::Result<void> check_name(std::string_view name) {
-  const bool fits = !name.empty() && name.size() <= kLongestName && is_letter_or_digit(name.front()) &&
-                    is_letter_or_digit(name.back()) && std::all_of(name.begin(), name.end(), [](char c) {
-                      return is_letter_or_digit(c) || c == ' ' || c == '.' || c == '_' || c == '-';
-                    });
-  if (fits) return {};
+  if (is_name(name) && naming::upper(name).ends_with(".SVG"))
+    return result::fail(kNoName, {}, "the name of a screen does not end in .svg",
+                        "NAME.svg is the file of a screen that somebody has put there");
+  if (is_name(name)) return {};
   return result::fail(
       kNoName, {}, "this cannot be the name of a screen",
       "up to 64 letters, digits, blanks and . _ - of ASCII; a letter or a digit at both ends");
@@ -67,7 +83,7 @@ void ScreenStore::look() {
   std::error_code error;
   for (fs::directory_iterator at(folder_, error), end; !error && at != end; at.increment(error)) {
     const fs::file_status status = at->symlink_status(error);
-    if (fs::is_directory(status) && check_name(at->path().filename().string()))
+    if (fs::is_directory(status) && is_name(at->path().filename().string()))
       look_at_folder(at->path());
     else if (fs::is_regular_file(status) && at->path().extension() == ".svg")
       look_at_file(at->path());
@@ -82,14 +98,30 @@ void ScreenStore::look_at_starts() {
   std::vector<std::string> roles(kStartRoles.begin(), kStartRoles.end());
   roles.emplace_back();
   for (const std::string& role : roles) {
+    move_start(role);
     const auto text = access::read_bounded(folder_ / start_file(role), kLongestName);
-    if (text && check_name(*text)) starts_[role] = *text;
+    if (text && is_name(*text)) starts_[role] = *text;
   }
+}
+
+// From where it stood before, with what a failure has left beside it.
+void ScreenStore::move_start(const std::string& role) {
+  std::error_code error;
+  const fs::path old = folder_ / start_file(role, kOldStart);
+  const fs::path half = old.string() + ".new";
+  if (fs::is_regular_file(fs::symlink_status(half, error))) fs::remove(half, error);
+  if (!fs::is_regular_file(fs::symlink_status(old, error))) return;
+  const fs::path now = folder_ / start_file(role);
+  if (!fs::exists(fs::symlink_status(now, error))) {
+    const auto text = access::read_bounded(old, kLongestName);
+    if (!text || !access::replace_private_file(now, *text)) return;  // the next start tries again
+  }
+  static_cast<void>(access::remove_durably(old));
 }
 
 void ScreenStore::look_at_file(const fs::path& file) {
   const std::string name = file.stem().string();
-  if (!check_name(name)) return;
+  if (!is_name(name)) return;
   auto drawn = drawing::load_drawing(file);
   if (!drawn) {
     damaged_.insert(damaged_.end(), drawn.error().begin(), drawn.error().end());

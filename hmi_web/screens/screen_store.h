@@ -30,7 +30,7 @@
 namespace stepwright::screens {
 
 // Letters, digits, blanks and ". _ -" of ASCII, the first and the last a letter or a digit: it is the name of
-// a folder, too.
+// a folder, too. None ends in .svg, as files do.
 [[nodiscard]] result::Result<void> check_name(std::string_view name);
 
 struct Save {
@@ -71,6 +71,7 @@ class ScreenStore {
   explicit ScreenStore(std::filesystem::path folder) : folder_(std::move(folder)) {}
   void look();
   void look_at_starts();
+  void move_start(const std::string& role);
   void look_at_file(const std::filesystem::path& file);
   void look_at_folder(const std::filesystem::path& folder);
   std::filesystem::path file_of(const std::string& name, std::uint32_t version, const char* ending) const;

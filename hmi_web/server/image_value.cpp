@@ -29,6 +29,23 @@ void cut(std::string& text) {
   text += "\xE2\x80\xA6";  // an ellipsis
 }
 
+// A page computes with doubles, which have every integer up to here.
+bool needs_digits(const reader::Variable& variable, std::span<const std::byte> image) {
+  constexpr std::int64_t kLastExact = std::int64_t{1} << 53;
+  if (!lies_in(variable, image)) return false;
+  switch (variable.type) {
+    case ElementaryType::Lint: {
+      const auto value = std::get<std::int64_t>(reader::read_value(variable, image));
+      return value > kLastExact || value < -kLastExact;
+    }
+    case ElementaryType::Ulint:
+    case ElementaryType::Lword:
+      return std::get<std::uint64_t>(reader::read_value(variable, image)) > std::uint64_t{kLastExact};
+    default:
+      return false;
+  }
+}
+
 }  // namespace
 
 bool overlap(const reader::Variable& one, const reader::Variable& other) {
@@ -49,7 +66,8 @@ bool has_text(const reader::Variable& variable) {
 }
 
 std::optional<std::string> read_text(const reader::Variable& variable, std::span<const std::byte> image) {
-  if (!has_text(variable) || !lies_in(variable, image)) return std::nullopt;
+  if (!lies_in(variable, image)) return std::nullopt;
+  if (!has_text(variable) && !needs_digits(variable, image)) return std::nullopt;
   std::string text = reader::read_text(variable, image);
   cut(text);
   return text;

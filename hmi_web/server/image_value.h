@@ -22,7 +22,8 @@ std::optional<double> read(const reader::Variable& variable, std::span<const std
 
 // STRING, WSTRING, DATE, TOD and DT: what people read as text.
 bool has_text(const reader::Variable& variable);
-// Of such a variable as reader::read_text, as long as a page shows it: after kMostTextBytes comes "…".
+// Of such a variable, and of a LINT, ULINT or LWORD beyond 2^53, as reader::read_text, as long as a page
+// shows it: after kMostTextBytes comes "…".
 inline constexpr std::size_t kMostTextBytes = 254;
 std::optional<std::string> read_text(const reader::Variable& variable, std::span<const std::byte> image);
 

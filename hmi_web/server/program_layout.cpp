@@ -1,11 +1,11 @@
 #include "hmi_web/server/program_layout.h"
 
 #include <algorithm>
-#include <map>
 #include <set>
 #include <string_view>
 #include <utility>
 
+#include "hmi_web/server/array_selection.h"
 #include "hmi_web/server/declared_notes.h"
 #include "runtime/bytecode/reader/document_text.h"
 #include "runtime/bytecode/value_type.h"
@@ -43,23 +43,6 @@ void add_chart(const reader::ChartInfo& chart, ProgramLayout& layout) {
         {transition.name, shifted(transition.sources), shifted(transition.targets), transition.condition});
     layout.transitions.push_back(transition.fires);
   }
-}
-
-// An array with more single values than this is a table that the program looks things up in.
-constexpr std::size_t kMostOfAnArray = 128;
-
-std::string_view array_of(std::string_view tag) {
-  const auto bracket = tag.find('[');
-  return bracket == std::string_view::npos ? std::string_view() : tag.substr(0, bracket);
-}
-
-// How many single values each array has.
-std::map<std::string_view, std::size_t> array_sizes(const std::vector<reader::Tag>& tags) {
-  std::map<std::string_view, std::size_t> sizes;
-  for (const auto& tag : tags) {
-    if (const auto array = array_of(tag.name); !array.empty()) ++sizes[array];
-  }
-  return sizes;
 }
 
 // Where the names of a variable's values stand in the program; nothing if it is no enumeration.
@@ -110,11 +93,10 @@ result::Result<ProgramLayout> read_layout(std::span<const std::byte> container, 
     if (transition) drawn.insert(place_of(*transition));
   }
   const DeclaredNotes notes(info->instances(), layout.document);
-  const auto arrays = array_sizes(info->tags());
+  const ArraySelection arrays(info->tags(), info->instances());
+  layout.program.left_out = arrays.left_out();
   for (const auto& tag : info->tags()) {
-    if (drawn.contains(place_of(tag.variable))) continue;
-    const auto array = arrays.find(array_of(tag.name));
-    if (array != arrays.end() && array->second > kMostOfAnArray) continue;
+    if (drawn.contains(place_of(tag.variable)) || !arrays.shows(tag.name)) continue;
     protocol::TagNote note = notes.of(tag.name);
     const std::string comment = std::exchange(note.description, {});
     layout.program.tags.push_back({tag.name, bytecode::name_of(tag.variable.type),

@@ -31,8 +31,7 @@ struct ProgramLayout {
 };
 
 // Reads a container: all its charts as one, its tags without the bits of steps and transitions and without
-// tables (arrays with more than 128 single values), which would be most of what a viewer is sent. Fails as
-// reader::ProgramInfo::read.
+// the arrays that array_selection.h leaves out (`program.left_out`). Fails as reader::ProgramInfo::read.
 [[nodiscard]] result::Result<ProgramLayout> read_layout(std::span<const std::byte> container,
                                                         const std::string& digest);
 

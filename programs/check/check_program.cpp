@@ -6,6 +6,7 @@
 #include "cell/monitor_check/missing_monitors.h"
 #include "cell/runtime/boot_program.h"
 #include "cell/runtime/host_options.h"
+#include "hmi_web/server/array_selection.h"
 #include "programs/check/check_described_tags.h"
 #include "programs/check/check_names.h"
 #include "programs/check/check_tags.h"
@@ -52,6 +53,26 @@ result::Result<std::optional<CellProgram>> find_program(const config::CellConfig
   return CellProgram{(*found)->file.string(), std::move((*found)->container)};
 }
 
+namespace {
+
+// Tables are no news; blocks that a screen cannot show are.
+result::Diagnostics left_out_blocks(const reader::ProgramInfo& info, const std::string& program) {
+  result::Diagnostics problems;
+  for (const auto& array : server::ArraySelection(info.tags(), info.instances()).left_out()) {
+    if (!array.of_blocks) continue;
+    problems.push_back({"C0636",
+                        result::Severity::Warning,
+                        {program},
+                        "the page shows nothing of the array '" + array.name + "', which has " +
+                            std::to_string(array.values) + " single values",
+                        "it is told of " + std::to_string(server::kMostArrayValues) +
+                            " of all arrays; divide the program between several cells"});
+  }
+  return problems;
+}
+
+}  // namespace
+
 result::Diagnostics check_program(const config::CellConfig& config, const CellProgram& program) {
   result::Diagnostics problems;
   auto loaded = reader::LoadedProgram::load(program.container, program.name);
@@ -76,6 +97,7 @@ result::Diagnostics check_program(const config::CellConfig& config, const CellPr
   add(problems, check_described_tags(config.tags, *info, picture_points(config)));
   add(problems, cell_monitors::missing_monitors(config, *info));
   add(problems, check_names(config, *info));
+  add(problems, left_out_blocks(*info, program.name));
   return problems;
 }
 

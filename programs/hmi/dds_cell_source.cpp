@@ -83,6 +83,9 @@ bool DdsCellSource::fetch_program(const std::string& digest) {
     log_.warning("program", result::to_string(layout.error()), {{"digest", digest}});
     return true;
   }
+  for (const protocol::LeftOutArray& array : layout->program.left_out)
+    log_.info("program", "the page is told no values of the array '" + array.name + "', which has " +
+                             std::to_string(array.values) + " single ones (hmi_web/doc/tags.md)");
   if (auto info = reader::ProgramInfo::read(*container)) {
     std::string document(reader::document_text(*container));
     running_.set(std::make_shared<const KnownProgram>(

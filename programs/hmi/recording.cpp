@@ -11,7 +11,7 @@
 namespace stepwright::hmi {
 namespace {
 
-// A program with more monitors than a page is told values of has none of them among its tags.
+// Alarms of the first ones; the panel of the monitors shows them all.
 constexpr std::uint32_t kMostMonitors = 128;
 
 std::int64_t real_time_ns() {

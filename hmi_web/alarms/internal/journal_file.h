@@ -59,7 +59,9 @@ class JournalFile {
 class JournalView {
  public:
   [[nodiscard]] static result::Result<JournalView> open(const std::filesystem::path& file);
+  // `named`: lines of the names of alarms that `query.text` finds, too.
   [[nodiscard]] result::Result<std::vector<JournalEntry>> find(const JournalQuery& query,
+                                                               const std::string& named,
                                                                std::size_t most) const;
   [[nodiscard]] result::Result<std::vector<AlarmJournal::Last>> last() const;
 

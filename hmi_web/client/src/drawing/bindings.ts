@@ -3,7 +3,7 @@
 import { fixed, UNKNOWN } from '../lib/format';
 import type { TagNote, Value } from '../lib/protocol';
 import { hasDecimals, nameOr, told, toldNumber } from '../lib/tag_notes';
-import { numberOr, type TagValue } from '../lib/value';
+import { isLongInteger, numberOr, type TagValue } from '../lib/value';
 
 export type Switch = 'on' | 'warn' | 'alarm' | 'show';
 export type Range = 'fill' | 'move' | 'turn';
@@ -107,7 +107,7 @@ export interface Found {
 export function textOf(found: Found | null, digits: number | null = null, unit = ''): string {
   if (found === null || found.value === null) return UNKNOWN;
   const { value, type, note, names } = found;
-  if (typeof value === 'string') return value;
+  if (typeof value === 'string') return isLongInteger(type) ? told(value, type, { name: '', unit: unit || note?.unit || '' }) : value;
   const named = nameOr(value, names, note);
   if (typeof named === 'string') return named;
   const said = unit || note?.unit || '';

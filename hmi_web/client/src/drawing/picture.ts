@@ -3,7 +3,7 @@
 
 import { fixed } from '../lib/format';
 import type { Value } from '../lib/protocol';
-import { numberOr, type TagValue } from '../lib/value';
+import { drawnNumber, numberOr, type TagValue } from '../lib/value';
 import { bindingsOf, isTrue, namesOf, poseTransform, spokenOf, textOf, transformOf, type Binding, type Box, type Found, type PoseBinding, type RangeBinding } from './bindings';
 
 // Where values come from.
@@ -114,7 +114,7 @@ function show(one: Bound, binding: Exclude<Binding, PoseBinding>, found: Found |
   const shown = binding.kind === 'text' ? words : `${String(value)} ${words}`;
   if (shown === one.shown) return false;
   one.shown = shown;
-  write(one, binding.kind === 'text' && typeof value === 'string', numberOr(value), words);
+  write(one, binding.kind === 'text' && typeof value === 'string', drawnNumber(value, found?.type ?? ''), words);
   return true;
 }
 

@@ -19,7 +19,7 @@ import {
 import { ForcedNames } from './forces';
 import { enumerationOf, pointNote, told, toldNumber, TagNotes } from './tag_notes';
 import { TrendData } from './trend_data';
-import { numberOr, type TagValue, type Value } from './value';
+import { drawnNumber, type TagValue, type Value } from './value';
 import { UnreadTags } from './unread';
 import { Wanted } from './wanted';
 
@@ -88,6 +88,7 @@ export class Cell {
   faultsOpen = $state(false); // so are the faults of a simulated plant
   programOpen = $state(false); // so are the sources of the program
   changeOpen = $state(false); // so is what changes it
+  programSheet = $state(-1); // a part of the program that is asked for there; -1: none
   programTag = $state(''); // a tag whose uses are asked for there; empty: none
   live = $state<LiveFields>({ ...NOTHING });
   points = $state<Value[]>([]);
@@ -220,7 +221,8 @@ export class Cell {
 
   // The same of a number; null for a text.
   tag(name: string): Value {
-    return numberOr(this.tagValue(name));
+    const type = this.program?.tags[this.tagNumber(name)]?.type ?? '';
+    return drawnNumber(this.tagValue(name), type);
   }
 
   private take(message: ServerMessage): void {

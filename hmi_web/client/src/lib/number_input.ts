@@ -24,3 +24,9 @@ export function literalText(text: string, type: string): string {
   const isNumber = /^(L?REAL|U?[SDL]?INT)$/.test(type);
   return isNumber ? (decimalText(text) ?? text) : text;
 }
+
+// An integer with all its digits, as it was typed; null for what is none.
+export function exactInteger(text: string): string | null {
+  const plain = decimalText(text);
+  return plain !== null && /^-?\d+$/.test(plain) ? plain : null;
+}

@@ -224,6 +224,7 @@ export interface ProgramMessage {
   transitions: Transition[];
   tags: Tag[];
   enumerations: Record<string, string>[]; // names by value
+  left_out?: { name: string; values: number }[]; // arrays whose values are no tags
   points: number[][]; // of each point of the synoptic, the tags at its place
 }
 

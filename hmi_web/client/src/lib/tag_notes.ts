@@ -2,7 +2,7 @@
 
 import { fixed, short, tagValue } from './format';
 import type { ProgramMessage, Tag, TagNote } from './protocol';
-import type { TagValue, Value } from './value';
+import { isLongInteger, type TagValue, type Value } from './value';
 
 // IEC 61131-3 does not tell upper and lower case apart.
 const fold = (name: string) => name.toLowerCase();
@@ -46,6 +46,7 @@ export function enumerationOf(program: ProgramMessage | null, index: number): Re
 export function told(value: TagValue | undefined, type: string, note?: TagNote, names?: Record<string, string>): string {
   const named = nameOr(value ?? null, names, note);
   if (typeof named === 'string' && typeof value === 'number') return named;
+  if (typeof named === 'string' && isLongInteger(type)) return withUnit(named, note);
   if (typeof named !== 'number') return tagValue(named, type);
   const chosen = note?.decimals !== undefined && hasDecimals(type) && Math.abs(named) < MOST;
   return withUnit(chosen ? named.toFixed(note.decimals) : tagValue(named, type), note);

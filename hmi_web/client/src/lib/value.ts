@@ -5,4 +5,8 @@ export type Value = number | null;
 export type TagValue = Value | string;
 
 export const isTrue = (value: TagValue | undefined): boolean => typeof value === 'number' && value > 0;
+// Integers of 64 bits beyond 2^53 come as text, with all their digits: near enough for what is drawn.
+export const isLongInteger = (type: string): boolean => type === 'LINT' || type === 'ULINT' || type === 'LWORD';
+export const drawnNumber = (value: TagValue | undefined, type: string): Value =>
+  typeof value === 'string' && isLongInteger(type) ? Number(value) : numberOr(value);
 export const numberOr = (value: TagValue | undefined): Value => (typeof value === 'number' ? value : null);

@@ -15,17 +15,22 @@ export interface Group {
 }
 
 const NUMBER = /^(L?REAL|U?[SDL]?INT|BOOL)$/;
-const instanceOf = (name: string): string => name.slice(0, Math.max(0, name.lastIndexOf('.')));
+// "Main.pump" of "Main.pump.speed"; of everything in an array the array.
+function ownerOf(name: string): string {
+  const array = name.indexOf('[');
+  return name.slice(0, array >= 0 ? array : Math.max(0, name.lastIndexOf('.')));
+}
+// What is said of an array is said of every element: which one it is stands behind it.
+const wordsOf = (name: string, said: string): string => (said && name.includes('[') ? `${said} ${name.slice(name.indexOf('['))}` : said || name);
 
-// By the groups that the cell says, then by the instance that they belong to; elements of arrays are left to the table of tags.
+// By the groups that the cell says, then by the instance or the array that they belong to.
 export function groupsOf(tags: readonly Tag[], notes: TagNotes): Group[] {
   const said = new Map<string, Row[]>();
   const others = new Map<string, Row[]>();
   tags.forEach((tag, index) => {
-    if (tag.name.includes('[')) return;
     const note = notes.of(tag.name);
-    const [groups, name] = note?.group ? [said, note.group] : [others, instanceOf(tag.name)];
-    const row = { index, name: tag.name, words: note?.description ?? (tag.comment || tag.name), isNumber: NUMBER.test(tag.type) };
+    const [groups, name] = note?.group ? [said, note.group] : [others, ownerOf(tag.name)];
+    const row = { index, name: tag.name, words: wordsOf(tag.name, note?.description ?? tag.comment ?? ''), isNumber: NUMBER.test(tag.type) };
     groups.set(name, [...(groups.get(name) ?? []), row]);
   });
   return [...said, ...others].map(([name, rows]) => ({ name, rows }));

@@ -31,8 +31,8 @@ export interface Screen {
 }
 
 // Of ASCII letters, digits, blanks and . _ -, the first and the last a letter or a digit, as the server has it: a name is a folder
-// and a part of an address, too.
-export const isScreenName = (name: string): boolean => /^[A-Za-z0-9]([A-Za-z0-9 ._-]{0,62}[A-Za-z0-9])?$/.test(name);
+// and a part of an address, too. NAME.svg is a file.
+export const isScreenName = (name: string): boolean => /^[A-Za-z0-9]([A-Za-z0-9 ._-]{0,62}[A-Za-z0-9])?$/.test(name) && !/\.svg$/i.test(name);
 
 export const LIST = '/api/screens';
 export const pathOf = (name: string) => `${LIST}/${encodeURIComponent(name)}`;

@@ -13,6 +13,7 @@ export default {
   active: 'Aktiv: {steps}',
   view: 'Schrittkette des Programms',
   picture: 'Ablaufsprache: Schrittkette des laufenden Programms',
+  parts: 'Teile des laufenden Programms',
   noChart: 'Das laufende Programm hat keine Schrittkette.',
   noProgram: 'Im Laufzeitsystem ist kein Programm geladen.',
   noRuntime: 'Ohne Laufzeitsystem gibt es kein Programm.',

@@ -10,6 +10,7 @@ export default {
   active: 'Active: {steps}',
   view: 'program chart',
   picture: 'sequential function chart of the running program',
+  parts: 'parts of the running program',
   noChart: 'The running program has no chart.',
   noProgram: 'No program is loaded in the runtime.',
   noRuntime: 'There is no program without a runtime.',

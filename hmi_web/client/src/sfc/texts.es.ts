@@ -13,6 +13,7 @@ export default {
   active: 'Activas: {steps}',
   view: 'gráfico del programa',
   picture: 'diagrama de funciones secuenciales del programa en marcha',
+  parts: 'partes del programa en marcha',
   noChart: 'El programa en marcha no tiene gráfico.',
   noProgram: 'No hay ningún programa cargado en el autómata.',
   noRuntime: 'Sin autómata no hay programa.',

@@ -13,6 +13,7 @@ export default {
   active: 'Actives : {steps}',
   view: 'graphe du programme',
   picture: 'diagramme fonctionnel en séquence du programme en cours',
+  parts: 'parties du programme en cours',
   noChart: 'Le programme en cours n’a pas de graphe.',
   noProgram: 'Aucun programme n’est chargé dans l’automate.',
   noRuntime: 'Sans automate, pas de programme.',

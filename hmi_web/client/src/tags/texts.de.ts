@@ -16,6 +16,7 @@ export default {
   abnormal: 'normal ist {least} bis {greatest}',
   uses: 'Verwendungen',
   usesOf: 'Verwendungen von {name}',
+  leftOut: 'Felder, deren Werte hier nicht stehen, und wie viele sie haben: {arrays}',
   set: 'Setzen',
   setOne: '{name} setzen',
 } satisfies Translation<typeof english>;

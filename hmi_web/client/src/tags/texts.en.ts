@@ -13,6 +13,7 @@ export default {
   abnormal: 'normal is {least} to {greatest}',
   uses: 'Uses',
   usesOf: 'Uses of {name}',
+  leftOut: 'Arrays whose values are not shown here, and how many they have: {arrays}',
   set: 'Set',
   setOne: 'Set {name}',
 } as const;

@@ -16,6 +16,7 @@ export default {
   abnormal: 'lo normal es de {least} a {greatest}',
   uses: 'Usos',
   usesOf: 'Usos de {name}',
+  leftOut: 'Matrices cuyos valores no se muestran aquí, y cuántos tienen: {arrays}',
   set: 'Fijar',
   setOne: 'Fijar {name}',
 } satisfies Translation<typeof english>;

@@ -16,6 +16,7 @@ export default {
   abnormal: 'normal : de {least} à {greatest}',
   uses: 'Utilisations',
   usesOf: 'Utilisations de {name}',
+  leftOut: 'Tableaux dont les valeurs ne figurent pas ici, et combien ils en ont : {arrays}',
   set: 'Régler',
   setOne: 'Régler {name}',
 } satisfies Translation<typeof english>;

@@ -92,6 +92,23 @@ TEST_F(AlarmJournalTest, WhenTransitionsAreAppended_ThenTheyAreFoundByWhatTheyAr
   EXPECT_EQ(entries[3].transition.from, AlarmState::Normal);
 }
 
+TEST_F(AlarmJournalTest, WhenATextIsLookedFor_ThenWhatPeopleReadIsSearchedInEveryLanguage) {
+  definitions_[0].text = "First alarm";
+  definitions_[0].words["de"].text = "Erster Alarm";
+  definitions_[1].text = "Second 100% alarm";
+  open();
+  set(0, 10, 1);
+  set(1, 20, 1);
+  set(2, 30, 1);
+  keep();
+  EXPECT_EQ(times({.text = "first"}), (Times{10}));
+  EXPECT_EQ(times({.text = "erster"}), (Times{10}));
+  EXPECT_EQ(times({.text = "ALARM"}), (Times{20, 10}));
+  EXPECT_EQ(times({.text = "100%"}), (Times{20}));
+  EXPECT_EQ(times({.text = "main."}), (Times{30, 20, 10}));
+  EXPECT_EQ(times({.from_ns = 15, .text = "alarm"}), (Times{20}));
+}
+
 TEST_F(AlarmJournalTest, WhenThereAreManyEntries_ThenTheyAreReadPageByPageInOrderWithoutGaps) {
   open();
   for (std::int64_t i = 0; i < 100; ++i)

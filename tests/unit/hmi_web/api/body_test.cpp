@@ -34,6 +34,16 @@ TEST(Body, WhenItIsRight_ThenItsMembersAreThere) {
   EXPECT_EQ(body->points("corners")[1].y, -4);
 }
 
+TEST(Body, WhenANumberIsToBeWhole_ThenAPartOfOneIsRefused) {
+  const Shape shape{"Test", {{.name = "version", .kind = Kind::Number, .most = 9, .whole = true}}};
+  EXPECT_TRUE(read_body(R"({"version": 2})", shape));
+  EXPECT_TRUE(read_body(R"({"version": 2.0})", shape));
+  const auto part = read_body(R"({"version": 1.5})", shape);
+  ASSERT_FALSE(part);
+  EXPECT_EQ(part.error()[0].code, "H0033");
+  EXPECT_EQ(part.error()[0].message, "'version' is no whole number");
+}
+
 TEST(Body, WhenItHasAnObjectOfTexts_ThenItsMembersAreThere) {
   const auto body = read_body(R"({"values": {"a.b": "1", "%QX0.1": ""}, "name": "a"})", kShape);
   ASSERT_TRUE(body) << result::to_string(body.error());

@@ -109,6 +109,11 @@ TEST_F(ScreenRoutesTest, WhenADeedIsAskedTwice_ThenItIsDoneOnce) {
   EXPECT_EQ(writes(), 1u);
 }
 
+TEST_F(ScreenRoutesTest, WhenAVersionIsNoWholeNumber_ThenNothingIsSaved) {
+  EXPECT_EQ(code(ask("PUT", "/api/screens/x1", R"({"svg": "<svg viewBox='0 0 1 1'/>", "version": 1.5})")),
+            "400 H0033");
+}
+
 TEST_F(ScreenRoutesTest, WhenTwoPeopleSave_ThenTheSecondIsToldOfBothVersions) {
   EXPECT_EQ(save("Mixer", R"(<svg viewBox="0 0 1 1"/>)", 1).status, 200u);
   const Answer late = save("Mixer", R"(<svg viewBox="0 0 2 2"/>)", 1);

@@ -10,7 +10,7 @@ import { load } from './load_modules.mjs';
 const arrange = await load(process.env.CLIENT, ['screens/editor/arrange']);
 const model = await load(process.env.CLIENT, ['screens/editor/model', 'screens/editor/symbols', 'screens/editor/part_symbols']);
 const sizes = await load(process.env.CLIENT, ['screens/editor/sizing', 'screens/editor/points']);
-const view = await load(process.env.CLIENT, ['screens/parts', 'screens/screens', 'screens/trend_lines', 'screens/editor/tag_search']);
+const view = await load(process.env.CLIENT, ['screens/parts', 'screens/screens', 'screens/overview', 'screens/trend_lines', 'screens/editor/tag_search']);
 
 const item = (key, more = {}) => ({ key, symbol: 'pump', x: 0, y: 0, w: 60, h: 60, turn: 0, group: '', params: {}, markup: '', ...more });
 const svgOf = (...items) => model.svgOf({ ...model.EMPTY, items }, new Map());
@@ -180,4 +180,22 @@ test('Trend_WhenTheServersClockIsAnother_ThenWhatWasSeenIsMovedOntoItInFrontOfNo
   lines.add(1402, [3]);
   assert.deepEqual(lines.times, [1390, 1395, 1400, 1401, 1402]);
   assert.deepEqual(lines.columns, [[7, 8, 1, 2, 3]]);
+});
+
+test('Overview_WhenTagsAreOfArrays_ThenTheyStandInTheGroupOfTheirArray', () => {
+  const tags = [
+    { name: 'Main.x', type: 'BOOL', address: '', comment: '' },
+    { name: 'Main.p[1].speed', type: 'REAL', address: '', comment: 'how fast' },
+    { name: 'Main.p[2].speed', type: 'REAL', address: '', comment: 'how fast' },
+    { name: 'Main.levels[3]', type: 'INT', address: '' },
+  ];
+  const groups = view.groupsOf(tags, { of: () => undefined });
+  assert.deepEqual(groups.map(({ name, rows }) => [name, rows.map(({ words }) => words)]), [
+    ['Main', ['Main.x']], ['Main.p', ['how fast [1].speed', 'how fast [2].speed']], ['Main.levels', ['Main.levels[3]']],
+  ]);
+});
+
+test('Screen_WhenANameEndsAsAFile_ThenItIsNone', () => {
+  assert.ok(view.isScreenName('start') && view.isScreenName('svg'));
+  assert.ok(!view.isScreenName('mixer.svg') && !view.isScreenName('a.SVG'));
 });

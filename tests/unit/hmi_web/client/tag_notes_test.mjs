@@ -7,8 +7,8 @@ import { test } from 'node:test';
 
 import { load } from './load_modules.mjs';
 
-const { TagNotes, enumerationOf, isAbnormal, language, nameOr, told, toldNumber, tracesOf, linesOf, pointNote, tagTable } = await load(process.env.CLIENT, [
-  'lib/language.svelte', 'lib/tag_notes', 'records/history_chart', 'trend/chart', 'tags/tag_table',
+const { TagNotes, drawnNumber, enumerationOf, exactInteger, isAbnormal, language, nameOr, told, toldNumber, tracesOf, linesOf, pointNote, tagTable } = await load(process.env.CLIENT, [
+  'lib/language.svelte', 'lib/number_input', 'lib/tag_notes', 'lib/value', 'records/history_chart', 'trend/chart', 'tags/tag_table',
 ]);
 
 const level = { name: 'Main.level', unit: 'l', description: 'level of the buffer', decimals: 1, normal: [0, 200] };
@@ -120,4 +120,15 @@ test('Table_WhenTagsAndPointsAreDescribed_ThenEachHasARowAndAnArrayOne', () => {
     '',
   ].join('\r\n'));
   assert.match(tagTable(tags, []), /Main\.level,REAL,,,how full/);
+});
+
+test('Value_WhenAnIntegerHasMoreDigitsThanANumber_ThenAllOfThemAreShown', () => {
+  const digits = '9007199254740993';
+  assert.equal(told(digits, 'LINT'), digits);
+  assert.equal(told(digits, 'ULINT', { name: 'x', unit: 'pcs', decimals: 1 }), `${digits} pcs`);
+  assert.equal(told(digits, 'STRING'), `'${digits}'`);
+  assert.equal(drawnNumber(digits, 'LINT'), 9007199254740992);
+  assert.equal(drawnNumber('12', 'STRING'), null);
+  assert.equal(exactInteger(` -${digits} `), `-${digits}`);
+  assert.equal(exactInteger('1.5'), null);
 });

@@ -99,8 +99,27 @@ INSTANTIATE_TEST_SUITE_P(
         Hostile{"<rect fill='url(http://elsewhere/x)'/>", "C0642 2 the attribute fill"},
         Hostile{"<rect style='fill: u\\72l(//elsewhere)'/>", "C0642 2 the attribute fill"},
         Hostile{"<rect style='fill:url( \"//elsewhere\" )'/>", "C0642 2 the attribute fill"},
+        Hostile{"<rect style='background:url(//e)'/>", "C0642 2 the attribute background"},
+        Hostile{"<rect style='fill:red;list-style: URL( //e )'/>", "C0642 2 the attribute list-style"},
+        Hostile{"<rect style='background:url(\"data:;x\")'/>", "C0642 2 the attribute background"},
+        Hostile{"<rect filter='url(//e#a)'/>", "C0642 2 the attribute filter"},
+        Hostile{"<text>a &b; c</text>", "C0640 2 this is no character that XML knows: &b"},
+        Hostile{"<text>\nAT&T</text>", "C0640 3 this is no character that XML knows: &T"},
+        Hostile{"<rect data-on='&b;'/>", "C0640 2 this is no character"},
         Hostile{"<g><rect></g>", "C0640 2 this is no well-formed XML"},
         Hostile{"<g id='a'><use href='#b'/></g><g id='b'><use href='#a'/></g>", "C0644 2 this <use>"}));
+
+TEST(Drawing, WhenADoctypeDeclaresEntities_ThenItIsRefusedWithItsLine) {
+  EXPECT_THAT(mistake(read_drawing("x",
+                                   "<?xml version='1.0'?>\n<!DOCTYPE svg [<!ENTITY b 'lots'>]>\n"
+                                   "<svg viewBox='0 0 9 9'><text>&b;</text></svg>")),
+              HasSubstr("C0641 2 a DOCTYPE with declarations"));
+}
+
+TEST(Drawing, WhenCharactersAreWrittenAsXmlHasThem_ThenTheyStay) {
+  const std::string svg = drawn("<!-- &b; --><text>&lt;&#176;&#xB0; &amp;<![CDATA[&b;]]></text>");
+  EXPECT_THAT(svg, HasSubstr("&lt;\xC2\xB0\xC2\xB0 &amp;"));
+}
 
 TEST(Drawing, WhenNotAnSvgOrWithoutSize_ThenItSaysSo) {
   EXPECT_THAT(mistake(read_drawing("x", "<html/>")), HasSubstr("C0640 1 the file holds <html>"));

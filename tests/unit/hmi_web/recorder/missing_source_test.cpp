@@ -104,6 +104,21 @@ TEST_F(MissingSourceTest, WhenTheProgramHasNotScannedYet_ThenItsValuesRaiseNothi
   EXPECT_EQ(listed()["on"]["state"], "unacknowledged");
 }
 
+TEST_F(MissingSourceTest, WhenNoImageIsThereForAMoment_ThenAVariableThatIsGoneIsNotThereAgain) {
+  const std::vector<std::pair<std::string, std::string>> gone = {{"high", "main.high"}};
+  open({alarm("high", "main.high")});
+  look(nullptr);
+  EXPECT_TRUE(alarms_->without_variable().empty()) << "nobody knows yet";
+  look(program({"main.low"}));
+  EXPECT_EQ(alarms_->without_variable(), gone);
+  look(nullptr);
+  EXPECT_EQ(alarms_->without_variable(), gone);
+  look(program({"main.other"}));
+  EXPECT_EQ(alarms_->without_variable(), gone);
+  look(program({"main.high"}));
+  EXPECT_TRUE(alarms_->without_variable().empty());
+}
+
 TEST_F(MissingSourceTest,
        WhenAnOnlineChangeTakesTheVariableAway_ThenPagesAreToldAndTheAlarmIsNoLongerNormal) {
   open({alarm("high", "main.high"), alarm("low", "main.low")});

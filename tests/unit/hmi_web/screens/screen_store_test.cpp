@@ -168,5 +168,44 @@ TEST_F(ScreenStoreTest, WhenARoleHasAStartOfItsOwn_ThenItIsKeptBesideThatOfEvery
   EXPECT_EQ(store_->start("operator"), "");
 }
 
+TEST_F(ScreenStoreTest, WhenScreensAreCalledStart_ThenTheyAndTheStartScreensAreKept) {
+  for (const char* name : {"start", "start-viewer", "start-operator", "start-engineer"})
+    ASSERT_TRUE(store_->save({.name = name, .svg = svg("")}, {})) << name;
+  for (const char* role : {"", "viewer", "operator", "engineer"})
+    ASSERT_TRUE(store_->set_start("start-viewer", role)) << role;
+  ASSERT_TRUE(store_->save({.name = "start", .svg = svg("<circle r='2'/>"), .based_on = 1}, {}));
+  open_again();
+  EXPECT_TRUE(store_->damaged().empty());
+  EXPECT_EQ(store_->list().size(), 4u);
+  for (const char* role : {"", "viewer", "operator", "engineer"})
+    EXPECT_EQ(store_->start(role), "start-viewer") << role;
+}
+
+TEST_F(ScreenStoreTest, WhenTheFolderIsOfBefore_ThenItsStartsAreMovedAndRestsGo) {
+  ASSERT_TRUE(save(0, svg("")));
+  write("start", "Mixer");
+  write("start-viewer", "Mixer");
+  write("start-viewer.new", "Mix");
+  open_again();
+  EXPECT_EQ(store_->start(), "Mixer");
+  EXPECT_EQ(store_->start("viewer"), "Mixer");
+  for (const char* old : {"start", "start-viewer", "start-viewer.new"})
+    EXPECT_FALSE(fs::exists(dir_ / old)) << old;
+  EXPECT_TRUE(store_->save({.name = "start", .svg = svg("")}, {}));
+  ASSERT_TRUE(store_->set_start(""));
+  open_again();
+  EXPECT_EQ(store_->start(), "") << "what was moved does not come back";
+}
+
+TEST_F(ScreenStoreTest, WhenANameEndsAsAFile_ThenItIsRefusedInWords) {
+  for (const char* name : {"Mixer.svg", "a.SVG"}) {
+    const auto saved = store_->save({.name = name, .svg = svg("")}, {});
+    ASSERT_FALSE(saved) << name;
+    EXPECT_EQ(saved.error()[0].code, "H0121");
+    EXPECT_THAT(saved.error()[0].message, HasSubstr("does not end in .svg"));
+  }
+  EXPECT_TRUE(store_->save({.name = "svg", .svg = svg("")}, {}));
+}
+
 }  // namespace
 }  // namespace stepwright::screens

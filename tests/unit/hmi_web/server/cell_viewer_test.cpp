@@ -76,6 +76,17 @@ TEST(CellViewer, WhenVariablesAreTexts_ThenTheyAreReadAsTextAndHaveNoNumber) {
   EXPECT_TRUE(viewer.view(seen).state.texts.empty()) << "the image is shorter than the program says";
 }
 
+TEST(ImageValue, WhenAnIntegerHasMoreDigitsThanADouble_ThenItIsReadAsText) {
+  const std::vector<std::byte> image = bytes(
+      {1, 0, 0, 0, 0, 0, 0x20, 0, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0, 0, 0, 0, 0, 0, 0x20, 0});
+  EXPECT_EQ(read_text({ElementaryType::Lint, 0, kNoBit}, image), "9007199254740993");
+  EXPECT_EQ(read_text({ElementaryType::Ulint, 8, kNoBit}, image), "18446744073709551615");
+  EXPECT_FALSE(read_text({ElementaryType::Lint, 8, kNoBit}, image).has_value()) << "-1";
+  EXPECT_FALSE(read_text({ElementaryType::Lint, 16, kNoBit}, image).has_value()) << "a double has 2^53";
+  EXPECT_FALSE(read_text({ElementaryType::Ulint, 20, kNoBit}, image).has_value()) << "behind the image";
+  EXPECT_FALSE(read_text({ElementaryType::Dint, 0, kNoBit}, image).has_value());
+}
+
 TEST(ImageValue, WhenATextIsLong_ThenItIsCutAtTheEndOfACharacter) {
   std::vector<std::byte> image = bytes({0, 2, 0, 1});  // 512 characters, of them 256
   image.resize(516, std::byte{0xFC});
