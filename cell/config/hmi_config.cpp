@@ -54,10 +54,11 @@ WallConfig read_wall(const settings::TomlTable& table, const std::string& host) 
                  "[hmi] host, with tls_certificate and tls_key", "0471");
   if (auto panels = table.texts("panels"); table.has("panels")) wall.panels = std::move(panels);
   for (const std::string& each : wall.panels) {
-    if (std::ranges::find(kPanels, each) != kPanels.end()) continue;
+    if (std::ranges::find(kPanels, each) != kPanels.end() || !wall_screen(each).empty()) continue;
     const std::string meant = settings::closest(each, kPanels);
     std::string all;
-    for (const std::string& panel : kPanels) all += (all.empty() ? "" : ", ") + panel;
+    for (const std::string& panel : kPanels) all += panel + ", ";
+    all += "or \"screen:NAME\", a screen that people have drawn";
     table.report("panels", "there is no panel '" + each + "'",
                  meant.empty() ? all : "did you mean '" + meant + "'?", "0471");
   }
@@ -65,6 +66,11 @@ WallConfig read_wall(const settings::TomlTable& table, const std::string& host) 
 }
 
 }  // namespace
+
+std::string wall_screen(const std::string& panel) {
+  constexpr std::string_view kScreen = "screen:";
+  return panel.starts_with(kScreen) ? panel.substr(kScreen.size()) : std::string();
+}
 
 HmiConfig read_hmi(const settings::TomlTable& hmi, const std::filesystem::path& folder,
                    const std::filesystem::path& state_dir) {

@@ -65,6 +65,9 @@ struct HmiConfig {
   std::chrono::milliseconds refresh{20};  // between two pictures of the values, at the shortest
 };
 
+// The screen of a panel "screen:NAME" of [hmi.wall]; empty for any other panel.
+std::string wall_screen(const std::string& panel);
+
 // "localhost", 127.x.y.z, ::1.
 bool is_loopback(const std::string& host);
 

@@ -126,8 +126,10 @@ constexpr std::array kProcessKeys = {
     KeyWords{"hmi.wall", "A display on the wall: it looks without logging in, and never acts."},
     KeyWords{"hmi.wall.addresses", "Who calls from one of these is a viewer: addresses, or ranges of them.",
              "", "there is no such display"},
-    KeyWords{"hmi.wall.panels", "What `/#wall` shows, in this order.", "",
-             "alarms, picture of the plant, plan and trend"},
+    KeyWords{"hmi.wall.panels",
+             "What `/#wall` shows, in this order: panels of the page, and as `screen:NAME` screens that "
+             "people draw.",
+             "", "alarms, picture of the plant, plan and trend"},
     KeyWords{"hmi.idle_minutes", "Whoever does nothing for so long is logged out."},
     KeyWords{"hmi.session_hours", "Everybody is logged out after so long."},
     KeyWords{"hmi.refresh_ms",

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -137,11 +138,31 @@ void check_trends(const config::CellConfig& config, NameCheck& names) {
   }
 }
 
+// A warning, too: somebody may draw it later.
+void check_wall(const config::CellConfig& config, const screens::ScreenStore& store,
+                result::Diagnostics& problems) {
+  std::vector<std::string> drawn;
+  for (const screens::Screen& screen : store.list())
+    if (const screens::Version* now = screen.current(); now != nullptr && !now->removed && !now->is_symbol)
+      drawn.push_back(screen.name);
+  for (const std::string& panel : config.hmi.wall.panels) {
+    const std::string name = config::wall_screen(panel);
+    if (name.empty() || std::ranges::find(drawn, name) != drawn.end()) continue;
+    const std::string meant = settings::closest(name, drawn);
+    problems.push_back({"C0532",
+                        result::Severity::Warning,
+                        {config.file.string(), 0, 0},
+                        "[hmi.wall] shows the screen '" + name + "', and nobody has drawn it",
+                        meant.empty() ? "draw it on the page" : "did you mean '" + meant + "'?"});
+  }
+}
+
 // People draw them while the cell runs: a warning, as the page shows by itself what is bound to nothing.
-void check_screens(const config::CellConfig& config, NameCheck& names) {
+void check_screens(const config::CellConfig& config, NameCheck& names, result::Diagnostics& problems) {
   if (!std::filesystem::is_directory(config.hmi.screens_dir)) return;
   const auto store = screens::ScreenStore::open(config.hmi.screens_dir);
   if (!store) return;
+  check_wall(config, **store, problems);
   for (const screens::Screen& screen : (*store)->list()) {
     const screens::Version* now = screen.current();
     if (now == nullptr || now->removed || now->is_symbol) continue;
@@ -169,8 +190,10 @@ result::Diagnostics check_names(const config::CellConfig& config, const reader::
   check_drawing(config, names);
   check_forces(config, names);
   check_trends(config, names);
-  check_screens(config, names);
-  return names.take();
+  result::Diagnostics problems;
+  check_screens(config, names, problems);
+  std::ranges::move(names.take(), std::back_inserter(problems));
+  return problems;
 }
 
 }  // namespace stepwright::check

@@ -10,6 +10,7 @@ import { adds, editor, field, item, places, says } from './screen_editor.mjs';
 import { check, drawn, fitsEachLook, options, pictures, until, waitFor } from './support.mjs';
 
 const TAGS = '[tags."Main.level"]\nunit = "%"\ndescription = "level of the mixer"\ndecimals = 1\n[tags."Main.batches"]\ndescription = "batches in a row"\n';
+const WALL = '[hmi.wall]\npanels = ["screen:Mixer", "tags"]\n';
 const HARMFUL = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9">\n  <script>alert(1)</script>\n  <rect onclick="x()" width="9" height="9"/>\n</svg>';
 const FOREIGN =
   '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 100 50">\n<rect id="a" width="40" height="40" fill="url(#g)"/><defs><linearGradient id="g"><stop offset="0" stop-color="#888"/></linearGradient></defs>\n<text x="50" y="25" data-text="Main.batches">-</text></svg>';
@@ -155,6 +156,22 @@ async function operates(page, mixer) {
   await isAccessible(page, 'the page with a screen');
 }
 
+async function hangsOnTheWall(page) {
+  const display = await page.context().newPage();
+  await display.goto(`${new URL(page.url()).origin}/#wall`);
+  await waitFor(display, 'a display on the wall shows the chosen screen before the tags', () =>
+    document.querySelectorAll('[data-testid=screen] [data-part-key] button').length > 1 &&
+    [...document.querySelectorAll('[data-testid=wall] [data-panel]')].map(({ dataset }) => dataset.panel).join() === 'screen-0,tags');
+  await has(display, 'with its values', 'p2', '%');
+  check(
+    await display.evaluate(() => [...document.querySelectorAll('[data-testid=screen] [data-part-key] button')].every((one) => one.disabled)),
+    'and nothing that acts, although somebody has logged in with this browser',
+  );
+  await isAccessible(display, 'a screen on the wall');
+  await shot(display, 'wall');
+  await display.close();
+}
+
 async function onlyLooks(page) {
   await logsIn(page, 'vera');
   await waitFor(page, 'who may only look sees buttons that cannot be pressed', () => {
@@ -249,7 +266,7 @@ async function repeatsAFace(page) {
 
 await leadOverPage(given, {
   name: 'screens',
-  start: () => startMixer(given.server, { 'alarms.toml': LEVEL_ALARM }, `${KEEPS_RECORDS}${TAGS}`),
+  start: () => startMixer(given.server, { 'alarms.toml': LEVEL_ALARM }, `${KEEPS_RECORDS}${TAGS}${WALL}`),
   expected: [400, 403, 409],
   steps: async (page, mixer) => {
     await claims(page, await mixer.setupToken());
@@ -263,6 +280,7 @@ await leadOverPage(given, {
     await saves(page);
     await lives(page, mixer);
     await operates(page, mixer);
+    await hangsOnTheWall(page);
     await onlyLooks(page);
     await twoPeopleSave(page);
     await bringsFiles(page);

@@ -3,8 +3,17 @@
 // `hash`: of the page's address.
 export const isWall = (hash: string): boolean => hash === '#wall';
 
+const SCREEN = 'screen:';
+
+// The screen that a panel is; '' for a panel of the page.
+export const screenOf = (panel: string): string => (panel.startsWith(SCREEN) ? panel.slice(SCREEN.length) : '');
+
+// The area of the grid where a panel stands: names of screens are no names of areas.
+export const areaOf = (panel: string, panels: readonly string[]): string => (screenOf(panel) === '' ? panel : `screen-${panels.indexOf(panel)}`);
+
 // Where its panels stand, in their order (grid-template-areas): below each other, or two beside each other.
-export function wallAreas(panels: readonly string[]): { single: string; double: string } {
+export function wallAreas(chosen: readonly string[]): { single: string; double: string } {
+  const panels = chosen.map((panel) => areaOf(panel, chosen));
   const rows: string[] = [];
   for (let i = 0; i < panels.length; i += 2) rows.push(`'${panels[i] ?? ''} ${panels[i + 1] ?? panels[i] ?? ''}'`);
   return { single: panels.map((panel) => `'${panel}'`).join(' '), double: rows.join(' ') };

@@ -92,6 +92,10 @@ TEST(HmiConfig, WhenADisplayHangsOnTheWall_ThenItsAddressesAndPanelsAreRead) {
   EXPECT_EQ(read("[hmi.wall]\naddresses = [\"10.0.0.17\"]\n").codes, "C0471") << "nobody comes from there";
   EXPECT_EQ(read("[hmi.wall]\naddresses = [\"everybody\"]\n").codes, "C0471");
   EXPECT_EQ(read("[hmi.wall]\npanels = [\"alarm\", \"tags\"]\n").codes, "C0471");
+  EXPECT_EQ(read("[hmi.wall]\npanels = [\"screen:Mixer\", \"tags\"]\n").codes, "");
+  EXPECT_EQ(read("[hmi.wall]\npanels = [\"screen:\"]\n").codes, "C0471") << "without a name";
+  EXPECT_EQ(wall_screen("screen:Mixer 2"), "Mixer 2");
+  EXPECT_EQ(wall_screen("tags"), "");
 }
 
 }  // namespace
