@@ -2,6 +2,12 @@
 
 import type { Value } from '../lib/value';
 
+// Those tags that a history has; names in any case.
+export function keptOf(tags: readonly string[], kept: readonly string[]): string[] {
+  const names = new Set(kept.map((name) => name.toLowerCase()));
+  return tags.filter((name) => names.has(name.toLowerCase()));
+}
+
 export class TrendLines {
   times: number[] = []; // s since 1970
   columns: Value[][];

@@ -146,6 +146,11 @@ test('Screens_WhenThePageOpens_ThenItShowsTheOneAskedForTheStartOrTheFirst', () 
   assert.equal(view.askedIn(view.hashOf('Mixer 1 & 2')), 'Mixer 1 & 2');
 });
 
+test('a trend asks for the history of those tags that have one', () => {
+  assert.deepEqual(view.keptOf(['Main.level', 'Main.label', 'main.PUMP'], ['Main.level', 'Main.pump']), ['Main.level', 'main.PUMP']);
+  assert.deepEqual(view.keptOf(['Main.label'], []), []);
+});
+
 test('Trend_WhenTheHistoryComesLate_ThenItStandsBeforeWhatWasSeen', () => {
   const lines = new view.TrendLines(2, 1);
   lines.add(100, [1, null]);
