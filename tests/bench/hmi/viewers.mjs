@@ -45,9 +45,10 @@ const BEGIN = {
 };
 
 // `tags`: all, none, or "silent" of a server that wants to hear nothing (protocol 2).
-function openViewer(port, tags) {
+// `from`: its own address.
+function openViewer(port, tags, from) {
   return new Promise((resolve, reject) => {
-    const socket = connect(port, '127.0.0.1');
+    const socket = connect({ port, host: '127.0.0.1', localAddress: from });
     const viewer = { bytes: 0, closed: false, close: () => socket.destroy() };
     const request = [
       'GET /live HTTP/1.1',
@@ -84,9 +85,12 @@ function openViewer(port, tags) {
   });
 }
 
+// Of so many displays that each has a few pages, as a server takes only some from one address.
+const DISPLAYS = 20;
+
 export async function openViewers(port, count, tags = 'all') {
   const viewers = [];
-  for (let i = 0; i < count; ++i) viewers.push(await openViewer(port, tags));
+  for (let i = 0; i < count; ++i) viewers.push(await openViewer(port, tags, `127.0.0.${2 + (i % DISPLAYS)}`));
   const bytes = () => viewers.reduce((sum, viewer) => sum + viewer.bytes, 0);
   return {
     bytes,
