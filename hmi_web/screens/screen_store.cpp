@@ -66,6 +66,9 @@ result::Result<void> check_name(std::string_view name) {
   if (is_name(name) && naming::upper(name).ends_with(".SVG"))
     return result::fail(kNoName, {}, "the name of a screen does not end in .svg",
                         "NAME.svg is the file of a screen that somebody has put there");
+  if (name == "server.lock")
+    return result::fail(kNoName, {}, "a screen cannot be called server.lock",
+                        "the server keeps a file of that name in the folder of screens");
   if (is_name(name)) return {};
   return result::fail(
       kNoName, {}, "this cannot be the name of a screen",

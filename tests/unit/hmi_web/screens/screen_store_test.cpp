@@ -205,6 +205,9 @@ TEST_F(ScreenStoreTest, WhenANameEndsAsAFile_ThenItIsRefusedInWords) {
     EXPECT_THAT(saved.error()[0].message, HasSubstr("does not end in .svg"));
   }
   EXPECT_TRUE(store_->save({.name = "svg", .svg = svg("")}, {}));
+  const auto of_the_server = store_->save({.name = "server.lock", .svg = svg("")}, {});
+  ASSERT_FALSE(of_the_server);
+  EXPECT_EQ(of_the_server.error()[0].code, "H0121");
 }
 
 }  // namespace
