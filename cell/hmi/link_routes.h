@@ -8,9 +8,9 @@
 //
 // A pure function; any thread.
 //
-//   const LinkRoutes routes = route_links(components::lay_out(model), model.links, {.box_width = 160.0,
-//   ...}); routes.ways[link];                          // corners, from the one box to the other
-//   routes.left[column], routes.top[row];       // where the boxes stand
+//   const LinkRoutes routes = route_links(components::lay_out(model), model.links, sizes);
+//   routes.ways[link];                     // corners, from the one box to the other
+//   routes.left[column], routes.top[row];  // where the boxes stand
 
 #include <vector>
 

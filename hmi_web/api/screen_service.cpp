@@ -103,8 +103,7 @@ std::string ScreenService::start_of(Role role) const {
   for (const std::string& each : {own, std::string()}) {
     const std::string name = store_.start(each);
     const auto screen = find(name, role);
-    const screens::Version* now = screen ? screen->current() : nullptr;
-    if (now != nullptr && !now->removed && !now->is_symbol) return name;
+    if (screen && screen->shown() != nullptr) return name;
   }
   return {};
 }

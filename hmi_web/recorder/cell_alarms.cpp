@@ -63,11 +63,9 @@ AlarmDefinition monitor_alarm(std::uint32_t number) {
 }
 
 bool is_unread(const std::optional<reader::Variable>& variable, const server::Observation& seen) {
-  if (!variable) return false;
-  return std::ranges::any_of(seen.unread, [&](const server::UnreadInputs& device) {
-    return std::ranges::any_of(
-        device.inputs, [&](const reader::Variable& input) { return server::overlap(*variable, input); });
-  });
+  return variable && std::ranges::any_of(seen.unread, [&](const server::UnreadInputs& device) {
+           return server::overlap_any(device.inputs, *variable);
+         });
 }
 
 void write_times(JsonWriter& out, const alarms::AlarmView& view) {

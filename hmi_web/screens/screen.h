@@ -39,6 +39,8 @@ struct Screen {
 
   // The one that is shown; null: all lie aside.
   const Version* current() const;
+  // The same where people look at it; null: it was removed, or is a face that others repeat.
+  const Version* shown() const;
 };
 
 }  // namespace stepwright::screens

@@ -51,6 +51,11 @@ const Version* Screen::current() const {
   return found == versions.rend() ? nullptr : &*found;
 }
 
+const Version* Screen::shown() const {
+  const Version* const now = current();
+  return now == nullptr || now->removed || now->is_symbol ? nullptr : now;
+}
+
 namespace {
 
 bool is_name(std::string_view name) {

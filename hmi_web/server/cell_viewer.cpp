@@ -34,11 +34,8 @@ std::vector<protocol::UnreadDevice> tags_of(const std::vector<UnreadInputs>& unr
   std::vector<protocol::UnreadDevice> devices;
   for (const UnreadInputs& one : unread) {
     protocol::UnreadDevice device{one.device, one.why, {}};
-    for (std::uint32_t tag = 0; tag < layout.tags.size(); ++tag) {
-      const bool there = std::ranges::any_of(
-          one.inputs, [&](const reader::Variable& input) { return overlap(input, layout.tags[tag]); });
-      if (there) device.tags.push_back(tag);
-    }
+    for (std::uint32_t tag = 0; tag < layout.tags.size(); ++tag)
+      if (overlap_any(one.inputs, layout.tags[tag])) device.tags.push_back(tag);
     devices.push_back(std::move(device));
   }
   return devices;

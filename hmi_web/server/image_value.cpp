@@ -55,6 +55,10 @@ bool overlap(const reader::Variable& one, const reader::Variable& other) {
   return one.bit == bytecode::kNoBit || other.bit == bytecode::kNoBit || one.bit == other.bit;
 }
 
+bool overlap_any(const std::vector<reader::Variable>& places, const reader::Variable& variable) {
+  return std::ranges::any_of(places, [&](const reader::Variable& place) { return overlap(place, variable); });
+}
+
 std::optional<double> read(const reader::Variable& variable, std::span<const std::byte> image) {
   if (bytecode::is_string(variable.type) || !lies_in(variable, image)) return std::nullopt;
   return reader::read_number(variable, image);

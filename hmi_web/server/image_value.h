@@ -29,6 +29,8 @@ std::optional<std::string> read_text(const reader::Variable& variable, std::span
 
 // They have a bit in common.
 bool overlap(const reader::Variable& one, const reader::Variable& other);
+// The variable has a bit in common with any of the places.
+bool overlap_any(const std::vector<reader::Variable>& places, const reader::Variable& variable);
 
 // A direct address in the input or output area: "%IX0.2", "%IW1" (bytes 2 and 3), "%QB4". A word is read as
 // signed, as an INT at that address is. `output_offset` is where the output area begins; inputs begin at 0.

@@ -31,10 +31,6 @@ std::vector<reader::Variable> places_of(const PointSources& sources, const Progr
   return places;
 }
 
-bool touches(const std::vector<reader::Variable>& places, const reader::Variable& variable) {
-  return std::ranges::any_of(places, [&](const reader::Variable& place) { return overlap(place, variable); });
-}
-
 // Names are those of the plant here and those of the binding there: upper and lower case alike.
 double bias(const Tare& tare, const std::string& sensor) {
   const auto found = std::find_if(tare.begin(), tare.end(), [&](const auto& entry) {
@@ -64,7 +60,7 @@ protocol::PointTags tags_of_points(const std::vector<PointSources>& points, cons
   for (std::size_t i = 0; i < points.size(); ++i) {
     const std::vector<reader::Variable> places = places_of(points[i], layout);
     for (std::uint32_t tag = 0; tag < layout.tags.size(); ++tag)
-      if (touches(places, layout.tags[tag])) result[i].push_back(tag);
+      if (overlap_any(places, layout.tags[tag])) result[i].push_back(tag);
   }
   return result;
 }
@@ -76,7 +72,7 @@ std::vector<std::size_t> points_from(const std::vector<PointSources>& points,
     const std::vector<reader::Variable> places = places_of(points[i], layout);
     const bool reads_one = std::ranges::any_of(unread, [&](const UnreadInputs& device) {
       return std::ranges::any_of(device.inputs,
-                                 [&](const reader::Variable& input) { return touches(places, input); });
+                                 [&](const reader::Variable& input) { return overlap_any(places, input); });
     });
     if (reads_one) found.push_back(i);
   }

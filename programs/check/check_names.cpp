@@ -143,8 +143,7 @@ void check_wall(const config::CellConfig& config, const screens::ScreenStore& st
                 result::Diagnostics& problems) {
   std::vector<std::string> drawn;
   for (const screens::Screen& screen : store.list())
-    if (const screens::Version* now = screen.current(); now != nullptr && !now->removed && !now->is_symbol)
-      drawn.push_back(screen.name);
+    if (screen.shown() != nullptr) drawn.push_back(screen.name);
   for (const std::string& panel : config.hmi.wall.panels) {
     const std::string name = config::wall_screen(panel);
     if (name.empty() || std::ranges::find(drawn, name) != drawn.end()) continue;
@@ -164,8 +163,8 @@ void check_screens(const config::CellConfig& config, NameCheck& names, result::D
   if (!store) return;
   check_wall(config, **store, problems);
   for (const screens::Screen& screen : (*store)->list()) {
-    const screens::Version* now = screen.current();
-    if (now == nullptr || now->removed || now->is_symbol) continue;
+    const screens::Version* const now = screen.shown();
+    if (now == nullptr) continue;
     const auto drawn = (*store)->read(screen.name, now->number);
     if (!drawn) continue;
     for (const drawing::BoundName& each : drawn->names)
