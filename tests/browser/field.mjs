@@ -69,7 +69,7 @@ export async function startField(program, device, { page = '', more = '' } = {})
     kill: (name, what) => processes.end(key(name, what), 'SIGKILL'),
     start,
     logs: processes.logs,
-    stop: async () => {
+    end: async () => {
       await processes.endAll();
       rmSync(folder, { recursive: true, force: true });
       rmSync(`/dev/shm/stepwright-io-${names.line}`, { force: true });
@@ -93,7 +93,7 @@ export async function startField(program, device, { page = '', more = '' } = {})
     await until('the page is served', () => fetch(self.url).then((response) => response.ok, () => false));
   } catch (error) {
     console.error(`${told}\n${self.logs()}`);
-    await self.stop();
+    await self.end();
     throw error;
   }
   return self;

@@ -1,13 +1,11 @@
 // A screen with a trend, and the monitors of its program, at 360 px in every language: no legend, no name and no formula is cut.
 
-import { join } from 'node:path';
-
 import { cellWithFiles } from './cell_folder.mjs';
 import { unreadable } from './narrow.mjs';
 import { leadOverPage } from './page_run.mjs';
 import { isAccessible } from './people.mjs';
 import { LEVEL_ALARM, PROGRAM } from './recipe_cell.mjs';
-import { check, drawn, options, waitFor } from './support.mjs';
+import { check, drawn, options, pictures, waitFor } from './support.mjs';
 
 const WIDTH = 360;
 const TAGS = '[tags."Main.level"]\nunit = "%"\ndescription = "level of the mixer in the hall behind the office"\n[tags."Main.total"]\ndescription = "all that has been mixed since this morning"\n';
@@ -18,6 +16,7 @@ const SCREEN = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 400 500">
 <g data-part="alarms"><rect x="10" y="370" width="380" height="120" fill="none"/></g></svg>`;
 
 const given = options();
+const shot = pictures(given, 'narrow-screen-', { fullPage: true });
 
 async function startCell() {
   const cell = await cellWithFiles(given.server, 'narrow-screen', {
@@ -43,7 +42,7 @@ await leadOverPage(given, {
       await waitFor(page, 'the page is in that language', (code) => document.documentElement.lang === code, language);
       await page.keyboard.press('Escape');
       await drawn(page);
-      await page.screenshot({ path: join(given.out, `narrow-screen-${language}.png`), fullPage: true, animations: 'disabled' });
+      await shot(page, language);
       const wide = await page.evaluate(() => document.documentElement.scrollWidth);
       check(wide <= WIDTH, `nothing sticks out of the page in ${language} (${wide})`);
       const cut = await page.evaluate(unreadable);

@@ -3,8 +3,9 @@
 
 import { startField } from './field.mjs';
 import { startDevice } from './modbus_device.mjs';
-import { axeFile, isAccessible } from './people.mjs';
-import { check, drawn, endInTime, failurePicture, launchBrowser, openPage, options, pictures, waitFor } from './support.mjs';
+import { leadOverPage } from './page_run.mjs';
+import { isAccessible } from './people.mjs';
+import { check, drawn, options, pictures, waitFor } from './support.mjs';
 
 const US_PER = { 'µs': 1, ms: 1_000, s: 1_000_000 }; // a machine that rests for seconds is seen in them
 
@@ -127,32 +128,21 @@ async function closes(page) {
     document.querySelector('#scan-details') === null && document.activeElement?.id === 'scan-more');
 }
 
-endInTime();
-
-const browser = await launchBrowser(given);
 const device = await startDevice();
-let field;
-let opened;
 try {
-  await browser.context.addInitScript({ path: axeFile(given.modules) });
-  field = await startField(given.server, device);
-  opened = await openPage(browser.context, field.url);
-  const { page, problems } = opened;
-  await opensByKeyboard(page);
-  await showsTheTasks(page);
-  await showsDevicesAndTopics(page);
-  await showsTheOthers(page, field.names);
-  await fitsEveryWidth(page);
-  await tellsWhatIsLost(page, field, device);
-  await closes(page);
-  check(problems.length === 0, `no errors, no foreign requests, no policy violations ${problems.join('; ')}`);
-} catch (error) {
-  if (opened) await failurePicture(given, 'scan', opened.page);
-  if (opened) console.error(opened.problems.join('\n'));
-  if (field) console.error(field.logs());
-  throw error;
+  await leadOverPage(given, {
+    name: 'scan',
+    start: () => startField(given.server, device),
+    steps: async (page, field) => {
+      await opensByKeyboard(page);
+      await showsTheTasks(page);
+      await showsDevicesAndTopics(page);
+      await showsTheOthers(page, field.names);
+      await fitsEveryWidth(page);
+      await tellsWhatIsLost(page, field, device);
+      await closes(page);
+    },
+  });
 } finally {
-  await browser.close();
-  await field?.stop();
   device.stop();
 }

@@ -8,8 +8,9 @@ import { join } from 'node:path';
 import { startField } from './field.mjs';
 import { startDevice } from './modbus_device.mjs';
 import { unreadable } from './narrow.mjs';
-import { axeFile, isAccessible } from './people.mjs';
-import { check, drawn, endInTime, launchBrowser, openPage, options, until, waitFor } from './support.mjs';
+import { leadOverPage } from './page_run.mjs';
+import { isAccessible } from './people.mjs';
+import { check, drawn, options, pictures, until, waitFor } from './support.mjs';
 
 const LEVEL = 1234;
 const SCREEN = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 640 360">
@@ -23,7 +24,7 @@ const SCREEN = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 640 360">
 </svg>`;
 
 const given = options();
-const shot = (page, name) => page.screenshot({ path: join(given.out, `unread-${name}.png`), animations: 'disabled' });
+const shot = pictures(given, 'unread-');
 const isUnknown = (id) => document.querySelector(`[data-testid=screen] #drawing-${id}`)?.classList.contains('unknown');
 // Of the table on the screen, by the name of the tag.
 const row = (tag) => document.querySelector(`[data-testid=screen] th[title="${tag}"]`)?.closest('tr')?.innerText.replace(/\s+/g, ' ') ?? '';
@@ -85,37 +86,27 @@ async function fitsAPhone(page) {
   await page.setViewportSize({ width: 1440, height: 900 });
 }
 
-endInTime();
 let device = await startDevice(() => LEVEL);
 const { port } = device;
 const screens = mkdtempSync(join(tmpdir(), 'stepwright-unread-'));
 writeFileSync(join(screens, 'Levels.svg'), SCREEN);
-const browser = await launchBrowser(given);
-let field = null;
-let opened = null;
 try {
-  await browser.context.addInitScript({ path: axeFile(given.modules) });
-  field = await startField(given.server, device, { page: `screens_dir = "${screens}"\n`, more: '[history]\nfolder = "history"\n' });
-  opened = await openPage(browser.context, field.url);
-  const { page, problems } = opened;
-  await showsWhatIsRead(page);
-  await shot(page, 'read');
-  device.stop();
-  await showsWhatIsLost(page);
-  await fitsAPhone(page);
-  device = await startDevice(() => LEVEL, port);
-  await waitFor(page, 'a device that comes back has its value again', (value) => document.querySelector('[data-testid=screen] #drawing-number')?.textContent.replace(/\D/g, '') === String(value), LEVEL);
-  check(!/no value/.test(await page.evaluate(row, 'quick.level')), 'in the table, too');
-  await hasAGap(page);
-  check(problems.length === 0, `no errors, no foreign requests, no policy violations ${problems.join('; ')}`);
-} catch (error) {
-  if (opened) await shot(opened.page, 'failure').catch(() => {});
-  if (opened) console.error(opened.problems.join('\n'));
-  if (field) console.error(field.logs());
-  throw error;
+  await leadOverPage(given, {
+    name: 'unread',
+    start: () => startField(given.server, device, { page: `screens_dir = "${screens}"\n`, more: '[history]\nfolder = "history"\n' }),
+    steps: async (page) => {
+      await showsWhatIsRead(page);
+      await shot(page, 'read');
+      device.stop();
+      await showsWhatIsLost(page);
+      await fitsAPhone(page);
+      device = await startDevice(() => LEVEL, port);
+      await waitFor(page, 'a device that comes back has its value again', (value) => document.querySelector('[data-testid=screen] #drawing-number')?.textContent.replace(/\D/g, '') === String(value), LEVEL);
+      check(!/no value/.test(await page.evaluate(row, 'quick.level')), 'in the table, too');
+      await hasAGap(page);
+    },
+  });
 } finally {
-  await browser.close();
-  await field?.stop();
   device.stop();
   rmSync(screens, { recursive: true, force: true });
 }
