@@ -143,7 +143,7 @@ class Tls(unittest.TestCase):
         with Page('host = "0.0.0.0"\nnames = ["line.plant"]\n', tls=True) as page:
             page.start()
             self.assertEqual(page.host, "127.0.0.1")
-            self.assertIn("listens at this machine only", page.process.output())
+            page.process.wait_for("listens at this machine only")
             page.claim()
             page.process.end()
             page.start()

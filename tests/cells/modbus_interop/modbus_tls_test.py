@@ -218,7 +218,7 @@ class Tls(unittest.TestCase):
         for end in ("crt", "key"):
             shutil.copy(self.folder / f"plc2.{end}", self.folder / f"plc.{end}")
         self.assertIn("nothing has changed", self.reload("the configuration was read again"))
-        self.assertIn("certificate, key and authorities were read again", self.server.output())
+        self.server.wait_for("certificate, key and authorities were read again")
         with self.connect("operator") as comes:
             second = self.serial(comes)
             self.assertNotEqual(second, first)

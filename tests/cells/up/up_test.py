@@ -33,10 +33,10 @@ class Up(unittest.TestCase):
         self.assertEqual({each["phase"] for each in record["processes"]}, {"ready"})
         self.assertEqual((record["ready"], record["pid"]), (True, process.pid))
         self.assertEqual(get(cell.port(), "/")[0].status, 200)
-        self.assertIn(record["address"], process.output())
+        process.wait_for(re.escape(record["address"]))
         self.assertRegex(cell.run("status").stdout, r"(?m)^  runtime +ready +process \d+$")
         self.assertNotIn("\x1b", process.output(), "no colours in a file")
-        self.assertRegex(process.output(), r"(?m)^runtime \| .*listens on")
+        process.wait_for(r"(?m)^runtime \| .*listens on")
 
     def test_the_program_of_the_sources_runs(self):
         cell = self.kept()
@@ -60,7 +60,7 @@ class Up(unittest.TestCase):
         process = cell.ready()
         for name in ORDER:
             self.is_replaced(cell, process, name, signal.SIGKILL)
-            self.assertRegex(process.output(), rf"(?m)^{name} +\| was ended by the signal KILL: it is started again in 0\.1 s$")
+            process.wait_for(rf"(?m)^{name} +\| was ended by the signal KILL: it is started again in 0\.1 s$")
         self.assertEqual(get(cell.port(), "/")[0].status, 200)
         self.assertEqual(cell.run("status").returncode, 0)
 
@@ -69,14 +69,14 @@ class Up(unittest.TestCase):
         process = cell.ready()
         for name, silence in {"modbus-client": 5, "hmi": 15, "link": 5}.items():  # a runtime that hangs is its guard's
             self.is_replaced(cell, process, name, signal.SIGSTOP)
-            self.assertRegex(process.output(), rf"(?m)^{name} +\| gave no sign of life for {silence}\.0 s: it hangs, and is killed$")
+            process.wait_for(rf"(?m)^{name} +\| gave no sign of life for {silence}\.0 s: it hangs, and is killed$")
             self.assertRegex(cell.run("status").stdout, rf"(?m)^  {name} .*the last time because it gave no sign of life for {silence}\.0 s$")
 
     def test_a_supervisor_that_hangs_is_killed_and_goes_on(self):
         cell = self.kept(config=SOURCES / "tests/cells/bench/cell.toml")
         process = cell.ready("--set", "executive.start=operator")
         self.is_replaced(cell, process, "supervisor", signal.SIGSTOP)
-        self.assertRegex(process.output(), r"(?m)^supervisor +\| gave no sign of life for 30\.0 s: it hangs, and is killed$")
+        process.wait_for(r"(?m)^supervisor +\| gave no sign of life for 30\.0 s: it hangs, and is killed$")
         self.assertEqual({each["restarts"] for each in cell.status()["processes"] if each["name"] != "supervisor"}, {0})
         self.assertEqual(cell.run("status").returncode, 0)
 

@@ -32,7 +32,7 @@ class Watch(unittest.TestCase):
         process = cell.ready("--watch")
         (cell.folder / "main.st").write_text(PROGRAM.replace("n + 1", "m + 1"), encoding="utf-8")
         process.wait_for("not brought in: the sources are wrong")
-        self.assertRegex(process.output(), r"(?m)^watch +\| .*main\.st:3:8: .*E\d{4}")
+        process.wait_for(r"(?m)^watch +\| .*main\.st:3:8: .*E\d{4}")
         before = int(self.value(cell, "Main.n"))
         self.assertTrue(eventually(lambda: int(self.value(cell, "Main.n")) > before))
         (cell.folder / "main.st").write_text(PROGRAM.replace("n + 1", "n + 2"), encoding="utf-8")
