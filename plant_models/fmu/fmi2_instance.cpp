@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "plant_models/fmu/model_instance.h"
+#include "plant_models/fmu/numbers.h"
 
 namespace stepwright::fmu::internal {
 namespace {
@@ -101,7 +102,7 @@ class Fmi2Instance final : public ModelInstance {
 
   bool set(const ModelVariable& variable, double number) override {
     const Reference reference = variable.reference;
-    const int whole = static_cast<int>(number);
+    const int whole = nearest<int>(number);
     const int truth = number != 0.0 ? 1 : 0;
     switch (variable.type) {
       case VariableType::Integer:

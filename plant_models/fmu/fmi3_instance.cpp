@@ -1,9 +1,14 @@
 // FMI 3.0 co-simulation: the few types and functions of the standard that are used (FMI 3.0.1, 2.2 and 4.2).
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
+#include <map>
+#include <memory>
+#include <vector>
 
 #include "plant_models/fmu/model_instance.h"
+#include "plant_models/fmu/numbers.h"
 
 namespace stepwright::fmu::internal {
 namespace {
@@ -69,6 +74,28 @@ struct Functions {
   }
 };
 
+// An array variable: the FMU takes and gives it as a whole only.
+struct Array {
+  VariableType type = VariableType::Float64;
+  std::vector<double> wanted;  // what its elements were set to, else their start
+  std::vector<double> read;
+  bool changed = false;  // `wanted` is not yet known to the FMU
+  bool fresh = false;    // `read` is what it has now
+};
+
+std::map<Reference, Array> arrays_of(const ModelDescription& description) {
+  std::map<Reference, Array> arrays;
+  for (const ModelVariable& variable : description.variables) {
+    if (variable.elements == 0 || variable.type == VariableType::Other) continue;
+    Array& array = arrays[variable.reference];
+    array.type = variable.type;
+    array.wanted.resize(std::max<std::size_t>(array.wanted.size(), variable.elements));
+    array.read.resize(array.wanted.size());
+    array.wanted[variable.element] = variable.start;
+  }
+  return arrays;
+}
+
 bool good(int status) {
   return status == kOk || status == kWarning;
 }
@@ -84,6 +111,7 @@ class Fmi3Instance final : public ModelInstance {
   }
 
   bool instantiate(const ModelDescription& description, const std::filesystem::path& folder) {
+    arrays_ = arrays_of(description);
     resources_ = (folder / "resources").string() + "/";
     instance_ = call_.instantiate(description.name.c_str(), description.token.c_str(), resources_.c_str(),
                                   false, false, false, false, nullptr, 0, this, &Fmi3Instance::log, nullptr);
@@ -91,23 +119,25 @@ class Fmi3Instance final : public ModelInstance {
   }
 
   bool set(const ModelVariable& variable, double number) override {
-    return with(variable.type, [&](auto& access, auto sample) {
-      const auto typed = static_cast<decltype(sample)>(number);
-      return good(access.set(instance_, &variable.reference, 1, &typed, 1));
-    });
+    if (variable.elements == 0) return write(variable.type, variable.reference, &number, 1);
+    Array& array = arrays_.at(variable.reference);
+    array.wanted[variable.element] = number;
+    array.changed = true;
+    return true;
   }
   bool get(const ModelVariable& variable, double& number) override {
-    return with(variable.type, [&](auto& access, auto sample) {
-      if (!good(access.get(instance_, &variable.reference, 1, &sample, 1))) return false;
-      number = static_cast<double>(sample);
-      return true;
-    });
+    if (variable.elements == 0) return read(variable.type, variable.reference, &number, 1);
+    Array& array = arrays_.at(variable.reference);
+    if (!array.fresh)
+      array.fresh = read(array.type, variable.reference, array.read.data(), array.read.size());
+    number = array.read[variable.element];
+    return array.fresh;
   }
   bool begin_initialization() override {
-    return good(call_.enter_initialization(instance_, false, 0.0, 0.0, false, 0.0));
+    return send_arrays() && good(call_.enter_initialization(instance_, false, 0.0, 0.0, false, 0.0));
   }
   bool finish_initialization() override {
-    running_ = good(call_.exit_initialization(instance_));
+    running_ = send_arrays() && good(call_.exit_initialization(instance_));
     return running_;
   }
   bool step(double time_s, double step_s) override {
@@ -115,6 +145,7 @@ class Fmi3Instance final : public ModelInstance {
     bool ended = false;
     bool early = false;
     double reached = 0.0;
+    if (!send_arrays()) return false;
     if (!good(call_.step(instance_, time_s, step_s, true, &event, &ended, &early, &reached))) return false;
     if (ended) said_ = "it asks for the end of the simulation";
     return !ended;
@@ -122,33 +153,61 @@ class Fmi3Instance final : public ModelInstance {
   std::string said() const override { return said_; }
 
  private:
-  // The functions of a type, and a number of it.
+  bool write(VariableType type, Reference reference, const double* numbers, std::size_t count) {
+    return with(type, [&]<typename T>(Access<T>& access) {
+      const auto typed = std::make_unique<T[]>(count);
+      std::transform(numbers, numbers + count, typed.get(), nearest<T>);
+      return good(access.set(instance_, &reference, 1, typed.get(), count));
+    });
+  }
+  bool read(VariableType type, Reference reference, double* numbers, std::size_t count) {
+    return with(type, [&]<typename T>(Access<T>& access) {
+      const auto typed = std::make_unique<T[]>(count);
+      if (!good(access.get(instance_, &reference, 1, typed.get(), count))) return false;
+      std::transform(typed.get(), typed.get() + count, numbers,
+                     [](T each) { return static_cast<double>(each); });
+      return true;
+    });
+  }
+
+  // What was set since, before the FMU goes on; what was read is no longer true then.
+  bool send_arrays() {
+    for (auto& [reference, array] : arrays_) {
+      if (array.changed && !write(array.type, reference, array.wanted.data(), array.wanted.size()))
+        return false;
+      array.changed = false;
+      array.fresh = false;
+    }
+    return true;
+  }
+
+  // The functions of a type.
   template <typename Use>
   bool with(VariableType type, Use use) {
     switch (type) {
       case VariableType::Float32:
-        return use(call_.float32, float{});
+        return use(call_.float32);
       case VariableType::Int8:
-        return use(call_.int8, std::int8_t{});
+        return use(call_.int8);
       case VariableType::UInt8:
-        return use(call_.uint8, std::uint8_t{});
+        return use(call_.uint8);
       case VariableType::Int16:
-        return use(call_.int16, std::int16_t{});
+        return use(call_.int16);
       case VariableType::UInt16:
-        return use(call_.uint16, std::uint16_t{});
+        return use(call_.uint16);
       case VariableType::Int32:
-        return use(call_.int32, std::int32_t{});
+        return use(call_.int32);
       case VariableType::UInt32:
-        return use(call_.uint32, std::uint32_t{});
+        return use(call_.uint32);
       case VariableType::Int64:
       case VariableType::Enumeration:  // enumerations have 64 bits in FMI 3
-        return use(call_.int64, std::int64_t{});
+        return use(call_.int64);
       case VariableType::UInt64:
-        return use(call_.uint64, std::uint64_t{});
+        return use(call_.uint64);
       case VariableType::Boolean:
-        return use(call_.boolean, bool{});
+        return use(call_.boolean);
       default:
-        return use(call_.float64, double{});
+        return use(call_.float64);
     }
   }
 
@@ -162,6 +221,7 @@ class Fmi3Instance final : public ModelInstance {
   Functions call_;
   std::string resources_;
   std::string said_;
+  std::map<Reference, Array> arrays_;
   Instance instance_ = nullptr;
   bool running_ = false;
 };

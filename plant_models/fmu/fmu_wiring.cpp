@@ -11,7 +11,6 @@ namespace {
 // Why it cannot be used so; empty if it can.
 std::string refusal(const ModelVariable& variable, VariableUse use) {
   if (variable.type == VariableType::Other) return "it is no number and no Boolean";
-  if (variable.is_array) return "it is an array";
   const bool input = variable.causality == "input";
   const bool parameter = variable.causality == "parameter";
   switch (use) {

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstdlib>
 #include <map>
 #include <pugixml.hpp>
 #include <utility>
+
+#include "plant_models/fmu/array_variable.h"
 
 namespace stepwright::fmu {
 namespace {
@@ -37,13 +37,6 @@ std::optional<VariableType> type_of(std::string_view name) {
   return std::nullopt;
 }
 
-// A number, or a boolean; the first of an array.
-double number_of(const char* text) {
-  if (std::string_view(text) == "true") return 1.0;
-  const double number = std::strtod(text, nullptr);
-  return std::isfinite(number) ? number : 0.0;
-}
-
 class Reader {
  public:
   Reader(std::string_view xml, const std::string& name) : xml_(xml), name_(name) {}
@@ -65,13 +58,14 @@ class Reader {
     read_root(root);
     read_units(root.child("UnitDefinitions"));
     read_types(root.child("TypeDefinitions"));
-    for (const pugi::xml_node variable : root.child("ModelVariables").children()) {
+    const pugi::xml_node variables = root.child("ModelVariables");
+    read_sizes(variables);
+    for (const pugi::xml_node variable : variables.children()) {
       if (variable.type() != pugi::node_element || mistakes_.size() >= kMostMistakes) continue;
-      if (found_.variables.size() >= kMostVariables) {
+      if (!read_variable(variable)) {
         complain(variable.offset_debug(), "more than " + std::to_string(kMostVariables) + " variables");
         break;
       }
-      read_variable(variable);
     }
     if (!mistakes_.empty()) return tl::unexpected(std::move(mistakes_));
     return std::move(found_);
@@ -152,7 +146,52 @@ class Reader {
     }
   }
 
-  void read_variable(pugi::xml_node node) {
+  // What the dimensions of arrays may refer to: structural parameters, at their start.
+  void read_sizes(pugi::xml_node list) {
+    for (const pugi::xml_node node : list.children()) {
+      if (std::string_view(node.attribute("causality").value()) == "structuralParameter")
+        sizes_.emplace(node.attribute("valueReference").as_uint(), node.attribute("start").as_ullong());
+    }
+  }
+
+  // Nothing if it has no dimensions, or wrong ones, which are reported.
+  std::optional<std::vector<std::uint64_t>> read_dimensions(pugi::xml_node node) {
+    std::vector<std::uint64_t> dimensions;
+    for (const pugi::xml_node dimension : node.children("Dimension")) {
+      const auto size = sizes_.find(dimension.attribute("valueReference").as_uint());
+      if (const pugi::xml_attribute start = dimension.attribute("start")) {
+        dimensions.push_back(start.as_ullong());
+      } else if (dimension.attribute("valueReference") && size != sizes_.end()) {
+        dimensions.push_back(size->second);
+      } else {
+        complain(dimension.offset_debug(), "a dimension without a size",
+                 "start = \"3\", or the valueReference of a structural parameter");
+        return std::nullopt;
+      }
+    }
+    return dimensions.empty() ? std::nullopt : std::optional(dimensions);
+  }
+
+  // False if there are too many.
+  bool append(const ModelVariable& variable, pugi::xml_node node,
+              const std::optional<std::vector<std::uint64_t>>& dimensions,
+              const std::vector<double>& starts) {
+    const std::size_t room = kMostVariables - found_.variables.size();
+    const auto count = dimensions ? count_elements(*dimensions, room) : 1;
+    if (!count || *count > room) return false;
+    if (!dimensions) {
+      found_.variables.push_back(variable);
+    } else if (starts.size() > 1 && starts.size() != *count) {
+      complain(node.offset_debug(), "'" + variable.name + "' has " + std::to_string(*count) +
+                                        " elements, but " + std::to_string(starts.size()) + " start values");
+    } else {
+      append_elements(variable, *dimensions, starts, found_.variables);
+    }
+    return true;
+  }
+
+  // False if there are too many.
+  bool read_variable(pugi::xml_node node) {
     ModelVariable variable;
     pugi::xml_node typed = node;
     if (found_.version == FmiVersion::V2) {
@@ -169,25 +208,28 @@ class Reader {
     variable.unit = typed.attribute("unit").value();
     const auto declared = unit_of_type_.find(typed.attribute("declaredType").value());
     if (variable.unit.empty() && declared != unit_of_type_.end()) variable.unit = declared->second;
-    variable.start = number_of(typed.attribute("start").value());
-    variable.is_array = static_cast<bool>(node.child("Dimension"));
+    const std::vector<double> starts = numbers_of(typed.attribute("start").value());
+    if (!starts.empty()) variable.start = starts.front();
     const pugi::xml_attribute reference = node.attribute("valueReference");
     if (variable.name.empty() || !reference) {
       complain(node.offset_debug(), "a variable without a name or without a value reference");
-      return;
+      return true;
     }
     variable.reference = reference.as_uint();
-    found_.variables.push_back(variable);
+    const auto dimensions = read_dimensions(node);
+    if (!append(variable, node, dimensions, starts)) return false;
     for (const pugi::xml_node alias : node.children("Alias")) {
       variable.name = alias.attribute("name").value();
-      if (!variable.name.empty()) found_.variables.push_back(variable);
+      if (!variable.name.empty() && !append(variable, node, dimensions, starts)) return false;
     }
+    return true;
   }
 
   std::string_view xml_;
   const std::string& name_;
   ModelDescription found_;
   std::map<std::string, std::string> unit_of_type_;
+  std::map<std::uint32_t, std::uint64_t> sizes_;  // by the value reference of a structural parameter
   result::Diagnostics mistakes_;
   std::size_t counted_ = 0;
   std::uint32_t line_ = 1;

@@ -1,7 +1,8 @@
 #pragma once
 
 // modelDescription.xml of a Functional Mock-up Unit, FMI 2.0 and 3.0 (https://fmi-standard.org/docs): what a
-// co-simulation needs of it. Any input gives a description or located diagnostics (C0332).
+// co-simulation needs of it. Any input gives a description or located diagnostics (C0332). Arrays are given
+// as their elements (array_variable.h).
 //
 // Thread-safe: pure.
 
@@ -55,7 +56,8 @@ struct ModelVariable {
   std::string description;  // a word of it for people
   std::string unit;         // its own, or that of its declared type
   double start = 0.0;
-  bool is_array = false;  // FMI 3: it has dimensions
+  std::uint32_t element = 0;   // FMI 3: its place in an array,
+  std::uint32_t elements = 0;  // which has so many; 0: it is no element of an array
   std::uint32_t line = 0;
 };
 

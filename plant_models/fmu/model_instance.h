@@ -18,7 +18,8 @@ class ModelInstance {
  public:
   virtual ~ModelInstance() = default;
 
-  // Requires a variable with a number. What the FMU refuses is `false`; `said()` has its words.
+  // Requires a variable of the description, with a number. What the FMU refuses is `false`; `said()` has its
+  // words. Elements of an array are given to it together, before the next of the calls below.
   virtual bool set(const ModelVariable& variable, double number) = 0;
   virtual bool get(const ModelVariable& variable, double& number) = 0;
   // Before the first step: what is set until finish_initialization() are start values.

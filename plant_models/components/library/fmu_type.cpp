@@ -30,7 +30,7 @@ const char* number_of(const result::Diagnostic& problem) {
 }
 
 bool is_number(const ModelVariable& variable) {
-  return variable.type != fmu::VariableType::Other && !variable.is_array;
+  return variable.type != fmu::VariableType::Other;
 }
 
 bool is_whole(const ModelVariable& variable) {

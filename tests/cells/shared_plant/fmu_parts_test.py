@@ -11,6 +11,34 @@ from stepped_cell import SteppedCell, gone
 NAMES = ("Main.level", "Main.full", "Main.valve", "Main.filled")
 FAR = 15_000
 
+# What the first gives out at its second place goes into the second at its first, of which a half counts.
+MIXERS = """\
+[components.first]
+type = "fmu"
+file = "mixer3.fmu"
+timeout = "60 s"
+start_timeout = "120 s"
+
+[components.second]
+type = "fmu"
+file = "mixer3.fmu"
+timeout = "60 s"
+start_timeout = "120 s"
+parameters = { "share[1,1]" = "0.25", "share[1,2]" = "1" }
+"inflow[1]" = "first.outflow[2]"
+"open[2]" = "SHUT"
+
+[components.card]
+type = "analog_input"
+of = "second.outflow[1]"
+low = "0 l/s"
+high = "10 l/s"
+
+[terminals]
+SHUT = "%QX0.0"
+SHOWN = { address = "%IW0", from = "card" }
+"""
+
 
 class PartsCell(SteppedCell):
     """`changes` are to the plant's file."""
@@ -75,6 +103,21 @@ class FmuParts(unittest.TestCase):
     @staticmethod
     def line_of(cell, problem):
         return cell.plant_file.read_text(encoding="utf-8").splitlines()[problem["line"] - 1]
+
+    def test_arrays_are_joined_by_their_elements(self):
+        with SteppedCell("fmu.toml") as cell:
+            pack("mixer3", cell.folder / "mixer3.fmu")
+            plant, table = cell.folder / "plant.toml", cell.folder / "answer.csv"
+            plant.write_text(MIXERS, encoding="utf-8")
+            done = stepwright("plant", plant, "--seconds", "1", "--value", "second.outflow[1]", "--value", "second.outflow[2]",
+                              "--csv", table)
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+            last = table.read_text(encoding="utf-8").splitlines()[-1].split(",")
+            self.assertEqual([float(each) for each in last[1:]], [0.5 * 1 + 2, 0.0])
+            plant.write_text(MIXERS.replace("outflow[2]", "outflow[3]"), encoding="utf-8")
+            done = stepwright("plant", plant)
+            self.assertEqual(done.returncode, 1)
+            self.assertRegex(done.stderr, r"plant\.toml:13:\d+: .*outflow\[3\]")
 
     def test_plant_lists_it_and_runs_it_alone(self):
         with PartsCell() as cell:

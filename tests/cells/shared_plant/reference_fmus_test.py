@@ -135,6 +135,18 @@ class ReferenceFmus(unittest.TestCase):
                 for name, text in THROUGH:
                     self.assertEqual(shown[1_000_000][name.replace("input", "output")], float({"true": 1}.get(text, text)), name)
 
+    def test_arrays_are_their_elements(self):
+        """StateSpace has three inputs and states of the same kind, side by side; FMI 3 alone has arrays."""
+        outputs = {f"y[{i}]": "1" for i in (1, 2, 3)}
+        with open(pathlib.Path(FOLDER) / "StateSpace" / "StateSpace_out.csv", encoding="ascii") as file:
+            expected = {int(row["time"]): float(row["y"].split()[0]) for row in csv.DictReader(file)}
+        with SteppedCell("fmu.toml") as cell:
+            shown = self.answer(cell, fmu_of("StateSpace", 3), 5.0, 1.0, outputs, '"u[2]" = "7"')
+            for seconds in range(1, 6):
+                row = shown[seconds * 1_000_000]
+                for name, factor in zip(outputs, (1, 7, 3)):  # the nine digits of the table
+                    self.assertAlmostEqual(row[name] / (factor * expected[seconds]), 1.0, delta=1e-8, msg=f"{name} at {seconds} s")
+
     def test_as_a_whole_plant_they_run_with_the_scan(self):
         for name, fmu in fmus():
             seconds, step_s, outputs = RESULTS[name]

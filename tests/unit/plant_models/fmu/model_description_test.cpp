@@ -46,7 +46,7 @@ TEST(ModelDescription, WhenItIsOfVersion2_ThenItsVariablesAreThere) {
 TEST(ModelDescription, WhenItIsOfVersion3_ThenItsTypesAreThoseOfTheElements) {
   const auto read =
       parse_description(wrapped("<Float64 name=\"a\" valueReference=\"7\" causality=\"input\" start=\"2\"/>\n"
-                                "<UInt16 name=\"b\" valueReference=\"8\"><Dimension start=\"3\"/></UInt16>\n"
+                                "<UInt16 name=\"b\" valueReference=\"8\"/>\n"
                                 "<Boolean name=\"c\" valueReference=\"9\"><Alias name=\"d\"/></Boolean>",
                                 "fmiVersion=\"3.0\" instantiationToken=\"t\"",
                                 "<CoSimulation modelIdentifier=\"m\" fixedInternalStepSize=\"0.01\"/>"),
@@ -57,8 +57,48 @@ TEST(ModelDescription, WhenItIsOfVersion3_ThenItsTypesAreThoseOfTheElements) {
   EXPECT_EQ(read.fixed_step, 0.01);
   EXPECT_EQ(read.find("a")->type, VariableType::Float64);
   EXPECT_EQ(read.find("b")->type, VariableType::UInt16);
-  EXPECT_TRUE(read.find("b")->is_array);
   EXPECT_EQ(read.find("d")->reference, 9u);
+}
+
+std::string version_3(const std::string& variables) {
+  return wrapped(variables, "fmiVersion=\"3.0\" instantiationToken=\"t\"");
+}
+
+TEST(ModelDescription, WhenAVariableIsAnArray_ThenItsElementsAreThereRowByRow) {
+  const auto read =
+      parse_description(
+          version_3(
+              "<Float64 name=\"K\" valueReference=\"4\" causality=\"parameter\" start=\"1 2 3\n4 5 6\">"
+              "<Dimension start=\"2\"/><Dimension valueReference=\"1\"/><Alias name=\"gain\"/></Float64>\n"
+              "<UInt64 name=\"n\" valueReference=\"1\" causality=\"structuralParameter\" start=\"3\"/>\n"
+              "<Boolean name=\"on\" valueReference=\"5\" start=\"true\"><Dimension start=\"2\"/></Boolean>\n"
+              "<Float32 name=\"none\" valueReference=\"6\"><Dimension start=\"0\"/></Float32>"),
+          "f")
+          .value();
+  ASSERT_EQ(read.variables.size(), 6u + 6u + 1u + 2u);
+  EXPECT_EQ(read.find("K[1,1]")->start, 1.0);
+  EXPECT_EQ(read.find("K[2,1]")->start, 4.0);
+  EXPECT_EQ(read.find("K[2,3]")->start, 6.0);
+  EXPECT_EQ(read.find("K[2,3]")->element, 5u);
+  EXPECT_EQ(read.find("K[2,3]")->elements, 6u);
+  EXPECT_EQ(read.find("gain[1,2]")->reference, 4u);
+  EXPECT_EQ(read.find("on[2]")->start, 1.0) << "one start is that of all";
+  EXPECT_EQ(read.find("K"), nullptr);
+  EXPECT_EQ(read.find("n")->elements, 0u);
+}
+
+TEST(ModelDescription, WhenAnArrayIsWrong_ThenTheProblemHasItsPlace) {
+  const auto array = [](const std::string& attributes, const std::string& dimension) {
+    return problem(version_3("<Float64 name=\"u\" valueReference=\"4\" " + attributes + ">\n" + dimension +
+                             "</Float64>"));
+  };
+  EXPECT_EQ(array("", "<Dimension/>").where.line, 5u);
+  EXPECT_NE(array("", "<Dimension valueReference=\"7\"/>").message.find("without a size"), std::string::npos);
+  EXPECT_NE(array("start=\"1 2\"", "<Dimension start=\"3\"/>").message.find("3 elements, but 2 start values"),
+            std::string::npos);
+  const std::string huge = "<Dimension start=\"4294967296\"/>";
+  EXPECT_NE(array("", huge + huge).message.find("more than 200000 variables"), std::string::npos);
+  EXPECT_NE(array("", "<Dimension start=\"200001\"/>").message.find("more than 200000"), std::string::npos);
 }
 
 TEST(ModelDescription, WhenItIsWrong_ThenTheProblemHasItsPlace) {
