@@ -5,22 +5,16 @@
 #include <nlohmann/json.hpp>
 
 #include "hmi_web/access/audit_text.h"
+#include "runtime/ground/naming/folded_text.h"
 
 namespace stepwright::access {
 namespace {
 
+using naming::folded;
 using nlohmann::json;
 
 constexpr std::array kSearched = {"action", "target", "before", "after",  "reason",
                                   "result", "user",   "role",   "address"};
-
-std::string folded(std::string_view text) {
-  std::string lower(text);
-  // Bytes of other characters stay.
-  for (char& c : lower)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return lower;
-}
 
 std::string text_of(const json& entry, const char* member) {
   const auto found = entry.find(member);

@@ -8,7 +8,7 @@
 #include "hmi_web/alarms/internal/journal_file.h"
 #include "hmi_web/storage/batch_queue.h"
 #include "hmi_web/storage/codes.h"
-#include "runtime/ground/naming/ascii_names.h"
+#include "runtime/ground/naming/folded_text.h"
 #include "runtime/ground/result/last_barrier.h"
 
 namespace stepwright::alarms {
@@ -47,9 +47,9 @@ class AlarmJournal::Core {
   // Alarms whose text people read it in, in whatever language: each name in a line of its own, with a line
   // break at both ends; empty: there is none.
   std::string names_with(const std::string& text) const {
-    const std::string wanted = naming::upper(text);
+    const std::string wanted = naming::folded(text);
     const auto says = [&](const std::string& words) {
-      return naming::upper(words).find(wanted) != std::string::npos;
+      return naming::folded(words).find(wanted) != std::string::npos;
     };
     std::string names;
     for (const AlarmDefinition& each : definitions_) {

@@ -244,7 +244,7 @@ result::Result<std::vector<JournalEntry>> JournalView::find(const JournalQuery& 
   if (query.event) sql += " AND event = ?6";
   if (query.at_least) sql += " AND priority <= ?7";
   if (query.before) sql += " AND (time_ns, e.id) < ((SELECT time_ns FROM entry WHERE id = ?8), ?8)";
-  if (query.user) sql += " AND user = ?10 COLLATE NOCASE";
+  if (query.user) sql += " AND lower(user) = lower(?10)";
   // instr, not LIKE: what somebody looks for has no wildcards.
   if (query.text)
     sql +=

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "hmi_web/storage/codes.h"
+#include "runtime/ground/naming/folded_text.h"
 
 namespace stepwright::storage {
 namespace {
@@ -43,6 +44,14 @@ tl::unexpected<result::Diagnostics> failure(sqlite3* handle, int code, const std
     default:
       return fail(kOther, {file}, "SQLite says: " + said);
   }
+}
+
+// SQLite's own knows letters of ASCII only.
+void lower(sqlite3_context* context, int, sqlite3_value** values) {
+  const auto* const text = reinterpret_cast<const char*>(sqlite3_value_text(values[0]));
+  if (text == nullptr) return sqlite3_result_null(context);
+  const std::string made = naming::folded({text, static_cast<std::size_t>(sqlite3_value_bytes(values[0]))});
+  sqlite3_result_text(context, made.data(), static_cast<int>(made.size()), SQLITE_TRANSIENT);
 }
 
 // SQLite would make it readable for everybody. Its journals have the mode of the file.
@@ -134,6 +143,8 @@ result::Result<Database> Database::open(const std::filesystem::path& file, const
   // The file may come from anywhere: its schema must not reach functions with side effects.
   sqlite3_db_config(handle, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
   sqlite3_db_config(handle, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
+  sqlite3_create_function_v2(handle, "lower", 1, SQLITE_UTF8 | SQLITE_DETERMINISTIC | SQLITE_INNOCUOUS,
+                             nullptr, &lower, nullptr, nullptr, nullptr);
   sqlite3_busy_timeout(handle, options.busy_timeout_ms);
   if (auto ready = database.set_up(options, schema); !ready) return result::forward(ready);
   return database;

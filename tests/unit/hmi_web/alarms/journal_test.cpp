@@ -61,16 +61,17 @@ TEST_F(AlarmJournalTest, WhenTransitionsAreAppended_ThenTheyAreFoundByWhatTheyAr
   set(0, 10, 1.5);
   set(1, 20, 1);
   set(0, 30, 0);
-  ASSERT_TRUE(
-      engine_->command({AlarmId(1), AlarmEvent::Acknowledge, 40, "anna", "it's 'seen'; --"}).has_value());
+  ASSERT_TRUE(engine_->command({AlarmId(1), AlarmEvent::Acknowledge, 40, "Änne", "it's 'seen'; ÜBERPRÜFT --"})
+                  .has_value());
   keep();
   EXPECT_EQ(times({}), (Times{40, 30, 20, 10}));
   EXPECT_EQ(times({.from_ns = 20, .to_ns = 30}), (Times{30, 20}));
   EXPECT_EQ(times({.alarm = "a"}), (Times{30, 10}));
   EXPECT_EQ(times({.source = "main.b"}), (Times{40, 20}));
   EXPECT_EQ(times({.source = "MAIN.B"}), (Times{40, 20})) << "as the program has it";
-  EXPECT_EQ(times({.user = "Anna"}), (Times{40}));
+  EXPECT_EQ(times({.user = "änne"}), (Times{40}));
   EXPECT_EQ(times({.text = "SEEN"}), (Times{40}));
+  EXPECT_EQ(times({.text = "überprüft"}), (Times{40}));
   EXPECT_EQ(times({.text = "main.a"}), (Times{30, 10}));
   EXPECT_EQ(times({.text = "%"}), (Times{})) << "what is looked for has no wildcards";
   EXPECT_EQ(times({.to_ns = 30, .text = "main."}), (Times{30, 20, 10}));
@@ -81,8 +82,8 @@ TEST_F(AlarmJournalTest, WhenTransitionsAreAppended_ThenTheyAreFoundByWhatTheyAr
   EXPECT_EQ(times({.from_ns = 5, .alarm = "a", .state = AlarmState::Unacknowledged}), (Times{10}));
 
   const auto entries = journal_->find({}, 100).value();
-  EXPECT_EQ(entries[0].transition.user, "anna");
-  EXPECT_EQ(entries[0].transition.comment, "it's 'seen'; --");
+  EXPECT_EQ(entries[0].transition.user, "Änne");
+  EXPECT_EQ(entries[0].transition.comment, "it's 'seen'; ÜBERPRÜFT --");
   EXPECT_EQ(entries[3].alarm, "a");
   EXPECT_EQ(entries[3].source, "main.a");
   EXPECT_EQ(entries[3].priority, Priority::Critical);
@@ -94,7 +95,7 @@ TEST_F(AlarmJournalTest, WhenTransitionsAreAppended_ThenTheyAreFoundByWhatTheyAr
 
 TEST_F(AlarmJournalTest, WhenATextIsLookedFor_ThenWhatPeopleReadIsSearchedInEveryLanguage) {
   definitions_[0].text = "First alarm";
-  definitions_[0].words["de"].text = "Erster Alarm";
+  definitions_[0].words["de"].text = "Erster Überlauf";
   definitions_[1].text = "Second 100% alarm";
   open();
   set(0, 10, 1);
@@ -102,7 +103,7 @@ TEST_F(AlarmJournalTest, WhenATextIsLookedFor_ThenWhatPeopleReadIsSearchedInEver
   set(2, 30, 1);
   keep();
   EXPECT_EQ(times({.text = "first"}), (Times{10}));
-  EXPECT_EQ(times({.text = "erster"}), (Times{10}));
+  EXPECT_EQ(times({.text = "erster überLAUF"}), (Times{10}));
   EXPECT_EQ(times({.text = "ALARM"}), (Times{20, 10}));
   EXPECT_EQ(times({.text = "100%"}), (Times{20}));
   EXPECT_EQ(times({.text = "main."}), (Times{30, 20, 10}));
