@@ -122,6 +122,14 @@ class ProjectSheets {
   std::vector<Sheet> sheets_;
 };
 
+// Drawn blocks name their types in files that are not lexed: all of the library.
+void add_library_interfaces(syntax::SyntaxContext& context, ProgramInterfaces& interfaces) {
+  for (const LibraryDeclaration& each : library_declarations()) context.names.intern(each.name);
+  syntax::Unit library;
+  add_library(context, library);
+  interfaces.add(library, context.names);
+}
+
 }  // namespace
 
 result::Result<std::vector<Sheet>> sheets_of(const CompileInput& input) {
@@ -131,11 +139,7 @@ result::Result<std::vector<Sheet>> sheets_of(const CompileInput& input) {
   source::DiagnosticSink sink(sources);
   syntax::SyntaxContext context{sources, names, sink, input.dialect};
   ProgramInterfaces interfaces;
-  syntax::Unit library;
-  // Drawn blocks name their types in files that are not lexed: all of the library.
-  for (const LibraryDeclaration& each : library_declarations()) names.intern(each.name);
-  add_library(context, library);
-  interfaces.add(library, names);
+  if (!input.projects.empty()) add_library_interfaces(context, interfaces);
   std::vector<Sheet> sheets;
   const auto append = [&sheets](std::vector<Sheet> more) {
     for (Sheet& each : more) sheets.push_back(std::move(each));

@@ -122,7 +122,8 @@ void print_plant(const ModelPlant& plant, double speed) {
                 model.sensors[i].meaning.c_str());
   std::printf("values\n");
   for (std::uint32_t i = 0; i < model.truths.size(); ++i)
-    std::printf("  %-28s %12.6g %-10s %s\n", model.truths[i].name.c_str(), plant.truth(core::TruthId(i)),
+    std::printf("  %-28s %12.6g %-10s %s\n", model.truths[i].name.c_str(),
+                plant.truth(core::TruthId(i)) + 0.0,  // never -0
                 model.truths[i].unit.c_str(), model.truths[i].meaning.c_str());
   std::printf("faults\n");
   for (std::size_t i = 0; i < model.faults.size(); ++i)
@@ -195,7 +196,8 @@ void warn_of_bounds(const ModelPlant& plant, const PlantArguments& arguments) {
 void print_end(const components::StepAnswer& answer) {
   std::printf("after %g s\n", answer.times_s.back());
   for (const components::AnswerColumn& column : answer.columns)
-    std::printf("  %-28s %12.6g %s\n", column.name.c_str(), column.values.back(), column.unit.c_str());
+    std::printf("  %-28s %12.6g %s\n", column.name.c_str(), column.values.back() + 0.0,  // never -0
+                column.unit.c_str());
 }
 
 // Runs the plant and writes what it answers.
