@@ -35,8 +35,9 @@ void check_page_names(const settings::TomlTable& hmi, const HmiConfig& config) {
   }
 }
 
-const std::vector<std::string> kPanels = {"alarms", "history", "synoptic", "plan",     "incidents", "sfc",
-                                          "trend",  "state",   "replans",  "monitors", "scan",      "tags"};
+const std::vector<std::string> kPanels = {"overview",  "alarms", "history", "synoptic", "plan",
+                                          "incidents", "sfc",    "trend",   "state",    "replans",
+                                          "monitors",  "scan",   "tags"};
 
 WallConfig read_wall(const settings::TomlTable& table, const std::string& host) {
   WallConfig wall;

@@ -40,7 +40,7 @@ namespace stepwright::config {
 
 struct WallConfig {
   std::vector<network::IpRange> addresses;  // empty: there is no such display
-  std::vector<std::string> panels = {"alarms", "synoptic", "plan", "trend"};
+  std::vector<std::string> panels = {};     // empty: the page chooses by what the cell has
 };
 
 struct HmiConfig {

@@ -129,7 +129,7 @@ constexpr std::array kProcessKeys = {
     KeyWords{"hmi.wall.panels",
              "What `/#wall` shows, in this order: panels of the page, and as `screen:NAME` screens that "
              "people draw.",
-             "", "alarms, picture of the plant, plan and trend"},
+             "", "by what the cell has: a screen, the plant, plan and trend, or the overview, with alarms"},
     KeyWords{"hmi.idle_minutes", "Whoever does nothing for so long is logged out."},
     KeyWords{"hmi.session_hours", "Everybody is logged out after so long."},
     KeyWords{"hmi.refresh_ms",

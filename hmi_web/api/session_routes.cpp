@@ -17,7 +17,7 @@ constexpr const char* kSessionAnswer =
   "properties": {"user": {"type": "string", "description": "empty: nobody has logged in"},
                  "role": {"type": "string", "enum": ["none", "viewer", "operator", "engineer", "administrator"]},
                  "csrf": {"type": "string"}, "setup_needed": {"type": "boolean"},
-                 "wall": {"type": "array", "items": {"type": "string"}, "description": "panels of /#wall"}}})";
+                 "wall": {"type": "array", "items": {"type": "string"}, "description": "panels of /#wall; empty: by what the cell has"}}})";
 
 Answer session_answer(const access::AccessControl& control, const std::string& user, Role role,
                       const std::string& csrf) {

@@ -110,9 +110,25 @@ async function namesIt(page) {
     await complains(page, 'letter or a digit at both ends');
   }
   await name.fill('Line');
-  await button(page, 'Save').click();
+  await button(page, 'Save').focus();
+  await page.keyboard.press('Enter');
   await says(page, 'Saved as version 1.');
   check((await page.getByTestId('editor-problem').innerText()) === '', 'a name that can be is taken');
+}
+
+// Whoever has saved by a key goes on with the keys.
+async function copiesWithKeys(page) {
+  check(await button(page, 'Save').evaluate((one) => one === document.activeElement), 'Save keeps the focus');
+  await page.keyboard.press('Control+a');
+  await until('and Ctrl+A means the symbols', async () => (await page.locator('[data-item][data-chosen=true]').count()) === 3);
+  await page.keyboard.press('Control+c');
+  await page.keyboard.press('Control+v');
+  await page.keyboard.press('Control+v');
+  const places = await page.locator('[data-item]').evaluateAll((all) => all.map((one) => one.getAttribute('transform')));
+  check(places.length === 9 && new Set(places).size === 9, `what is pasted twice lies in two places (${places.join(' ')})`);
+  await page.keyboard.press('Control+z');
+  await page.keyboard.press('Control+z');
+  await until('and goes again', async () => (await page.locator('[data-item]').count()) === 3);
 }
 
 // What one may see and another may not, and where each begins.
@@ -221,11 +237,39 @@ async function sessionEnds(page) {
   await button(page, 'Close').click();
 }
 
+// However small it is drawn, a part has its words and its value within its border.
+async function smallPartsAreWhole(page) {
+  await waitFor(page, 'a small set point has its value inside', () => {
+    const button = document.querySelector('[data-part-key=small] button');
+    const [outer, value] = [button, button?.querySelector('b')].map((one) => one?.getBoundingClientRect());
+    return value?.height > 0 && value.top >= outer.top && value.bottom <= outer.bottom && button.scrollHeight <= button.clientHeight;
+  });
+  const lines = await page.locator('[data-part-key=pair] button').evaluateAll((all) =>
+    all.flatMap((one) => {
+      const walker = document.createTreeWalker(one, NodeFilter.SHOW_TEXT);
+      const counts = [];
+      for (let text = walker.nextNode(); text; text = walker.nextNode()) {
+        const range = document.createRange();
+        range.selectNodeContents(text);
+        counts.push(range.getClientRects().length);
+      }
+      return counts;
+    }),
+  );
+  check(lines.length > 0 && lines.every((count) => count === 1), `no word of a small pair is broken (${lines.join(' ')})`);
+  await shot(page, 'small-parts');
+}
+
 async function losesAnAnswer(page) {
-  const svg = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 300 100"><g data-part="setpoint" data-key="level" data-label="Level" data-write="Main.level" data-from="0" data-to="100"><rect width="160" height="44"/></g></svg>';
+  const setPoint = (key, more, place) => `<g data-part="setpoint" data-key="${key}" ${more} data-from="0" data-to="100"><rect ${place}/></g>`;
+  const parts = setPoint('level', 'data-label="Level" data-write="Main.level"', 'width="160" height="44"')
+    + setPoint('small', 'data-write="Main.batches_before" data-unit="pieces"', 'x="200" width="120" height="44"')
+    + '<g data-part="startstop" data-key="pair" data-write="Main.stir" data-on="Main.stir"><rect x="400" width="130" height="44"/></g>';
+  const svg = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 800 450">${parts}</svg>`;
   check((await asks(page, 'PUT', '/api/screens/Set', { svg, version: 0 })).status === 200, 'a set point is drawn');
   await goes(page, 'Set');
   await isShown(page, 'Set');
+  await smallPartsAreWhole(page);
   await page.route('**/write', (route) => route.abort('connectionreset'));
   await page.locator('[data-part-key=level] button').first().click();
   await dialog(page).getByLabel('New value').fill('33');
@@ -254,6 +298,7 @@ await leadOverPage(given, {
     await sizesAndTurns(page);
     await choosesSeveral(page);
     await namesIt(page);
+    await copiesWithKeys(page);
     await choosesStarts(page);
     await eachBeginsElsewhere(page);
     await restsWhileNothingChanges(page);

@@ -10,7 +10,7 @@ import { adds, editor, field, item, places, says } from './screen_editor.mjs';
 import { check, drawn, fitsEachLook, options, pictures, until, waitFor } from './support.mjs';
 
 const TAGS = '[tags."Main.level"]\nunit = "%"\ndescription = "level of the mixer"\ndecimals = 1\n[tags."Main.batches"]\ndescription = "batches in a row"\n';
-const WALL = '[hmi.wall]\npanels = ["screen:Mixer", "tags"]\n';
+const WALL = '[hmi.wall]\npanels = ["screen:Mixer", "tags", "synoptic", "trend", "history"]\n';
 const HARMFUL = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9">\n  <script>alert(1)</script>\n  <rect onclick="x()" width="9" height="9"/>\n</svg>';
 const FOREIGN =
   '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 100 50">\n<rect id="a" width="40" height="40" fill="url(#g)"/><defs><linearGradient id="g"><stop offset="0" stop-color="#888"/></linearGradient></defs>\n<text x="50" y="25" data-text="Main.batches">-</text></svg>';
@@ -161,8 +161,19 @@ async function hangsOnTheWall(page) {
   await display.goto(`${new URL(page.url()).origin}/#wall`);
   await waitFor(display, 'a display on the wall shows the chosen screen before the tags', () =>
     document.querySelectorAll('[data-testid=screen] [data-part-key] button').length > 1 &&
-    [...document.querySelectorAll('[data-testid=wall] [data-panel]')].map(({ dataset }) => dataset.panel).join() === 'screen-0,tags');
+    [...document.querySelectorAll('[data-testid=wall] [data-panel]')].map(({ dataset }) => dataset.panel).join() === 'screen-0,tags,synoptic,trend,history');
   await has(display, 'with its values', 'p2', '%');
+  const said = (panel) => display.locator(`[data-panel=${panel}]`).innerText();
+  check((await said('synoptic')).includes('There is no picture of the plant.'), 'a panel that has nothing says so');
+  await until('a cell without a plant has a trend of its tags, by their descriptions', async () => (await said('trend')).includes('level of the mixer'));
+  await until('and a history of them, which nobody has to choose', async () => (await said('history')).includes('level of the mixer (Main.level)'));
+  await display.setViewportSize({ width: 1200, height: 900 });
+  await waitFor(display, 'in half of a display the screen is whole', () => {
+    const room = document.querySelector('[data-testid=screen]');
+    const width = room?.querySelector('svg')?.getBoundingClientRect().width ?? 0;
+    return width > 300 && width < 600 && room.scrollWidth <= room.clientWidth && room.scrollHeight <= room.clientHeight;
+  });
+  check((await display.getByRole('button', { name: 'Whole' }).count()) === 0, 'without a button for it');
   check(
     await display.evaluate(() => [...document.querySelectorAll('[data-testid=screen] [data-part-key] button')].every((one) => one.disabled)),
     'and nothing that acts, although somebody has logged in with this browser',
@@ -239,6 +250,7 @@ async function repeatsAFace(page) {
   await editor(page).getByLabel('Name', { exact: true }).fill('Face');
   await adds(page, 'number');
   await field(page, 'Value').fill('Main.{what}');
+  await field(page, 'Label').fill('{title}');
   await page.getByRole('button', { name: 'Save', exact: true }).click();
   await says(page, 'Saved as version 1.');
   await editor(page).getByRole('button', { name: 'Close' }).click();
@@ -246,7 +258,13 @@ async function repeatsAFace(page) {
   await editor(page).getByLabel('Name', { exact: true }).fill('Many');
   for (const [at, name] of ['batches', 'torn'].entries()) {
     await page.locator('[data-face=Face]').click();
-    await field(page, 'what').fill(name);
+    await field(page, 'title').fill(`T${at}`);
+    await field(page, 'what').fill(`no_${name}`);
+    await field(page, 'title').focus();
+    await until('a copy whose name nothing has says which', async () => (await page.getByTestId('properties').innerText()).includes(`the name Main.no_${name}.`));
+    await finds(page, 'what', name, name);
+    await field(page, 'title').focus();
+    await until('one that is right is not marked, and neither is its text', async () => (await page.locator('[data-testid=properties] [aria-invalid=true]').count()) === 0);
     await places(page, { x: 20, y: 20 + 180 * at });
   }
   await page.getByRole('button', { name: 'Save', exact: true }).click();

@@ -55,6 +55,9 @@ export interface Box {
 const SWITCHES: Switch[] = ['on', 'warn', 'alarm', 'show'];
 const RANGES: Range[] = ['fill', 'move', 'turn'];
 
+// The attributes, without `data-`, that name a value.
+export const NAMING: readonly string[] = ['text', ...SWITCHES, ...RANGES, 'pose-x', 'pose-y', 'pose-heading'];
+
 // All values that a binding is made of.
 export const namesOf = (binding: Binding): string[] =>
   binding.kind === 'pose' ? [binding.name, binding.y, binding.heading].filter((name) => name !== '') : [binding.name];

@@ -14,10 +14,12 @@ const MOST = 1e9; // beyond it the power of ten says more than digits
 
 export class TagNotes {
   private readonly byName: Map<string, TagNote>;
+  private readonly comments: Map<string, string>; // of the declarations
 
   // `tags`: those of the program, whose declarations say what the cell leaves open.
   constructor(notes: readonly TagNote[] = [], tags: readonly Tag[] = []) {
     this.byName = new Map(notes.map((note) => [fold(note.name), note]));
+    this.comments = new Map(tags.filter(({ comment }) => comment).map(({ name, comment }) => [fold(name), comment ?? '']));
     for (const { name, note } of tags) {
       if (note) this.byName.set(fold(name), { name: withoutIndices(name), ...note, ...this.of(name) });
     }
@@ -28,6 +30,17 @@ export class TagNotes {
     if (this.byName.size === 0) return undefined;
     const key = fold(name);
     return this.byName.get(key) ?? this.byName.get(withoutIndices(key));
+  }
+
+  // What it is, in words: of the cell, of the declaration, or of its comment; '': nobody says it.
+  descriptionOf(name: string): string {
+    return this.of(name)?.description ?? this.comments.get(fold(name)) ?? '';
+  }
+
+  // By what people call it. What is said of an array is said of every element: which one it is stands behind it.
+  calledBy(name: string): string {
+    const said = this.descriptionOf(name);
+    return said && name.includes('[') ? `${said} ${name.slice(name.indexOf('['))}` : said || name;
   }
 }
 

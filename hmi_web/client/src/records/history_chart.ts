@@ -49,7 +49,8 @@ export function tracesOf(
   return tags.map((tag, index) => {
     const point = points.find((one) => `points/${one.id}` === tag);
     const note = point ? pointNote(point, notes) : notes.of(tag);
-    const label = note?.description ? `${note.description} (${point?.id ?? tag})` : tag;
+    const said = point ? note?.description : notes.descriptionOf(tag);
+    const label = said ? `${said} (${point?.id ?? tag})` : tag;
     const unit = note?.unit ?? '';
     const axis = axisOf(axes[tag]);
     const isBool = typeOf(tag) === 'BOOL';

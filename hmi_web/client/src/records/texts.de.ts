@@ -115,6 +115,7 @@ export default {
   acceptCalendar: 'Der Kalender stimmt',
   historyFails: 'Die Historie lässt sich nicht schreiben:',
   addFirst: 'Fügen Sie eine Variable hinzu.',
+  nothingKept: 'Die Aufzeichnung hat noch keinen Tag zu zeigen.',
   chart: 'Werte über der Zeit; Pfeiltasten verschieben, Plus und Minus zoomen, 0 springt zum Neuesten',
   least: 'Kleinster',
   greatest: 'Größter',

@@ -112,6 +112,7 @@ export default {
   acceptCalendar: 'The calendar is right',
   historyFails: 'The history cannot be written:',
   addFirst: 'Add a tag.',
+  nothingKept: 'The history has no tag to show yet.',
   chart: 'values over time; arrows pan, plus and minus zoom, 0 goes to the newest',
   least: 'Least',
   greatest: 'Greatest',

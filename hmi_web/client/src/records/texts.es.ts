@@ -115,6 +115,7 @@ export default {
   acceptCalendar: 'El calendario es correcto',
   historyFails: 'No se puede escribir el historial:',
   addFirst: 'Añada una variable.',
+  nothingKept: 'El historial aún no tiene ninguna variable que mostrar.',
   chart: 'valores en el tiempo; flechas para desplazar, más y menos para ampliar, 0 va a lo último',
   least: 'Mínimo',
   greatest: 'Máximo',

@@ -115,6 +115,7 @@ export default {
   acceptCalendar: 'Le calendrier est juste',
   historyFails: 'Impossible d’écrire l’historique :',
   addFirst: 'Ajoutez une variable.',
+  nothingKept: 'L’historique n’a encore aucune variable à montrer.',
   chart: 'valeurs dans le temps ; flèches pour déplacer, plus et moins pour zoomer, 0 pour aller au plus récent',
   least: 'Minimum',
   greatest: 'Maximum',

@@ -20,8 +20,6 @@ function ownerOf(name: string): string {
   const array = name.indexOf('[');
   return name.slice(0, array >= 0 ? array : Math.max(0, name.lastIndexOf('.')));
 }
-// What is said of an array is said of every element: which one it is stands behind it.
-const wordsOf = (name: string, said: string): string => (said && name.includes('[') ? `${said} ${name.slice(name.indexOf('['))}` : said || name);
 
 // By the groups that the cell says, then by the instance or the array that they belong to.
 export function groupsOf(tags: readonly Tag[], notes: TagNotes): Group[] {
@@ -30,7 +28,7 @@ export function groupsOf(tags: readonly Tag[], notes: TagNotes): Group[] {
   tags.forEach((tag, index) => {
     const note = notes.of(tag.name);
     const [groups, name] = note?.group ? [said, note.group] : [others, ownerOf(tag.name)];
-    const row = { index, name: tag.name, words: wordsOf(tag.name, note?.description ?? tag.comment ?? ''), isNumber: NUMBER.test(tag.type) };
+    const row = { index, name: tag.name, words: notes.calledBy(tag.name), isNumber: NUMBER.test(tag.type) };
     groups.set(name, [...(groups.get(name) ?? []), row]);
   });
   return [...said, ...others].map(([name, rows]) => ({ name, rows }));

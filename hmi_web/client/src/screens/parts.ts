@@ -38,6 +38,8 @@ export interface PlacedPart extends Part {
 
 const KINDS: readonly string[] = ['button', 'switch', 'setpoint', 'slider', 'choice', 'startstop', 'navigate', 'trend', 'alarms', 'tags'];
 const WRITING: readonly string[] = KINDS.slice(0, 6);
+// The attributes of a part, without `data-`, that name values; the last one several.
+export const NAMING_OF_PARTS: readonly string[] = ['write', 'stop', 'tags'];
 export const isWriting = (kind: string): kind is WritingKind => WRITING.includes(kind);
 
 const list = (text: string): string[] => text.split(';').map((each) => each.trim()).filter((each) => each !== '');
@@ -74,6 +76,12 @@ export function partOf(read: (attribute: string) => string | null): Part | null 
     minutes: number('minutes', 5),
   };
 }
+
+// A trend that stands in no drawing.
+export const trendPart = (tags: readonly string[], minutes: number): Part => ({
+  kind: 'trend', key: '', label: '', write: '', stop: '', value: '', from: 0, to: 0, step: 0, unit: '', values: [], confirm: '',
+  engineer: false, feedback: '', go: '', tags: [...tags], minutes,
+});
 
 // The names of all values that a part reads.
 export const namesOf = (part: Part): string[] => [part.write, part.feedback, ...part.tags].filter((name) => name !== '');

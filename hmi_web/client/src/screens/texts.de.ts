@@ -44,6 +44,7 @@ export default {
   moreBelow: '{count} weitere in der Variablentabelle',
   noProgram: 'Hier läuft noch kein Programm.',
   noProgramYours: 'Hier läuft noch kein Programm: eines laden mit „stepwright download“.',
+  noNumbers: 'Das Programm hat keine Zahlen zum Zeichnen.',
   missing: 'Ein Bild {name} gibt es hier nicht: Es wurde entfernt, oder es ist für eine andere Rolle.',
   notKnown: 'Niemand hat geantwortet; vielleicht wurde geschrieben, vielleicht nicht: Sehen Sie nach dem Wert, bevor Sie es noch einmal tun.',
 } satisfies Translation<typeof english>;

@@ -41,6 +41,7 @@ export default {
   moreBelow: '{count} more in the table of tags',
   noProgram: 'No program runs here yet.',
   noProgramYours: 'No program runs here yet: bring one with “stepwright download”.',
+  noNumbers: 'The program has no numbers to draw.',
   missing: 'There is no screen {name} here: it was removed, or it is for another role.',
   notKnown: 'Nobody has answered, so that it may have been written or not: look at the value before you act again.',
 } as const;

@@ -44,6 +44,7 @@ export default {
   moreBelow: '{count} más en la tabla de variables',
   noProgram: 'Aquí aún no corre ningún programa.',
   noProgramYours: 'Aquí aún no corre ningún programa: cargue uno con «stepwright download».',
+  noNumbers: 'El programa no tiene números que dibujar.',
   missing: 'Aquí no hay ninguna pantalla {name}: se quitó, o es para otro rol.',
   notKnown: 'Nadie ha respondido; quizá se escribió, quizá no: mire el valor antes de actuar otra vez.',
 } satisfies Translation<typeof english>;

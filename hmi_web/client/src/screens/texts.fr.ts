@@ -44,6 +44,7 @@ export default {
   moreBelow: '{count} autres dans la table des variables',
   noProgram: 'Aucun programme ne tourne encore ici.',
   noProgramYours: 'Aucun programme ne tourne encore ici : chargez-en un avec « stepwright download ».',
+  noNumbers: 'Le programme n’a pas de nombres à tracer.',
   missing: 'Il n’y a pas ici d’écran {name} : il a été supprimé, ou il est pour un autre rôle.',
   notKnown: 'Personne n’a répondu ; l’écriture a peut-être eu lieu, peut-être pas : regardez la valeur avant d’agir de nouveau.',
 } satisfies Translation<typeof english>;

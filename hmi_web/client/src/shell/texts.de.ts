@@ -60,4 +60,9 @@ export default {
   unread_untold: 'niemand sagt, ob {device} antwortet',
   rowsShown: '{shown} von {total} Zeilen',
   moreRows: 'Mehr zeigen',
+  noAlarmsKept: 'Dieser Server führt keine Alarme.',
+  noHistoryKept: 'Dieser Server führt keine Aufzeichnung.',
+  noPicture: 'Es gibt kein Bild der Anlage.',
+  noMonitors: 'Das Programm hat keine Monitore.',
+  notPlanned: 'Für diese Zelle plant kein Supervisor.',
 } satisfies Translation<typeof english>;

@@ -57,4 +57,9 @@ export default {
   unread_untold: 'nobody says whether {device} answers',
   rowsShown: '{shown} of {total} rows',
   moreRows: 'Show more',
+  noAlarmsKept: 'This server keeps no alarms.',
+  noHistoryKept: 'This server keeps no history.',
+  noPicture: 'There is no picture of the plant.',
+  noMonitors: 'The program has no monitors.',
+  notPlanned: 'No supervisor plans for this cell.',
 } as const;

@@ -60,4 +60,9 @@ export default {
   unread_untold: 'nadie dice si {device} responde',
   rowsShown: '{shown} de {total} filas',
   moreRows: 'Mostrar más',
+  noAlarmsKept: 'Este servidor no lleva alarmas.',
+  noHistoryKept: 'Este servidor no lleva historial.',
+  noPicture: 'No hay imagen de la planta.',
+  noMonitors: 'El programa no tiene monitores.',
+  notPlanned: 'Ningún supervisor planifica para esta celda.',
 } satisfies Translation<typeof english>;

@@ -60,4 +60,9 @@ export default {
   unread_untold: 'personne ne dit si {device} répond',
   rowsShown: '{shown} lignes sur {total}',
   moreRows: 'Afficher plus',
+  noAlarmsKept: 'Ce serveur ne tient pas d’alarmes.',
+  noHistoryKept: 'Ce serveur ne tient pas d’historique.',
+  noPicture: 'Il n’y a pas d’image de l’installation.',
+  noMonitors: 'Le programme n’a pas de moniteurs.',
+  notPlanned: 'Aucun superviseur ne planifie pour cette cellule.',
 } satisfies Translation<typeof english>;

@@ -80,6 +80,7 @@ TEST(HmiConfig, WhenSomethingIsWrong_ThenItsCodeIsTold) {
 
 TEST(HmiConfig, WhenADisplayHangsOnTheWall_ThenItsAddressesAndPanelsAreRead) {
   EXPECT_TRUE(read("").config.wall.addresses.empty());
+  EXPECT_TRUE(read("").config.wall.panels.empty()) << "the page chooses";
   const std::string outside = "host = \"10.0.0.5\"\ntls_certificate = \"a.pem\"\ntls_key = \"a.key\"\n";
   const Read wall =
       read(outside + "[hmi.wall]\naddresses = [\"10.0.0.17\", \"192.168.7.0/24\"]\npanels = [\"alarms\"]\n");
@@ -92,7 +93,7 @@ TEST(HmiConfig, WhenADisplayHangsOnTheWall_ThenItsAddressesAndPanelsAreRead) {
   EXPECT_EQ(read("[hmi.wall]\naddresses = [\"10.0.0.17\"]\n").codes, "C0471") << "nobody comes from there";
   EXPECT_EQ(read("[hmi.wall]\naddresses = [\"everybody\"]\n").codes, "C0471");
   EXPECT_EQ(read("[hmi.wall]\npanels = [\"alarm\", \"tags\"]\n").codes, "C0471");
-  EXPECT_EQ(read("[hmi.wall]\npanels = [\"screen:Mixer\", \"tags\"]\n").codes, "");
+  EXPECT_EQ(read("[hmi.wall]\npanels = [\"screen:Mixer\", \"tags\", \"overview\"]\n").codes, "");
   EXPECT_EQ(read("[hmi.wall]\npanels = [\"screen:\"]\n").codes, "C0471") << "without a name";
   EXPECT_EQ(wall_screen("screen:Mixer 2"), "Mixer 2");
   EXPECT_EQ(wall_screen("tags"), "");

@@ -7,7 +7,7 @@ import { test } from 'node:test';
 
 import { load } from './load_modules.mjs';
 
-const page = await load(process.env.CLIENT, ['shell/page_areas']);
+const page = await load(process.env.CLIENT, ['shell/page_areas', 'shell/wall']);
 
 const COLUMNS = { single: 1, narrow: 2, wide: 3 };
 
@@ -45,4 +45,13 @@ test('Page_WhenTheCellIsOfAnyKind_ThenEachOfItsPanelsHasARectangleAndNoOtherOneH
       for (const area of panelsOf(cell)) assert.ok(isRectangle(grid, area), `${area} in ${what}`);
     }
   }
+});
+
+test('Wall_WhenNobodyHasChosenPanels_ThenItShowsWhatTheCellHasAndNothingEmpty', () => {
+  const nothing = { screen: '', plant: false, plan: false, levels: false, alarms: true };
+  const shown = (has) => page.usualPanels({ ...nothing, ...has }).join();
+  assert.equal(shown({}), 'overview', 'which has alarms, tags and a trend');
+  assert.equal(shown({ screen: 'Mixer', plant: true }), 'alarms,screen:Mixer', 'what people have drawn comes before what is made of the plant');
+  assert.equal(shown({ plant: true, plan: true, levels: true }), 'alarms,synoptic,plan,trend');
+  assert.equal(shown({ plant: true, levels: true, alarms: false }), 'synoptic,trend');
 });

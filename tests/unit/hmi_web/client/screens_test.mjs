@@ -10,7 +10,7 @@ import { load } from './load_modules.mjs';
 const arrange = await load(process.env.CLIENT, ['screens/editor/arrange']);
 const model = await load(process.env.CLIENT, ['screens/editor/model', 'screens/editor/symbols', 'screens/editor/part_symbols']);
 const sizes = await load(process.env.CLIENT, ['screens/editor/sizing', 'screens/editor/points']);
-const view = await load(process.env.CLIENT, ['screens/parts', 'screens/screens', 'screens/overview', 'screens/trend_lines', 'screens/editor/tag_search']);
+const view = await load(process.env.CLIENT, ['screens/parts', 'screens/screens', 'screens/overview', 'screens/trend_lines', 'screens/editor/tag_search', 'screens/editor/face_names', 'lib/tag_notes']);
 
 const item = (key, more = {}) => ({ key, symbol: 'pump', x: 0, y: 0, w: 60, h: 60, turn: 0, group: '', params: {}, markup: '', ...more });
 const svgOf = (...items) => model.svgOf({ ...model.EMPTY, items }, new Map());
@@ -39,6 +39,17 @@ test('Face_WhenItIsRepeated_ThenEachCopyHasItsOwnNamesAndKeys', () => {
   assert.equal(model.filledFace(face, { pump: '"><script>' }, 'p3').includes('<script>'), false);
   const drawn = model.innerOf(item('p3', { symbol: 'face', w: 200, h: 50, params: { face: 'Pump', pump: 'a' } }), new Map([['Pump', face]]));
   assert.ok(drawn.startsWith('<g transform="scale(2 1)">'));
+});
+
+test('Face_WhenItsParametersArePartsOfNames_ThenThoseNamesAreLookedForAndATextIsNone', () => {
+  const inner = '<g data-on="!{pump}.running" data-tags="{pump}.real_speed; {line}.{pump}"><text data-text="{pump}.real_speed">{title}</text></g><g data-label="{title}"/>';
+  const patterns = view.patternsOf(inner, 'pump');
+  assert.deepEqual(patterns, ['{pump}.running', '{pump}.real_speed', '{line}.{pump}']);
+  assert.deepEqual(view.patternsOf(inner, 'title'), []);
+  assert.deepEqual(view.namesBy(patterns, { pump: 'Main.pump[5]' }), ['Main.pump[5].running', 'Main.pump[5].real_speed'], 'what is still open is no name yet');
+  const known = ['Main.pump[1].running', 'Main.pump[1].real_speed', 'MAIN.PUMP[2].RUNNING', 'Main.pump[2].real_speed', 'Main.fan.running', 'Main.level'];
+  assert.deepEqual(view.offersOf(patterns, 'pump', known), ['Main.pump[1]', 'MAIN.PUMP[2]'], 'those that have both names');
+  assert.deepEqual(view.offersOf(['{value}'], 'value', known), known);
 });
 
 test('Items_WhenTheyAreAlignedSpreadAndGrouped_ThenOnlyTheChosenOnesMove', () => {
@@ -113,6 +124,9 @@ test('Copies_WhenTheyArePasted_ThenTheyHaveNamesAndGroupsOfTheirOwn', () => {
   assert.equal(keys.size, 2);
   assert.deepEqual(all.map(({ group }) => group), ['g1', 'g1', 'g2', 'g2']);
   assert.equal(all[2].x, 20);
+  const [third, other] = [arrange.pasted(all, items, 20), arrange.pasted(all, [item('p1', { symbol: 'tank' })], 20)];
+  assert.deepEqual(third.items.slice(4).map(({ x, y }) => [x, y]), [[40, 40], [40, 40]], 'the next ones lie beside the first, too');
+  assert.equal(other.items[4].x, 20, 'what is of another kind is seen all the same');
 });
 
 test('Tags_WhenPartsOfTheirWordsAreTyped_ThenTheyAreFound', () => {
@@ -194,7 +208,7 @@ test('Overview_WhenTagsAreOfArrays_ThenTheyStandInTheGroupOfTheirArray', () => {
     { name: 'Main.p[2].speed', type: 'REAL', address: '', comment: 'how fast' },
     { name: 'Main.levels[3]', type: 'INT', address: '' },
   ];
-  const groups = view.groupsOf(tags, { of: () => undefined });
+  const groups = view.groupsOf(tags, new view.TagNotes([], tags));
   assert.deepEqual(groups.map(({ name, rows }) => [name, rows.map(({ words }) => words)]), [
     ['Main', ['Main.x']], ['Main.p', ['how fast [1].speed', 'how fast [2].speed']], ['Main.levels', ['Main.levels[3]']],
   ]);

@@ -91,6 +91,15 @@ test('Trend_WhenATagIsDescribed_ThenItsLineIsCalledSoAndHasItsUnit', () => {
   assert.deepEqual([plain.label, plain.unit], ['x', '']);
 });
 
+test('Trend_WhenOnlyTheDeclarationHasAComment_ThenItsLineIsCalledByIt', () => {
+  const tags = [{ name: 'Main.level', type: 'REAL', address: '', comment: 'level of the buffer', note: { unit: 'l', group: 'tank' } }, { name: 'Main.p[1].speed', type: 'REAL', address: '', comment: 'how fast' }];
+  const notes = new TagNotes([{ name: 'main.P', group: 'pumps' }], tags);
+  const [line] = tracesOf(['Main.level'], [], notes);
+  assert.deepEqual([line.label, line.unit], ['level of the buffer (Main.level)', 'l']);
+  assert.deepEqual(['MAIN.level', 'Main.p[1].speed', 'Main.x'].map((name) => notes.calledBy(name)), ['level of the buffer', 'how fast [1].speed', 'Main.x']);
+  assert.equal(new TagNotes([level], [{ ...tags[0], comment: 'another' }]).descriptionOf('Main.level'), 'level of the buffer', 'the cell wins');
+});
+
 test('Point_WhenTheCellDescribesIt_ThenTrendsCallItSoAndElseAsThePictureDoes', () => {
   const points = [{ id: 'a1.level', label: 'tank a1', unit: '%', trend: true }, { id: 'in.speed', label: 'belt in', unit: 'm/s', trend: true }];
   const notes = new TagNotes([{ name: 'A1.LEVEL', unit: 'l', description: 'buffer', decimals: 0, normal: [0, 90] }]);

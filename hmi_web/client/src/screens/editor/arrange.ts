@@ -84,9 +84,18 @@ export function stepped(items: Items, keys: Keys, by: 1 | -1): Item[] {
   return by === 1 ? result.reverse() : result;
 }
 
+// As often as it takes: no copy lies exactly on a symbol of its kind, where nobody would see it.
+function beside(items: Items, copies: Items, offset: number): number {
+  const lies = (shift: number) => copies.some((copy) => items.some(({ symbol, x, y }) => symbol === copy.symbol && x === copy.x + shift && y === copy.y + shift));
+  let shift = offset;
+  while (lies(shift)) shift += offset;
+  return shift;
+}
+
 // Copies with names and groups of their own, a little beside.
 export function pasted(items: Items, copies: Items, offset: number): { items: Item[]; keys: Set<string> } {
   const result = [...items];
+  const shift = beside(items, copies, offset);
   const keys = new Set<string>();
   const groups = new Map<string, string>();
   const taken = new Set(items.map(({ group }) => group));
@@ -99,7 +108,7 @@ export function pasted(items: Items, copies: Items, offset: number): { items: It
       groups.set(copy.group, `g${number}`);
     }
     keys.add(key);
-    result.push({ ...copy, key, group: groups.get(copy.group) ?? '', x: copy.x + offset, y: copy.y + offset });
+    result.push({ ...copy, key, group: groups.get(copy.group) ?? '', x: copy.x + shift, y: copy.y + shift });
   }
   return { items: result, keys };
 }

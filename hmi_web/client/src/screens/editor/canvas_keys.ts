@@ -47,17 +47,24 @@ function arrowKey(board: DrawingBoard, [x, y]: [number, number], event: Keyboard
   board.setItems(items.map((item) => (board.chosen.has(item.key) && item.symbol !== 'drawn' ? sized(item, grip, x * step, y * step, 0) : item)), deed);
 }
 
+// With Ctrl, wherever the focus is: what is chosen in the drawing is meant. False: it is none of ours.
+export function commandKey(board: DrawingBoard, event: KeyboardEvent): boolean {
+  const name = event.key.toLowerCase();
+  const command = event.ctrlKey || event.metaKey ? COMMANDS[name] : undefined;
+  if (!command) return false;
+  if (event.shiftKey && name === 'z') board.redo();
+  else command(board);
+  return true;
+}
+
 export function canvasKey(board: DrawingBoard, event: KeyboardEvent, onEdit: () => void): boolean {
   if (lineKey(board, event)) return true;
   const { items } = board.content;
   const name = event.key.toLowerCase();
   const focused = event.target instanceof SVGElement ? (event.target.dataset.item ?? '') : '';
   const arrow = ARROWS[event.key];
-  const command = event.ctrlKey || event.metaKey ? COMMANDS[name] : undefined;
-  if (command) {
-    if (event.shiftKey && name === 'z') board.redo();
-    else command(board);
-  } else if (arrow && board.chosen.size > 0) arrowKey(board, arrow, event);
+  if (commandKey(board, event)) return true;
+  if (arrow && board.chosen.size > 0) arrowKey(board, arrow, event);
   else if (event.key === 'Delete' && board.chosen.size > 0) board.remove();
   else if (event.key === 'PageUp') board.setItems(event.shiftKey ? stepped(items, board.chosen, 1) : ordered(items, board.chosen, 'front'));
   else if (event.key === 'PageDown') board.setItems(event.shiftKey ? stepped(items, board.chosen, -1) : ordered(items, board.chosen, 'back'));

@@ -25,6 +25,7 @@ export default {
   searchHint: 'Teil eines Namens',
   found: 'gefundene Namen',
   unknownName: 'Nichts in der Zelle hat diesen Namen.',
+  unknownNames: 'Nichts in der Zelle heißt {names}.',
   addTag: 'Variable hinzufügen',
   valuesHint: '0=aus; 1=an',
   pictureTooLarge: 'Das Bild ist größer als 400 kB: verkleinern.',

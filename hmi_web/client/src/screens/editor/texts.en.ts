@@ -22,6 +22,7 @@ export default {
   searchHint: 'part of a name',
   found: 'names found',
   unknownName: 'Nothing in the cell has this name.',
+  unknownNames: 'Nothing in the cell has the name {names}.',
   addTag: 'Add a tag',
   valuesHint: '0=off; 1=on',
   pictureTooLarge: 'The picture is larger than 400 kB: make it smaller.',

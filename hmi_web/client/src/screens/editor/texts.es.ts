@@ -25,6 +25,7 @@ export default {
   searchHint: 'parte de un nombre',
   found: 'nombres encontrados',
   unknownName: 'Nada en la celda tiene este nombre.',
+  unknownNames: 'Nada en la celda se llama {names}.',
   addTag: 'Añadir una variable',
   valuesHint: '0=paro; 1=marcha',
   pictureTooLarge: 'La imagen supera 400 kB: redúzcala.',

@@ -25,6 +25,7 @@ export default {
   searchHint: 'partie d’un nom',
   found: 'noms trouvés',
   unknownName: 'Rien dans la cellule ne porte ce nom.',
+  unknownNames: 'Rien dans la cellule ne s’appelle {names}.',
   addTag: 'Ajouter une variable',
   valuesHint: '0=arrêt; 1=marche',
   pictureTooLarge: 'L’image dépasse 400 ko : réduisez-la.',
