@@ -41,6 +41,12 @@ void ModelEquations::run(const std::vector<Step>& steps, const Frame& frame) con
   }
 }
 
+const Loop* ModelEquations::unsolved() const {
+  for (std::size_t i = 0; i < loops_.size(); ++i)
+    if (!loops_[i].solved()) return &model_.loops[i];
+  return nullptr;
+}
+
 void ModelEquations::evaluate(const Frame& frame) const {
   run(model_.order, frame);
 }

@@ -167,6 +167,7 @@ core::PlantStatus ModelPlant::advance_alone(std::chrono::nanoseconds time) {
 }
 
 core::PlantStatus ModelPlant::give_up() {
+  unsolved_loop_ = equations_->unsolved();
   failed_component_ =
       endless_events_ || unseen_event_ != nullptr ? last_event_component_ : stiffest_component();
   trouble_known_.store(true, std::memory_order_release);
@@ -190,6 +191,9 @@ std::string ModelPlant::trouble() {
   if (endless_events_)
     return "the plant cannot go on at " + std::string(at.data()) + " s: an event of '" + name +
            "' happens again and again without time between";
+  if (unsolved_loop_ != nullptr)
+    return "the plant cannot go on at " + std::string(at.data()) + " s: where " + unsolved_loop_->names +
+           " meet nothing was found that lets out as much as comes in";
   return std::string("the plant's solver gave up at ") + at.data() + " s: no step is small enough" +
          (name.empty() ? std::string() : "; '" + name + "' changes fastest") +
          (model_->text.solver.implicit

@@ -108,6 +108,7 @@ class ModelPlant final : public core::Plant {
   bool event_pending_ = false;    // the solver stands at a root that has not been handled
   bool failed_ = false;
   bool endless_events_ = false;
+  const Loop* unsolved_loop_ = nullptr;
   const std::string* unseen_event_ = nullptr;  // that was passed without being seen
   double event_at_s_ = -1.0;                   // the last one
   std::uint32_t last_event_component_ = 0;
