@@ -61,9 +61,23 @@ TEST(ControllerLink_WhenAnAnswerIsLate, ThenItIsNotTakenForThatOfALaterRequest) 
   EXPECT_EQ(read, program);
 }
 
+// A line on which nothing is written.
+class ReadLine : public RegisterLine {
+ public:
+  LineAnswer write(std::uint16_t, std::span<const std::uint16_t>) override {
+    return {LineFault::Closed, 0, {}};
+  }
+  LineAnswer read_write(std::uint16_t, std::span<const std::uint16_t>, std::uint16_t,
+                        std::span<std::uint16_t>) override {
+    return {LineFault::Closed, 0, {}};
+  }
+  LineAnswer reopen() override { return {}; }
+  std::string name() const override { return "board that is read"; }
+};
+
 // A serial line to a controller that needs 30 ms for each answer and has some to earlier requests to give
 // first.
-class SlowLine final : public RegisterLine {
+class SlowLine final : public ReadLine {
  public:
   SlowLine(std::shared_ptr<support::BoardWorld> world, int owed) : line_(std::move(world)) {
     for (int i = 0; i < owed; ++i) owe(1);
@@ -77,15 +91,6 @@ class SlowLine final : public RegisterLine {
     std::this_thread::sleep_until(next.at);
     return next.words == words.size() ? line_.read(first, words) : LineAnswer{LineFault::Garbled, 0, {}};
   }
-  LineAnswer write(std::uint16_t, std::span<const std::uint16_t>) override {
-    return {LineFault::Closed, 0, {}};
-  }
-  LineAnswer read_write(std::uint16_t, std::span<const std::uint16_t>, std::uint16_t,
-                        std::span<std::uint16_t>) override {
-    return {LineFault::Closed, 0, {}};
-  }
-  LineAnswer reopen() override { return {}; }
-  std::string name() const override { return "slow board"; }
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -111,21 +116,12 @@ TEST(ControllerLink_WhenAControllerIsSlowToCatchUp, ThenItIsWaitedForLongerAndLo
 }
 
 // Keeps every request, and answers none.
-class HeldLine final : public RegisterLine {
+class HeldLine final : public ReadLine {
  public:
   LineAnswer read(std::uint16_t, std::span<std::uint16_t> words) override {
     lengths.push_back(words.size());
     return {LineFault::Silent, 0, {}};
   }
-  LineAnswer write(std::uint16_t, std::span<const std::uint16_t>) override {
-    return {LineFault::Silent, 0, {}};
-  }
-  LineAnswer read_write(std::uint16_t, std::span<const std::uint16_t>, std::uint16_t,
-                        std::span<std::uint16_t>) override {
-    return {LineFault::Silent, 0, {}};
-  }
-  LineAnswer reopen() override { return {}; }
-  std::string name() const override { return "held board"; }
 
   std::vector<std::size_t> lengths;  // of what was asked
 };
