@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdio>
+#include <limits>
 
 #include "plant_models/components/own_type.h"
 
@@ -21,7 +22,7 @@ std::string short_text(double value) {
 }
 
 std::string example_of(const ParameterSpec& spec) {
-  if (!spec.fallback.empty()) return "for example \"" + spec.fallback + "\"";
+  if (parse_quantity(spec.fallback)) return "for example \"" + spec.fallback + "\"";
   return spec.unit.empty() ? "a number" : "a figure with its unit, such as \"1 " + spec.unit + "\"";
 }
 
@@ -51,7 +52,8 @@ std::string meant_or(const std::string& word, const std::vector<std::string>& kn
 Quantity read_figure(const TomlTable& table, const ParameterSpec& spec, const Replaced& replaced) {
   const bool any = spec.unit == "any";
   const Unit wanted = any ? Unit{} : parse_unit(spec.unit).value_or(Unit{});
-  Quantity fallback = parse_quantity(spec.fallback).value_or(Quantity{0.0, wanted});
+  const double without = spec.fallback.empty() ? 0.0 : std::numeric_limits<double>::quiet_NaN();
+  const Quantity fallback = parse_quantity(spec.fallback).value_or(Quantity{without, wanted});
   const std::string& key = spec.name;
   if (!table.has(key)) {
     // Asked for, so that whoever listens hears of the default.

@@ -36,6 +36,8 @@ class ModelEquations final : public ode::OdeSystem {
   // Only what the program's inputs come from.
   void evaluate_shown(const Frame& frame) const;
   void derivatives(const Frame& frame) const;
+  // Works out all values and the modes that follow from them, until no mode changes another one.
+  void settle(const Frame& frame) const;
 
  private:
   explicit ModelEquations(const Model& model) : model_(model), values_(model.values) {}

@@ -79,6 +79,8 @@ class OwnTypeReader {
       name(all, key);
       const TomlTable one = all.table(key);
       const Unit unit = unit_of(one);
+      if (one.has("default") && !one.text("default", "").empty())
+        (void)read_figure(one, {.name = "default", .unit = unit.text}, {});
       type_.parameters.push_back({.name = key,
                                   .unit = unit.text,
                                   .fallback = one.text("default", ""),
@@ -161,12 +163,13 @@ class OwnTypeReader {
       state.tolerance = std::abs(
           read_figure(one, {.name = "tolerance", .unit = unit.text, .fallback = "1e-6 " + unit.text}, {})
               .value);
-      // A figure with its unit, or an expression of parameters.
+      // A figure with its unit, or an expression.
       const std::string start = one.text("start", "0");
       const auto figure = parse_quantity(start);
       char text[40];
       std::snprintf(text, sizeof text, "%.17g", figure ? figure->value : 0.0);
       state.start = figure ? text : start;
+      state.start_where = one.where("start");
       if (figure && figure->value != 0.0 && figure->unit.dimension != unit.dimension)
         report(one, "start",
                "the unit of 'start' does not fit: " + to_string(figure->unit.dimension) + " where " +
