@@ -26,6 +26,11 @@ std::string example_of(const ParameterSpec& spec) {
   return spec.unit.empty() ? "a number" : "a figure with its unit, such as \"1 " + spec.unit + "\"";
 }
 
+std::string hint_of(const std::string& text, const ParameterSpec& spec) {
+  const std::string meant = unit_hint(text);
+  return meant.empty() ? example_of(spec) : meant;
+}
+
 // A text as it stands, or what an assembly was given for it.
 std::string text_of(const TomlTable& table, const std::string& key, const Replaced& replaced) {
   std::string text = table.text(key, {});
@@ -69,7 +74,7 @@ Quantity read_figure(const TomlTable& table, const ParameterSpec& spec, const Re
     if (text.empty()) return fallback;
     const auto parsed = parse_quantity(text);
     if (!parsed) {
-      table.report(key, "'" + text + "' is no figure with a unit", example_of(spec), "0341");
+      table.report(key, "'" + text + "' is no figure with a unit", hint_of(text, spec), "0341");
       return fallback;
     }
     figure = *parsed;
@@ -78,7 +83,7 @@ Quantity read_figure(const TomlTable& table, const ParameterSpec& spec, const Re
     table.report(key,
                  "the unit of '" + key + "' does not fit: " + to_string(figure.unit.dimension) + " where " +
                      to_string(wanted.dimension) + " is wanted",
-                 example_of(spec), "0341");
+                 hint_of(figure.unit.text, spec), "0341");
     return fallback;
   }
   if (!(figure.value >= spec.low && figure.value <= spec.high)) {
@@ -150,6 +155,8 @@ bool ComponentReader::read_assembly(const TomlTable& table, const std::string& t
   if (around.depth >= kDeepest) {
     table.report("type", "assembly '" + type + "' has itself inside, or is too deep",
                  "at most " + std::to_string(kDeepest) + " in each other");
+    table.accept_all();
+    assemblies_.accept_all();  // those further in are not read
     return false;
   }
   const TomlTable assembly = assemblies_.table(type);

@@ -59,8 +59,9 @@ class OwnTypeReader {
   Unit unit_of(const TomlTable& table) {
     const std::string text = table.text("unit", "");
     if (const auto unit = parse_unit(text)) return *unit;
+    const std::string meant = unit_hint(text);
     report(table, "unit", "'" + text + "' is no unit",
-           "such as \"m\", \"l/s\", \"percent\"; none for a pure number", "0341");
+           meant.empty() ? "such as \"m\", \"l/s\", \"percent\"; none for a pure number" : meant, "0341");
     return {};
   }
   void report(const TomlTable& table, const std::string& key, std::string message, std::string hint,
@@ -218,6 +219,9 @@ class OwnTypeReader {
       event.falling = one.boolean("falling", false);
       event.rising = one.boolean("rising", !event.falling);
       const TomlTable set = one.table("set");
+      if (set.keys().empty())
+        report(one, "set", "event '" + key + "' sets nothing", "set = { STATE = \"...\" }: where it jumps to",
+               "0349");
       for (const std::string& state : set.keys()) {
         const auto& states = equations_->states;
         const auto found = std::find_if(states.begin(), states.end(),
