@@ -99,6 +99,12 @@ class CheckNames(unittest.TestCase):
         self.assertEqual((done.returncode, done.stderr.count("C0532")), (0, 1), done.stderr)
         self.assertIn("[hmi.wall] shows the screen 'Secret', which is for the role operator and above", done.stderr)
 
+    def test_a_source_that_is_no_utf8_is_a_warning_with_its_place(self):
+        (self.folder / "main.st").write_bytes(PROGRAM.replace("temp : REAL;", "temp : REAL; // °C").replace("limit :", "\n limit :", 1).encode("latin-1"))
+        done = self.check()
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertRegex(done.stderr, r"main\.st:2:23: warning: C0533: this is no UTF-8")
+
     def test_points_of_the_plant_are_names_too(self):
         self.write(**{"cell.toml": CELL + '[plant]\nkind = "tank_bench"\n'})
         self.names("a1.level", "Main.cleaning", "Main.limit", "a1.level", "Main.cleaning")
