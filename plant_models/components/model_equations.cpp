@@ -5,6 +5,11 @@
 #include "plant_models/components/dependencies.h"
 
 namespace stepwright::components {
+namespace {
+
+constexpr int kMostSettlings = 16;  // modes that change modes
+
+}  // namespace
 
 result::Result<std::unique_ptr<ModelEquations>> ModelEquations::create(const Model& model) {
   std::unique_ptr<ModelEquations> equations(new ModelEquations(model));
@@ -57,6 +62,15 @@ void ModelEquations::evaluate_shown(const Frame& frame) const {
 
 void ModelEquations::derivatives(const Frame& frame) const {
   for (const std::uint32_t component : model_.with_states) model_.components[component]->derivative(frame);
+}
+
+void ModelEquations::settle(const Frame& frame) const {
+  for (int round = 0; round < kMostSettlings; ++round) {
+    evaluate(frame);
+    bool changed = false;
+    for (const auto& component : model_.components) changed = component->settle(frame) || changed;
+    if (!changed) return;
+  }
 }
 
 std::vector<std::vector<std::uint32_t>> ModelEquations::dependencies() const {

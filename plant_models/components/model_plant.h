@@ -72,6 +72,7 @@ class ModelPlant final : public core::Plant {
   explicit ModelPlant(std::unique_ptr<Model> model);
 
   Frame frame(double t_s);
+  [[nodiscard]] result::Result<void> follow_processes();
   void settle(double t_s);
   bool restart(double t_s);
   core::PlantStatus advance_alone(std::chrono::nanoseconds time);
