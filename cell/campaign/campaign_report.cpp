@@ -54,11 +54,29 @@ json to_json(const DrawnFault& fault) {
 json to_json(const CellRun& run) {
   json faults = json::array();
   for (const DrawnFault& fault : run.disturbance.faults) faults.push_back(to_json(fault));
-  return {{"seed", run.seed},     {"verdict", to_string(run.verdict)},
-          {"cause", run.cause},   {"why", run.why},
-          {"faults", faults},     {"refused", run.refused},
-          {"alarms", run.alarms}, {"replans", run.replans},
-          {"time_s", run.time_s}, {"trace_hash", fmt::format("{:016x}", run.trace_hash)}};
+  return {{"seed", run.seed},
+          {"verdict", to_string(run.verdict)},
+          {"cause", run.cause},
+          {"why", run.why},
+          {"printed", run.printed},
+          {"faults", faults},
+          {"refused", run.refused},
+          {"alarms", run.alarms},
+          {"replans", run.replans},
+          {"time_s", run.time_s},
+          {"trace_hash", fmt::format("{:016x}", run.trace_hash)}};
+}
+
+// Behind the line that says that the plant is lost.
+std::string quoted(const std::string& printed) {
+  if (printed.empty()) return {};
+  std::string text = "\n  its processes have printed last:";
+  for (std::size_t at = 0; at < printed.size();) {
+    const std::size_t end = std::min(printed.find('\n', at), printed.size());
+    text += "\n    " + printed.substr(at, end - at);
+    at = end + 1;
+  }
+  return text;
 }
 
 }  // namespace
@@ -67,7 +85,7 @@ std::string story(const CellRun& run) {
   std::string text =
       fmt::format("seed {}: {}: {}", run.seed, to_string(run.verdict), run.disturbance.words());
   const auto out = std::back_inserter(text);
-  if (!run.why.empty()) fmt::format_to(out, "\n  {}", run.why);
+  if (!run.why.empty()) fmt::format_to(out, "\n  {}{}", run.why, quoted(run.printed));
   if (!run.cause.empty()) fmt::format_to(out, "\n  cause: {}", run.cause);
   for (const std::string& name : run.refused) fmt::format_to(out, "\n  the plant did not take {}", name);
   for (const std::string& alarm : run.alarms) fmt::format_to(out, "\n  alarm {}", alarm);
@@ -82,8 +100,9 @@ std::string table(const Campaign& campaign) {
   const auto out = std::back_inserter(text);
   if (campaign.without_range > 0)
     fmt::format_to(out, "; {} more have no range and are not tried", campaign.without_range);
-  fmt::format_to(out, "\nundisturbed: {}{}{}\n\n", word(campaign.undisturbed.verdict, campaign.planned),
-                 campaign.undisturbed.why.empty() ? "" : ": ", campaign.undisturbed.why);
+  fmt::format_to(out, "\nundisturbed: {}{}{}{}\n\n", word(campaign.undisturbed.verdict, campaign.planned),
+                 campaign.undisturbed.why.empty() ? "" : ": ", campaign.undisturbed.why,
+                 quoted(campaign.undisturbed.printed));
   const std::size_t wide = first_column(campaign);
   text += head("disturbance", campaign, wide);
   for (const auto& [kind, tally] : campaign.by_kind) text += row(kind, tally, wide);
@@ -117,7 +136,7 @@ std::string to_json(const Campaign& campaign) {
   document["last"] = to_json(campaign.last);
   document["failures"] = json::array();
   for (const CellRun& run : campaign.failures) document["failures"].push_back(to_json(run));
-  return document.dump(2);
+  return document.dump(2, ' ', false, json::error_handler_t::replace);  // plants print what they like
 }
 
 }  // namespace stepwright::campaign

@@ -8,6 +8,7 @@
 #include <system_error>
 #include <utility>
 
+#include "cell/campaign/printed.h"
 #include "cell/campaign/true_goals.h"
 #include "cell/campaign/witness.h"
 #include "cell/missions/mission_kinds.h"
@@ -74,8 +75,7 @@ class Trial {
       : base_(base),
         folder_(base.cell.states, seed),
         config_(read(seed)),
-        controller_(result::value_or_throw(cell_runtime::fresh_plant(config_)),
-                    cell_runtime::plant_wires(config_),
+        controller_(plant_of(config_), cell_runtime::plant_wires(config_),
                     {config_.image.input_bytes, config_.image.output_bytes}, faults_of(config_, disturbance),
                     host_of(config_)),
         witness_(config_) {
@@ -93,6 +93,7 @@ class Trial {
       run_mission();
     else
       run_program();
+    judge_plant();
     judge_constraints();
     run_.time_s = controller_.now_s();
     if (const auto status = controller_.status()) run_.trace_hash = status->trace_hash;
@@ -107,7 +108,15 @@ class Trial {
     std::vector<std::string> overrides = base_.overrides;
     overrides.push_back("plant.seed=" + std::to_string(seed));
     overrides.push_back("cell.state_dir=\"" + folder_.path().string() + "\"");
-    return result::value_or_throw(config::load_cell_config(base_.cell.file, overrides));
+    config::CellConfig config = result::value_or_throw(config::load_cell_config(base_.cell.file, overrides));
+    config.plant.log = folder_.path() / "plant.log";
+    return config;
+  }
+  static std::unique_ptr<core::Plant> plant_of(const config::CellConfig& config) {
+    auto plant = cell_runtime::fresh_plant(config);
+    if (plant) return std::move(*plant);
+    const std::string printed = last_lines(config.plant.log);
+    throw std::runtime_error(result::to_string(plant.error()) + (printed.empty() ? "" : "\n") + printed);
   }
   static host::HostConfig host_of(const config::CellConfig& config) {
     host::HostConfig host = result::value_or_throw(cell_runtime::host_options(config));
@@ -179,6 +188,17 @@ class Trial {
     }
     (void)controller_.stop("the campaign's time is over");
     run_.verdict = Verdict::GoalReached;
+  }
+
+  // A program that stops with its plant has done nothing wrong, and how it would have gone nobody knows.
+  void judge_plant() {
+    const std::string trouble =
+        run_.verdict == Verdict::GoalReached ? std::string() : controller_.plant_trouble();
+    if (trouble.empty()) return;
+    run_.verdict = Verdict::Lost;
+    run_.cause = "plant lost";
+    run_.why = trouble;
+    run_.printed = last_lines(config_.plant.log);
   }
 
   // Whatever the end is like.

@@ -8,9 +8,9 @@
 //   auto base = prepare(cell);                                    // what is wrong with the cell
 //   CellRun run = run_cell(*base, 7, draw(7, base->offered, 120.0));
 //
-// A run is lost if it ends otherwise than at its goal or in its safe state, if the plant is not where the
-// report says, or if it gives up before anything was wrong; it is violated if a monitor of the cell fails, or
-// if the plant itself saw what must not be.
+// A run is lost if it ends otherwise than at its goal or in its safe state, if its plant is lost, if the
+// plant is not where the report says, or if it gives up before anything was wrong; it is violated if a
+// monitor of the cell fails, or if the plant itself saw what must not be.
 //
 // Threads: any number of runs at once.
 
@@ -46,8 +46,9 @@ struct CellRun {
   std::uint64_t seed = 0;
   Disturbance disturbance;
   Verdict verdict = Verdict::Lost;
-  std::string cause;                 // why it stopped, in a word: "leak", "monitor limit", "trap"
+  std::string cause;                 // why it stopped, in a word: "leak", "monitor limit", "plant lost"
   std::string why;                   // a sentence; of a goal that was reached: empty
+  std::string printed;               // last by the plant's processes, of a plant that is lost
   std::vector<std::string> alarms;   // of the cell's own file, that came
   std::vector<std::string> refused;  // faults that the plant did not take as it stood
   double time_s = 0.0;               // plant time at the end

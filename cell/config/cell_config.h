@@ -73,7 +73,8 @@ struct PlantConfig {
   RobotCellPlantConfig robot_cell;  // of kind "robot_cell" only
   SteppedPlantConfig stepped;       // of the kinds "shared", "fmu" and "st" only
   std::vector<PortAddress> ports;
-  bool described = false;  // the file has a table [plant]; without one there is none
+  std::filesystem::path log;  // of its processes, set by who runs it; empty: the output of that program
+  bool described = false;     // the file has a table [plant]; without one there is none
 };
 
 // Something that goes wrong at a given plant time: a fault of the plant by its name ("leak_a1"), or a change

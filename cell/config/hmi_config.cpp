@@ -12,6 +12,18 @@ bool is_loopback(const std::string& host) {
 
 namespace {
 
+// "[fd00::2]", as a browser shows an address of IPv6, is "fd00::2".
+std::string without_brackets(std::string name) {
+  if (name.size() > 2 && name.front() == '[' && name.back() == ']' && std::ranges::count(name, ':') > 1)
+    return name.substr(1, name.size() - 2);
+  return name;
+}
+
+// All addresses of a machine are a name of none.
+bool is_all_addresses(const std::string& host) {
+  return host == "0.0.0.0" || host == "::";
+}
+
 // A host name, or an IPv4 or IPv6 address without brackets. Neither scheme nor port belongs to it.
 bool is_host_name(const std::string& name) {
   const bool address = std::ranges::count(name, ':') > 1;
@@ -25,11 +37,11 @@ void check_page_names(const settings::TomlTable& hmi, const HmiConfig& config) {
   for (const std::string& name : config.names) {
     if (is_host_name(name)) continue;
     hmi.report("names", "'" + name + "' cannot be the name of a host",
-               "a name or an address as it stands in the browser, without scheme and port: \"line.plant\"",
+               "a name or an address as it stands in the browser, without scheme and port: \"line.plant\", "
+               "\"[fd00::2]\"",
                "0470");
   }
-  const bool all_addresses = config.host == "0.0.0.0" || config.host == "::";
-  if (all_addresses && config.names.empty()) {
+  if (is_all_addresses(config.host) && config.names.empty()) {
     hmi.report("host", "at all addresses of a machine the server does not know what browsers call it",
                "names = [\"line.plant\", \"10.0.0.5\"]: other names are refused", "0470");
   }
@@ -68,6 +80,13 @@ WallConfig read_wall(const settings::TomlTable& table, const std::string& host) 
 
 }  // namespace
 
+std::string page_address(const HmiConfig& hmi, const std::string& host, std::uint16_t port) {
+  const std::string& name = is_all_addresses(host) && !hmi.names.empty() ? hmi.names.front() : host;
+  const bool is_ipv6 = name.find(':') != std::string::npos;
+  return (hmi.certificate.empty() ? "http://" : "https://") + (is_ipv6 ? "[" + name + "]" : name) + ":" +
+         std::to_string(port) + "/";
+}
+
 std::string wall_screen(const std::string& panel) {
   constexpr std::string_view kScreen = "screen:";
   return panel.starts_with(kScreen) ? panel.substr(kScreen.size()) : std::string();
@@ -80,8 +99,8 @@ HmiConfig read_hmi(const settings::TomlTable& hmi, const std::filesystem::path& 
     const std::string text = hmi.text(key, {});
     return text.empty() ? std::filesystem::path() : folder / text;
   };
-  config.host = hmi.text("host", config.host);
-  config.names = hmi.texts("names");
+  config.host = without_brackets(hmi.text("host", config.host));
+  for (std::string& each : hmi.texts("names")) config.names.push_back(without_brackets(std::move(each)));
   config.port = static_cast<std::uint16_t>(hmi.integer("port", config.port, {0, 65'535}));
   config.metrics_of = hmi.texts("metrics_of");
   config.anonymous_viewer = hmi.choice("anonymous", "none", {"none", "viewer"}) == "viewer";

@@ -45,7 +45,7 @@ struct WallConfig {
 
 struct HmiConfig {
   std::string host = "127.0.0.1";
-  std::vector<std::string> names;  // of the Host header, without a port
+  std::vector<std::string> names;  // of the Host header, without a port and brackets
   std::uint16_t port = 8080;
   std::vector<std::string>
       metrics_of;                 // runtimes of the domain beside the cell's own whose figures /metrics gives
@@ -64,6 +64,10 @@ struct HmiConfig {
   std::chrono::hours session{12};
   std::chrono::milliseconds refresh{20};  // between two pictures of the values, at the shortest
 };
+
+// The address that a browser goes to while the server listens at `host` and `port`: where these are all
+// addresses of the machine, by the first of `names`, as no other is served.
+std::string page_address(const HmiConfig& hmi, const std::string& host, std::uint16_t port);
 
 // The screen of a panel "screen:NAME" of [hmi.wall]; empty for any other panel.
 std::string wall_screen(const std::string& panel);

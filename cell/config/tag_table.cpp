@@ -14,6 +14,7 @@
 #include "runtime/ground/csv/csv_rows.h"
 #include "runtime/ground/naming/ascii_names.h"
 #include "runtime/ground/process/files.h"
+#include "runtime/ground/result/utf8_place.h"
 
 namespace stepwright::config {
 namespace {
@@ -21,6 +22,8 @@ namespace {
 constexpr const char* kNoTable = "C0633";
 constexpr int kMostShown = 9;
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+const std::vector<std::string> kColumns = {"name",     "unit",  "description", "group",
+                                           "decimals", "least", "greatest",    "values"};
 
 class TagTable {
  public:
@@ -42,14 +45,53 @@ class TagTable {
 
  private:
   void read_head() {
+    head_fields_ = rows_.fields().size();
     for (std::size_t i = 0; i < rows_.fields().size(); ++i) {
       std::string name = rows_.fields()[i];
       if (i == 0 && name.starts_with(kByteOrderMark)) name.erase(0, kByteOrderMark.size());
-      columns_.emplace(std::move(name), i);
+      if (!columns_.emplace(name, i).second && std::ranges::find(kColumns, name) != kColumns.end())
+        report(rows_.where(i), kNoTable, "the column '" + name + "' is there twice", "leave one of them out");
     }
-    if (!columns_.contains("name"))
-      report(rows_.where(0), kNoTable, "no column is called 'name'",
-             "name,unit,description,group,decimals,least,greatest,values");
+    if (!columns_.contains("name")) return tell_no_names();
+    for (const auto& [name, index] : columns_) tell_unread(name, index);
+  }
+
+  void tell_no_names() {
+    const std::string& head = columns_.begin()->first;
+    const std::size_t other = columns_.size() == 1 ? head.find_first_of(";\t|") : std::string::npos;
+    if (other == std::string::npos)
+      return report(rows_.where(0), kNoTable, "no column is called 'name'",
+                    "name,unit,description,group,decimals,least,greatest,values");
+    const std::string what = head[other] == '\t' ? "tabs" : std::string("'") + head[other] + "'";
+    report(rows_.where(0), kNoTable, "this table is separated by " + what + " and not by commas",
+           "save it with commas between the fields, and points in numbers");
+  }
+
+  // Other columns are for people, but for a slip.
+  void tell_unread(const std::string& column, std::size_t index) {
+    if (std::ranges::find(kColumns, column) != kColumns.end()) return;
+    std::string small = column;
+    for (char& c : small) c = naming::to_lower(c);
+    std::vector<std::string> absent;
+    std::ranges::copy_if(kColumns, std::back_inserter(absent),
+                         [&](const std::string& each) { return !columns_.contains(each); });
+    const std::string meant = settings::closest(small, absent);
+    if (meant.empty()) return;
+    problems_.push_back({kNoTable, result::Severity::Warning, rows_.where(index),
+                         "the column '" + column + "' is not read", "did you mean '" + meant + "'?"});
+  }
+
+  // Blanks behind the last column are a habit of spreadsheets.
+  bool fits_head() {
+    const std::vector<std::string>& fields = rows_.fields();
+    for (std::size_t i = head_fields_; i < fields.size(); ++i) {
+      if (fields[i].empty()) continue;
+      report(rows_.where(i), kNoTable,
+             "this row has more fields than the " + std::to_string(head_fields_) + " columns of the head",
+             "a text with a comma in it stands in quotes: \"level, net\"");
+      return false;
+    }
+    return true;
   }
 
   std::string_view field(const std::string& column) const {
@@ -78,6 +120,7 @@ class TagTable {
   }
 
   void read_row() {
+    if (!fits_head()) return;
     TagConfig tag;
     tag.name = field("name");
     tag.unit = field("unit");
@@ -143,6 +186,7 @@ class TagTable {
   std::vector<TagConfig>& tags_;
   std::unordered_map<std::string, std::size_t> known_;  // by the name in capitals, where in `tags_`
   std::map<std::string, std::size_t, std::less<>> columns_;
+  std::size_t head_fields_ = 0;
   result::Diagnostics problems_;
 };
 
@@ -152,6 +196,8 @@ result::Diagnostics read_tag_table(const std::filesystem::path& file, std::vecto
   if (file.empty()) return {};
   auto text = process::read_file(file.string());
   if (!text) return text.error();
+  if (const auto broken = result::place_of_no_utf8(file.string(), *text))
+    return result::fail(kNoTable, *broken, "this is no UTF-8", result::kUtf8Hint).value();
   std::istringstream in(*std::move(text));
   return TagTable(in, file.string(), tags).read();
 }

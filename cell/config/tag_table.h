@@ -11,7 +11,8 @@
 // columns (type, address) are for people. A tag of both is wrong.
 //
 // Diagnostics with their line: E0001 the file cannot be read, C0630 a name that is empty or there twice,
-// C0631 a range with nothing in it, C0633 no table, or a field that is wrong.
+// C0631 a range with nothing in it, C0633 no table, or a field that is wrong; as a warning a column whose
+// name is nearly one that is read.
 
 #include <filesystem>
 #include <vector>

@@ -11,6 +11,8 @@ constexpr std::string_view kFigure = "a figure with its unit, in quotes";
 constexpr std::string_view kMeaning = "What it is, for people.";
 constexpr std::string_view kUnit = "Its unit, as UDUNITS-2 reads it.";
 constexpr std::string_view kExpression = "an expression of parameters, inputs and states";
+constexpr std::string_view kStart =
+    "a figure with its unit, or an expression of parameters, inputs, states and faults";
 constexpr std::string_view kSwitch = "It is true or false, and has no unit.";
 
 constexpr std::array kPlantFileKeys = {
@@ -98,7 +100,7 @@ constexpr std::array kPlantFileKeys = {
     KeyWords{"types.TYPE.states.STATE", "One state."},
     KeyWords{"types.TYPE.states.STATE.unit", kUnit},
     KeyWords{"types.TYPE.states.STATE.derivative", "How it changes, by the second.", "", "", kExpression},
-    KeyWords{"types.TYPE.states.STATE.start", "Where it begins.", "", "", kExpression},
+    KeyWords{"types.TYPE.states.STATE.start", "Where it begins.", "", "", kStart},
     KeyWords{"types.TYPE.states.STATE.liquid", "It counts as liquid of the plant, whose sum stays."},
     KeyWords{"types.TYPE.states.STATE.tolerance", "Below it the solver need not be exact.", "", "", kFigure},
     KeyWords{"types.TYPE.outputs", "Values that others may read."},

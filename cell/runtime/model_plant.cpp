@@ -24,6 +24,7 @@ result::Result<std::unique_ptr<core::Plant>> make_model(const config::CellConfig
   if (left) kept = *left;
   components::ModelOptions options = options_of(cell.plant);
   options.processes = cell.state_dir / "fmu";
+  options.log = cell.plant.log;
   auto model = components::ModelPlant::load(cell.plant.file, components::library::catalogue(), options, kept);
   if (!model) return result::forward(model);
   return std::unique_ptr<core::Plant>(std::move(*model));

@@ -54,6 +54,7 @@ stepped::StepCommand command_of(const config::CellConfig& cell) {
   command.folder = config.folder;
   command.patience = config.patience;
   command.beginning = config.beginning;
+  command.log = cell.plant.log;
   command.where = config.where;
   return command;
 }

@@ -48,6 +48,8 @@ class SimulatedController : public run::Controller {
   double plant_value(const std::string& name) const;
   const core::Plant& plant() const { return *plant_; }
   double now_s() const { return static_cast<double>(plant_->now().count()) * 1e-9; }
+  // Why the plant cannot go on; empty while it can.
+  std::string plant_trouble() { return plant_->trouble(); }
   bool any_output() const;
   bool running() const;
   // Of the program that is loaded. Requires one.

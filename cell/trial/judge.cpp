@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 
+#include "cell/trial/swapped_tags.h"
 #include "supervisor/translate/change.h"
 
 namespace stepwright::trial {
@@ -87,7 +88,7 @@ class Judge {
     switch (end) {
       case RunEnd::NotBegun:
         return add(kNotBegunCode, "the plant does not begin where the problem's :init says: " + first.detail,
-                   swapped(first) + "change :init, or the start values of the plant");
+                   swapped_tags(binding_, first) + "change :init, or the start values of the plant");
       case RunEnd::NotReached:
         return add("B0021",
                    who_ + " was not tried" + times(runs) + ": on the way there, " + first.detail + " fails",
@@ -108,23 +109,6 @@ class Judge {
         return add("B0031", "the program or the plant fails while " + who_ + " runs" + times(runs),
                    "`stepwright plant` runs the plant without a program");
     }
-  }
-
-  // Two sensors of which each shows what the other one should.
-  std::string swapped(const ActionRun& run) const {
-    const auto is_near = [&](const translate::Sensor& shown, const translate::Sensor& wanted) {
-      return std::abs(value_of(run.after, shown.fluent) - value_of(run.expected, wanted.fluent)) <=
-             std::max(shown.tolerance, wanted.tolerance);
-    };
-    for (const translate::Sensor& a : binding_.sensors) {
-      for (const translate::Sensor& b : binding_.sensors) {
-        if (&a >= &b || is_near(a, a) || is_near(b, b) || !is_near(a, b) || !is_near(b, a)) continue;
-        return fmt::format(
-            "each shows what the other one should: tag = \"{}\" for '{}' and tag = \"{}\" for '{}'; or ",
-            b.tag, a.name, a.tag, b.name);
-      }
-    }
-    return {};
   }
 
   // Another level that goes as this one should, of which the domain says nothing: its tag may be the one.
@@ -284,6 +268,7 @@ class Judge {
     }
     if (std::abs(mean) <= tolerance) return;
     if (!claimed_.contains(atom)) {
+      if (std::abs(moved) <= tolerance) return;  // it was elsewhere before already
       return add("B0029",
                  fmt::format("{} changes {} by {}, of which the domain says nothing", who_, label(atom),
                              range_of(change)),

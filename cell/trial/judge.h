@@ -30,7 +30,7 @@ namespace stepwright::trial {
 // The codes of what no action is to blame for.
 inline constexpr const char* kNotBegunCode = "B0020";
 
-// Of one ground action, with any seeds and starts; the hint of each is what to write.
+// Of one ground action from one start, with any seeds; the hint of each is what to write.
 result::Diagnostics judge_runs(const translate::Binding& binding, std::span<const ActionRun> runs);
 
 // Of all actions of one entry of the binding: its `duration`. Only runs that ended count.

@@ -74,20 +74,22 @@ std::optional<translate::Pattern> measure_of(const ActionBinding& entry) {
 result::Diagnostics judge_duration(const Binding& binding, const ActionBinding& entry,
                                    std::span<const ActionRun> runs) {
   const auto of = measure_of(entry);
-  std::map<std::string, std::vector<ActionRun>> by_action;
+  // Runs of one action from several starts may have other amounts to move.
+  std::map<std::pair<std::string, double>, std::vector<ActionRun>> by_amount;
   std::vector<std::pair<double, double>> points;
   for (const ActionRun& run : runs) {
     if (run.end != RunEnd::Done) continue;
-    by_action[model::to_string(run.planned.action)].push_back(run);
-    points.emplace_back(of ? counted(run, binding, *of).value_or(0.0) : 0.0, run.active_s);
+    const double amount = of ? counted(run, binding, *of).value_or(0.0) : 0.0;
+    by_amount[{model::to_string(run.planned.action), amount}].push_back(run);
+    points.emplace_back(amount, run.active_s);
   }
   double worst = 1.0;
   std::string message;
-  for (const auto& [action, own] : by_action) {
+  for (const auto& [of_runs, own] : by_amount) {
+    const auto& [action, amount] = of_runs;
     const Spread spread = spread_of(own);
-    const double amount =
-        entry.duration.of ? counted(own.front(), binding, *entry.duration.of).value_or(0.0) : 0.0;
-    const double nominal_s = entry.duration.fixed_s + entry.duration.per_unit_s * amount;
+    const double nominal_s =
+        entry.duration.fixed_s + (entry.duration.of ? entry.duration.per_unit_s * amount : 0.0);
     const double allowed_s = std::max(kNear_s, kNear * spread.mean_s);
     const double off = std::abs(nominal_s - spread.mean_s) / allowed_s;
     if (off <= worst) continue;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "cell/binding/ground_actions.h"
+#include "cell/missions/planning/executive_options.h"
 #include "cell/trial/sample.h"
 #include "cell/trial/starts.h"
 #include "supervisor/translate/schedule.h"
@@ -19,10 +20,22 @@ constexpr std::size_t kMostCombinations = 20'000;
 using Told = std::function<void(const TrialProgress&)>;
 using translate::ActionBinding;
 
+pddl::Options own_planning(const TrialCell& cell, const TrialOptions& options) {
+  const missions::PlanningTable& table = missions::planning_table(cell.config);
+  pddl::Options planning;
+  planning.optimal = table.optimal;
+  planning.budget.time = table.time;
+  planning.cancel = options.cancel;
+  return planning;
+}
+
 class Trial {
  public:
   Trial(const TrialCell& cell, const TrialOptions& options, const Told& told)
-      : cell_(cell), options_(options), told_(told), starts_(cell.task, options.search) {}
+      : cell_(cell),
+        options_(options),
+        told_(told),
+        starts_(cell.task, own_planning(cell, options), options.search) {}
 
   result::Result<TrialReport> run() {
     const auto begin = std::chrono::steady_clock::now();
@@ -92,26 +105,45 @@ class Trial {
                                const std::vector<Start>& starts) {
     ActionTrial trial{.action = action, .where = entry.where, .starts = starts.size()};
     std::vector<ActionRun> runs;
+    result::Diagnostics found;
     for (const Start& start : starts) {
-      for (std::size_t n = 0; n < options_.seeds && !cancelled(); ++n) {
-        auto run = run_action(cell_, start.before, action, cell_.config.plant.seed + n);
-        if (!run) return result::forward(run);
-        report_.simulated_s += run->simulated_s;
-        runs.push_back(std::move(*run));
-      }
+      auto of_start = run_seeds(start, action);
+      if (!of_start) return result::forward(of_start);
+      add_new(judge_runs(cell_.binding, *of_start), found);
+      std::ranges::move(*of_start, std::back_inserter(runs));
     }
     trial.runs = runs.size();
     if (!runs.empty()) {
       const auto nominal = translate::nominal_duration(runs.front().planned, cell_.binding);
       if (nominal) trial.nominal_s = *nominal - std::chrono::duration<double>(entry.rest).count();
       trial.duration = spread_of(runs);
-      result::Diagnostics found = judge_runs(cell_.binding, runs);
       trial.problems = found.size();
-      for (result::Diagnostic& each : found) report_.problems.push_back(std::move(each));
+      std::ranges::move(found, std::back_inserter(report_.problems));
       std::ranges::move(runs, std::back_inserter(runs_of_[&entry]));
     }
     report_.actions.push_back(std::move(trial));
     return {};
+  }
+
+  result::Result<std::vector<ActionRun>> run_seeds(const Start& start, const model::GroundAction& action) {
+    std::vector<ActionRun> runs;
+    for (std::size_t n = 0; n < options_.seeds && !cancelled(); ++n) {
+      auto run = run_action(cell_, start.before, action, cell_.config.plant.seed + n);
+      if (!run) return result::forward(run);
+      report_.simulated_s += run->simulated_s;
+      runs.push_back(std::move(*run));
+    }
+    return runs;
+  }
+
+  // What shows from another start as well is said once.
+  static void add_new(result::Diagnostics more, result::Diagnostics& found) {
+    for (result::Diagnostic& each : more) {
+      const bool known = std::ranges::any_of(found, [&](const result::Diagnostic& other) {
+        return other.code == each.code && kind_of(other) == kind_of(each);
+      });
+      if (!known) found.push_back(std::move(each));
+    }
   }
 
   void judge_durations() {

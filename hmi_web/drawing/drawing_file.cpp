@@ -14,6 +14,7 @@
 #include "hmi_web/drawing/parts.h"
 #include "hmi_web/drawing/references.h"
 #include "hmi_web/drawing/vocabulary.h"
+#include "runtime/ground/result/utf8_place.h"
 
 namespace stepwright::drawing {
 namespace {
@@ -65,6 +66,8 @@ class Reader {
   Reader(const std::string& name, std::string_view text) : name_(name), text_(text) {}
 
   result::Result<Drawing> read() {
+    if (const auto broken = result::place_of_no_utf8(name_, text_))
+      return result::fail("C0640", *broken, "this is no UTF-8", result::kUtf8Hint);
     const pugi::xml_parse_result parsed =
         in_.load_buffer(text_.data(), text_.size(), kParse, pugi::encoding_utf8);
     if (!parsed) {

@@ -42,6 +42,7 @@ struct StandingAlarm {
   alarms::Priority priority = alarms::Priority::Medium;
   std::int64_t raised_ns = 0;  // since 1970, on the history's clock
   double value = 0;
+  bool is_bool = false;  // the source is a BOOL: the value is 0 or 1
 };
 
 struct Message {

@@ -21,6 +21,8 @@ constexpr long kOk = 200;
 constexpr long kMultipleChoices = 300;
 // So much of an answer is read.
 constexpr std::size_t kMostAnswerBytes = 16 * 1'024;
+// So much of a refusal is told.
+constexpr std::size_t kLongestRefusal = 300;
 
 struct EndEasy {
   void operator()(CURL* easy) const { curl_easy_cleanup(easy); }
@@ -61,6 +63,29 @@ std::size_t skip_answer(char*, std::size_t size, std::size_t count, void* into) 
   answer.bytes += size * count;
   answer.too_long = answer.bytes > kMostAnswerBytes;
   return answer.too_long ? CURL_WRITEFUNC_ERROR : size * count;
+}
+
+// What a mail server has refused last: its code and its words, of all lines ("550-5.1.1 no such user").
+struct Refusal {
+  std::string text;
+  bool goes_on = false;  // the line before said that this one belongs to it
+};
+
+std::size_t hear_server(char* from, std::size_t size, std::size_t count, void* into) {
+  auto& refusal = *static_cast<Refusal*>(into);
+  std::string_view line(from, size * count);
+  while (!line.empty() && (line.back() == '\r' || line.back() == '\n')) line.remove_suffix(1);
+  if (line.starts_with("221")) return size * count;  // its farewell
+  if (!refusal.goes_on) refusal.text.clear();
+  if (line.size() >= 3 && (line[0] == '4' || line[0] == '5')) {
+    const std::string_view words =
+        refusal.text.empty() ? line : line.substr(std::min<std::size_t>(4, line.size()));
+    if (!refusal.text.empty()) refusal.text += ' ';
+    for (const char c : words.substr(0, kLongestRefusal - std::min(kLongestRefusal, refusal.text.size())))
+      refusal.text += static_cast<unsigned char>(c) < 0x20 || c == 0x7F ? ' ' : c;
+  }
+  refusal.goes_on = line.size() > 3 && line[3] == '-';
+  return size * count;
 }
 
 int ask_to_go_on(void* stop, curl_off_t, curl_off_t, curl_off_t, curl_off_t) {
@@ -140,6 +165,7 @@ result::Result<void> CurlSender::send(const Channel& channel, const Message& mes
   std::string text;
   Upload upload;
   List list;
+  Refusal refusal;
   if (channel.is_mail()) {
     text = mail_of(channel, message, date_now(), random_id() + "@stepwright");
     upload.rest = text;
@@ -151,6 +177,8 @@ result::Result<void> CurlSender::send(const Channel& channel, const Message& mes
     curl_easy_setopt(at, CURLOPT_READFUNCTION, read_upload);
     curl_easy_setopt(at, CURLOPT_READDATA, &upload);
     curl_easy_setopt(at, CURLOPT_UPLOAD, 1L);
+    curl_easy_setopt(at, CURLOPT_HEADERFUNCTION, hear_server);
+    curl_easy_setopt(at, CURLOPT_HEADERDATA, &refusal);
   } else {
     append(list, "Content-Type: application/json");
     if (channel.user.empty() && !channel.password.empty())
@@ -165,7 +193,8 @@ result::Result<void> CurlSender::send(const Channel& channel, const Message& mes
   // Of a web hook the status is all that counts, and it comes first.
   const bool heard_enough = answer.too_long && !channel.is_mail();
   if (done != CURLE_OK && !heard_enough) {
-    const std::string said = why[0] != '\0' ? why.data() : curl_easy_strerror(done);
+    std::string said = why[0] != '\0' ? why.data() : curl_easy_strerror(done);
+    if (!refusal.text.empty()) said = "the server said \"" + refusal.text + "\" (" + said + ")";
     return result::fail(kNotSent, {}, where + ": " + said, hint_of(done));
   }
   long status = 0;

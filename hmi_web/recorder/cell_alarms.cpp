@@ -393,14 +393,16 @@ result::Result<AlarmChange> CellAlarms::command(std::string_view alarm, alarms::
   return change;
 }
 
-std::vector<std::pair<AlarmDefinition, alarms::AlarmView>> CellAlarms::unacknowledged() const {
+std::vector<StandingView> CellAlarms::unacknowledged() const {
   const std::lock_guard lock(mutex_);
-  std::vector<std::pair<AlarmDefinition, alarms::AlarmView>> all;
+  std::vector<StandingView> all;
   for (std::uint32_t i = 0; i < engine_.definitions().size(); ++i) {
     const alarms::AlarmView view = engine_.view(AlarmId(i));
     const AlarmState state = view.status.state();
-    if (state == AlarmState::Unacknowledged || state == AlarmState::LatchedUnacknowledged)
-      all.emplace_back(engine_.definitions()[i], view);
+    if (state != AlarmState::Unacknowledged && state != AlarmState::LatchedUnacknowledged) continue;
+    const std::optional<reader::Variable>& variable = uses_[i].watched->variable;
+    all.push_back(
+        {engine_.definitions()[i], view, variable && variable->type == bytecode::ElementaryType::Bool});
   }
   return all;
 }

@@ -62,6 +62,13 @@ struct AlarmChange {
   std::string after;
 };
 
+// An alarm that stands, with what is known of it.
+struct StandingView {
+  alarms::AlarmDefinition definition;
+  alarms::AlarmView view;
+  bool is_bool = false;  // its source is a BOOL of the program: the value is 0 or 1
+};
+
 class CellAlarms {
  public:
   // Goes on where the journal's last process has ended. `points` as in every view. `seen_until_ns`: when the
@@ -85,7 +92,7 @@ class CellAlarms {
   // program does not have, unless somebody has to acknowledge it, "no variable"; `problem` says why.
   std::string json(bool all) const;
   // Those that stand and that nobody has acknowledged.
-  std::vector<std::pair<alarms::AlarmDefinition, alarms::AlarmView>> unacknowledged() const;
+  std::vector<StandingView> unacknowledged() const;
   // Those whose variable the program does not have (any more): their names, and those of the variables.
   std::vector<std::pair<std::string, std::string>> without_variable() const;
   // Counts up whenever an alarm has changed.

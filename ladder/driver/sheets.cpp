@@ -139,7 +139,8 @@ result::Result<std::vector<Sheet>> sheets_of(const CompileInput& input) {
   source::DiagnosticSink sink(sources);
   syntax::SyntaxContext context{sources, names, sink, input.dialect};
   ProgramInterfaces interfaces;
-  if (!input.projects.empty()) add_library_interfaces(context, interfaces);
+  const bool has_drawn = !input.projects.empty();  // they call what texts and library declare
+  if (has_drawn) add_library_interfaces(context, interfaces);
   std::vector<Sheet> sheets;
   const auto append = [&sheets](std::vector<Sheet> more) {
     for (Sheet& each : more) sheets.push_back(std::move(each));
@@ -149,7 +150,7 @@ result::Result<std::vector<Sheet>> sheets_of(const CompileInput& input) {
     syntax::Unit unit;
     syntax::parse_unit(context, file, unit);
     if (sink.has_errors()) continue;
-    interfaces.add(unit, names);
+    if (has_drawn) interfaces.add(unit, names);
     append(text_sheets(context, file, unit));
   }
   for (const graphic::Project* each : input.projects) interfaces.add(*each);

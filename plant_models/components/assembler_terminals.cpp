@@ -149,7 +149,7 @@ void Assembler::list_reports() {
 void Assembler::add_aliases() {
   Model& model = *model_;
   for (const AliasText& alias : text_.truths) {
-    const auto found = core::index_of(model.truths, alias.of);
+    const auto found = core::index_of(model.truths, whole_name(alias.of, {}));
     if (!found) {
       report("C0343", alias.where, "there is no value '" + alias.of + "'",
              meant_or(alias.of, core::names_of(model.truths)));

@@ -13,8 +13,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
+#include <string>
 #include <utility>
 #include <vector>
+
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::components {
 
@@ -50,6 +54,20 @@ struct Frame {
   const double* y = nullptr;  // states
   double* v = nullptr;        // values of ports
   double* dydt = nullptr;
+};
+
+// What a start, or an output at the start, is worked out from beside parameters.
+struct StartReads {
+  std::vector<std::size_t> states{};  // of the component
+  std::vector<std::size_t> ports{};
+};
+
+// A state whose start is no figure of the parameters.
+struct FollowingStart {
+  std::size_t state = 0;
+  std::string name{};
+  StartReads reads{};
+  result::Location where{};  // of its expression; without a line: it has none
 };
 
 // What an event means for the solver.
@@ -110,11 +128,25 @@ class Component {
     (void)frame;
   }
 
+  // The states whose start follows from inputs, other states, faults or the time (starts.h).
+  virtual std::vector<FollowingStart> following_starts() const { return {}; }
+  // Such a start, from what is at the ports and from the other states' starts.
+  virtual double start_from(std::size_t state, const Frame& frame) const {
+    (void)frame;
+    return start(state);
+  }
+  // What the output at a port is worked out from; nothing: all states, and what its stage reads.
+  virtual std::optional<StartReads> output_reads(std::size_t port) const {
+    (void)port;
+    return std::nullopt;
+  }
+
   std::size_t root_count() const { return roots_; }
   // False: roots() looks at states and time alone.
   bool roots_read_values() const { return roots_read_values_; }
   std::size_t state_count() const { return start_.size(); }
   double start(std::size_t state) const { return start_[state]; }
+  void set_start(std::size_t state, double value) { start_[state] = value; }
   double tolerance(std::size_t state) const { return tolerance_[state]; }
   // m3 of liquid in state `state` per unit of it, and J/(rho c) likewise: what must stay constant over a
   // plant.
@@ -129,6 +161,7 @@ class Component {
   }
   void set_fault(std::size_t fault, double value) { faults_[fault] = value; }
   double fault_value(std::size_t fault) const { return faults_[fault]; }
+  const std::vector<double>& fault_values() const { return faults_; }
 
  protected:
   struct State {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdio>
+#include <limits>
 
 #include "plant_models/components/own_type.h"
 
@@ -21,8 +22,13 @@ std::string short_text(double value) {
 }
 
 std::string example_of(const ParameterSpec& spec) {
-  if (!spec.fallback.empty()) return "for example \"" + spec.fallback + "\"";
+  if (parse_quantity(spec.fallback)) return "for example \"" + spec.fallback + "\"";
   return spec.unit.empty() ? "a number" : "a figure with its unit, such as \"1 " + spec.unit + "\"";
+}
+
+std::string hint_of(const std::string& text, const ParameterSpec& spec) {
+  const std::string meant = unit_hint(text);
+  return meant.empty() ? example_of(spec) : meant;
 }
 
 // A text as it stands, or what an assembly was given for it.
@@ -51,7 +57,8 @@ std::string meant_or(const std::string& word, const std::vector<std::string>& kn
 Quantity read_figure(const TomlTable& table, const ParameterSpec& spec, const Replaced& replaced) {
   const bool any = spec.unit == "any";
   const Unit wanted = any ? Unit{} : parse_unit(spec.unit).value_or(Unit{});
-  Quantity fallback = parse_quantity(spec.fallback).value_or(Quantity{0.0, wanted});
+  const double without = spec.fallback.empty() ? 0.0 : std::numeric_limits<double>::quiet_NaN();
+  const Quantity fallback = parse_quantity(spec.fallback).value_or(Quantity{without, wanted});
   const std::string& key = spec.name;
   if (!table.has(key)) {
     // Asked for, so that whoever listens hears of the default.
@@ -67,7 +74,7 @@ Quantity read_figure(const TomlTable& table, const ParameterSpec& spec, const Re
     if (text.empty()) return fallback;
     const auto parsed = parse_quantity(text);
     if (!parsed) {
-      table.report(key, "'" + text + "' is no figure with a unit", example_of(spec), "0341");
+      table.report(key, "'" + text + "' is no figure with a unit", hint_of(text, spec), "0341");
       return fallback;
     }
     figure = *parsed;
@@ -76,7 +83,7 @@ Quantity read_figure(const TomlTable& table, const ParameterSpec& spec, const Re
     table.report(key,
                  "the unit of '" + key + "' does not fit: " + to_string(figure.unit.dimension) + " where " +
                      to_string(wanted.dimension) + " is wanted",
-                 example_of(spec), "0341");
+                 hint_of(figure.unit.text, spec), "0341");
     return fallback;
   }
   if (!(figure.value >= spec.low && figure.value <= spec.high)) {
@@ -148,6 +155,8 @@ bool ComponentReader::read_assembly(const TomlTable& table, const std::string& t
   if (around.depth >= kDeepest) {
     table.report("type", "assembly '" + type + "' has itself inside, or is too deep",
                  "at most " + std::to_string(kDeepest) + " in each other");
+    table.accept_all();
+    assemblies_.accept_all();  // those further in are not read
     return false;
   }
   const TomlTable assembly = assemblies_.table(type);

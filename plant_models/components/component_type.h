@@ -31,7 +31,7 @@ enum class ParameterKind : std::uint8_t { Quantity, Choice };
 struct ParameterSpec {
   std::string name{};
   std::string unit{};      // what a figure of it can be converted to; "any": that of the port `like`
-  std::string fallback{};  // "0.3 m"; empty: it has to be given
+  std::string fallback{};  // "0.3 m"; empty: it has to be given; other words: NaN, which the component knows
   double low = -std::numeric_limits<double>::infinity();  // SI
   double high = std::numeric_limits<double>::infinity();
   std::string meaning{};

@@ -10,6 +10,8 @@
 #include <cmath>
 #include <limits>
 
+#include "plant_models/components/pseudo_transient.h"
+
 namespace stepwright::components {
 
 struct LoopSolver::State {
@@ -24,8 +26,10 @@ struct LoopSolver::State {
   SUNMatrix matrix = nullptr;
   SUNLinearSolver linear = nullptr;
   void* kinsol = nullptr;
+  bool solved = true;
   std::vector<double> start;
   std::vector<double> moved;
+  std::unique_ptr<PseudoTransient> patient;
 
   State() = default;
   State(const State&) = delete;
@@ -43,6 +47,15 @@ struct LoopSolver::State {
     for (std::size_t i = 0; i < loop->unknowns.size(); ++i) frame->v[loop->unknowns[i]] = unknowns[i];
     run(context, *loop, *frame);
     for (std::size_t i = 0; i < loop->residuals.size(); ++i) f[i] = frame->v[loop->residuals[i]];
+  }
+  // Where nothing flows any temperature solves the equations.
+  bool is_physical() const {
+    constexpr double kHottest = 1e4;  // K
+    for (std::size_t i = 0; i < loop->unknowns.size(); ++i) {
+      const double temperature = NV_DATA_S(u)[i];
+      if (loop->pressure_of[i] >= 0 && (temperature < 0.0 || temperature > kHottest)) return false;
+    }
+    return true;
   }
   // A step that is too small to matter is an end as well, but not wherever it stops.
   bool nearly_solved() {
@@ -116,6 +129,7 @@ result::Result<LoopSolver> LoopSolver::create(const Loop& loop, Run run, const v
   const auto n = static_cast<sunindextype>(size);
   s.start.assign(size, 0.0);
   s.moved.assign(size, 0.0);
+  s.patient = std::make_unique<PseudoTransient>(loop);
   bool ok = SUNContext_Create(nullptr, &s.sundials) == 0;
   ok = ok && (s.u = N_VNew_Serial(n, s.sundials)) != nullptr;
   ok = ok && (s.u_scale = N_VNew_Serial(n, s.sundials)) != nullptr;
@@ -145,16 +159,26 @@ result::Result<LoopSolver> LoopSolver::create(const Loop& loop, Run run, const v
   return LoopSolver(std::move(state));
 }
 
+bool LoopSolver::solved() const {
+  return state_->solved;
+}
+
 bool LoopSolver::solve(const Frame& frame) {
   State& s = *state_;
   s.frame = &frame;
   // A line search may stop at a kink that whole steps get over.
-  bool solved = false;
+  bool& solved = s.solved;
+  solved = false;
   for (const int strategy : {KIN_LINESEARCH, KIN_NONE}) {
     std::copy(s.start.begin(), s.start.end(), NV_DATA_S(s.u));
     const int flag = KINSol(s.kinsol, s.u, strategy, s.u_scale, s.f_scale);
-    solved = flag >= 0 && (flag != KIN_STEP_LT_STPTOL || s.nearly_solved());
+    solved = flag >= 0 && (flag != KIN_STEP_LT_STPTOL || s.nearly_solved()) && s.is_physical();
     if (solved) break;
+  }
+  if (!solved) {
+    std::copy(s.start.begin(), s.start.end(), NV_DATA_S(s.u));
+    solved = s.patient->solve([&s](const double* unknowns, double* f) { s.residual(unknowns, f); },
+                              NV_DATA_S(s.u));
   }
   if (!solved) {
     for (const std::uint32_t unknown : s.loop->unknowns)

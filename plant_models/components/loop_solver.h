@@ -1,7 +1,7 @@
 #pragma once
 
 // Values that depend on each other in the same instant, found by KINSOL (SUNDIALS): Newton's method with a
-// line search, from where the last solution was.
+// line search, from where the last solution was; where that leads nowhere, by pseudo-transient continuation.
 //
 // Thread rule: one thread at a time; solve() allocates nothing. The loop must outlive it and must not move.
 
@@ -27,6 +27,8 @@ class LoopSolver {
   // Sets the unknowns in frame.v and works out the loop with them. A frame of sampling leaves no trace, so
   // that who looks does not change what follows. False if there is no solution: then the unknowns are NaN.
   bool solve(const Frame& frame);
+  // Whether the newest solve() has found one.
+  bool solved() const;
 
  private:
   struct State;

@@ -35,12 +35,14 @@ struct Step {
 // Values that depend on each other: `unknowns` are right when all `residuals` are zero.
 struct Loop {
   std::vector<Step> steps;
-  std::vector<std::uint32_t> unknowns;   // places in v
-  std::vector<std::uint32_t> residuals;  // likewise
-  std::vector<double> typical;           // size of each unknown
-  std::vector<double> typical_residual;  // of the flows that add up to a residual
-  std::vector<double> start;             // of the unknowns, at the beginning
-  std::string names;                     // of its components
+  std::vector<std::uint32_t> unknowns;    // places in v
+  std::vector<std::uint32_t> residuals;   // likewise
+  std::vector<double> typical;            // size of each unknown
+  std::vector<double> typical_residual;   // of the flows that add up to a residual
+  std::vector<double> start;              // of the unknowns, at the beginning
+  std::vector<std::int32_t> pressure_of;  // of a temperature that liquid carries: the unknown that is the
+                                          // pressure of its junction; -1 of every other unknown
+  std::string names;                      // of its components
 };
 
 inline constexpr std::uint32_t kAllLiquid = 0xFFFFFFFF;  // instead of a slot

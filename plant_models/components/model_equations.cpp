@@ -5,6 +5,11 @@
 #include "plant_models/components/dependencies.h"
 
 namespace stepwright::components {
+namespace {
+
+constexpr int kMostSettlings = 16;  // modes that change modes
+
+}  // namespace
 
 result::Result<std::unique_ptr<ModelEquations>> ModelEquations::create(const Model& model) {
   std::unique_ptr<ModelEquations> equations(new ModelEquations(model));
@@ -41,6 +46,12 @@ void ModelEquations::run(const std::vector<Step>& steps, const Frame& frame) con
   }
 }
 
+const Loop* ModelEquations::unsolved() const {
+  for (std::size_t i = 0; i < loops_.size(); ++i)
+    if (!loops_[i].solved()) return &model_.loops[i];
+  return nullptr;
+}
+
 void ModelEquations::evaluate(const Frame& frame) const {
   run(model_.order, frame);
 }
@@ -51,6 +62,15 @@ void ModelEquations::evaluate_shown(const Frame& frame) const {
 
 void ModelEquations::derivatives(const Frame& frame) const {
   for (const std::uint32_t component : model_.with_states) model_.components[component]->derivative(frame);
+}
+
+void ModelEquations::settle(const Frame& frame) const {
+  for (int round = 0; round < kMostSettlings; ++round) {
+    evaluate(frame);
+    bool changed = false;
+    for (const auto& component : model_.components) changed = component->settle(frame) || changed;
+    if (!changed) return;
+  }
 }
 
 std::vector<std::vector<std::uint32_t>> ModelEquations::dependencies() const {

@@ -36,6 +36,10 @@ class ModelEquations final : public ode::OdeSystem {
   // Only what the program's inputs come from.
   void evaluate_shown(const Frame& frame) const;
   void derivatives(const Frame& frame) const;
+  // A loop of which the newest values are none; null if all are solved.
+  const Loop* unsolved() const;
+  // Works out all values and the modes that follow from them, until no mode changes another one.
+  void settle(const Frame& frame) const;
 
  private:
   explicit ModelEquations(const Model& model) : model_(model), values_(model.values) {}

@@ -176,7 +176,12 @@ result::Result<void> put_in_order(const std::vector<OrderNode>& nodes, Model& mo
       loop.typical.insert(loop.typical.end(), nodes[i].typical.begin(), nodes[i].typical.end());
       const std::vector<double>& residual = nodes[i].typical_residual;
       loop.typical_residual.insert(loop.typical_residual.end(), residual.begin(), residual.end());
-      for (const std::uint32_t value : nodes[i].writes) loop.start.push_back(model.values[value]);
+      // A junction of liquid has its pressure first, then its temperature.
+      const auto pressure = static_cast<std::int32_t>(loop.start.size());
+      for (const std::uint32_t value : nodes[i].writes) {
+        loop.pressure_of.push_back(value == nodes[i].writes.front() ? -1 : pressure);
+        loop.start.push_back(model.values[value]);
+      }
     }
     if (loop.unknowns.empty() || !order_circle(circle, nodes, edges, loop.steps)) {
       const std::uint32_t component = nodes[circle.front()].component;

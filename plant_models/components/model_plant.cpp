@@ -7,12 +7,12 @@
 #include <cstdio>
 
 #include "plant_models/components/describe.h"
+#include "plant_models/components/starts.h"
 #include "runtime/base/hash64.h"
 
 namespace stepwright::components {
 namespace {
 
-constexpr int kMostSettlings = 16;   // modes that change modes
 constexpr int kMostEvents = 10'000;  // within kEventSpan_s: what is built has fewer
 constexpr double kEventSpan_s = 1e-3;
 constexpr double kBehindEvent_s = 0.01;  // first steps behind an event, which may be longer than what follows
@@ -52,6 +52,7 @@ result::Result<std::unique_ptr<ModelPlant>> ModelPlant::load(const std::filesyst
   if (!text) return result::forward(text);
   auto model = assemble(std::move(*text));
   if (!model) return result::forward(model);
+  if (auto worked_out = work_out_starts(**model); !worked_out) return result::forward(worked_out);
   std::unique_ptr<ModelPlant> plant(new ModelPlant(std::move(*model)));
   auto equations = ModelEquations::create(*plant->model_);
   if (!equations) return result::forward(equations);
@@ -95,13 +96,7 @@ void ModelPlant::set_actuator(core::ActuatorId id, std::int16_t value) {
 void ModelPlant::settle(double t_s) {
   for (std::size_t i = 0; i < actuators_.size(); ++i)
     equations_->values()[model_->actuator_at[i].slot] = actuators_[i];
-  const Frame at = frame(t_s);
-  for (int round = 0; round < kMostSettlings; ++round) {
-    equations_->evaluate(at);
-    bool changed = false;
-    for (const auto& component : model_->components) changed = component->settle(at) || changed;
-    if (!changed) return;
-  }
+  equations_->settle(frame(t_s));
 }
 
 bool ModelPlant::restart(double t_s) {
@@ -110,14 +105,25 @@ bool ModelPlant::restart(double t_s) {
 }
 
 result::Result<void> ModelPlant::start() {
-  auto started = exchange_.start([this] {
+  result::Result<void> followed;
+  auto started = exchange_.start([&] {
+    if (followed) followed = follow_processes();
     settle(seconds(now_));
     sampled_now_ = Sampled::Nothing;
     return sampled_frame();
   });
+  if (started && followed && exchange_.running()) followed = follow_processes();
   sampled_now_ = Sampled::Nothing;
   changed_ = held_changed_ = exchange_.running();
-  return started;
+  return followed ? started : followed;
+}
+
+// Starts may follow from what the processes have said.
+result::Result<void> ModelPlant::follow_processes() {
+  if (auto worked_out = work_out_starts(*model_); !worked_out) return worked_out;
+  y_ = model_->start();
+  liquid_at_start_ = all_liquid();
+  return {};
 }
 
 core::PlantStatus ModelPlant::advance_to(std::chrono::nanoseconds time) {
@@ -167,6 +173,7 @@ core::PlantStatus ModelPlant::advance_alone(std::chrono::nanoseconds time) {
 }
 
 core::PlantStatus ModelPlant::give_up() {
+  unsolved_loop_ = equations_->unsolved();
   failed_component_ =
       endless_events_ || unseen_event_ != nullptr ? last_event_component_ : stiffest_component();
   trouble_known_.store(true, std::memory_order_release);
@@ -190,6 +197,9 @@ std::string ModelPlant::trouble() {
   if (endless_events_)
     return "the plant cannot go on at " + std::string(at.data()) + " s: an event of '" + name +
            "' happens again and again without time between";
+  if (unsolved_loop_ != nullptr)
+    return "the plant cannot go on at " + std::string(at.data()) + " s: where " + unsolved_loop_->names +
+           " meet nothing was found that lets out as much as comes in";
   return std::string("the plant's solver gave up at ") + at.data() + " s: no step is small enough" +
          (name.empty() ? std::string() : "; '" + name + "' changes fastest") +
          (model_->text.solver.implicit

@@ -72,6 +72,7 @@ class ModelPlant final : public core::Plant {
   explicit ModelPlant(std::unique_ptr<Model> model);
 
   Frame frame(double t_s);
+  [[nodiscard]] result::Result<void> follow_processes();
   void settle(double t_s);
   bool restart(double t_s);
   core::PlantStatus advance_alone(std::chrono::nanoseconds time);
@@ -108,6 +109,7 @@ class ModelPlant final : public core::Plant {
   bool event_pending_ = false;    // the solver stands at a root that has not been handled
   bool failed_ = false;
   bool endless_events_ = false;
+  const Loop* unsolved_loop_ = nullptr;
   const std::string* unseen_event_ = nullptr;  // that was passed without being seen
   double event_at_s_ = -1.0;                   // the last one
   std::uint32_t last_event_component_ = 0;

@@ -86,6 +86,7 @@ struct ModelOptions {
   bool uncertainty = true;
   std::filesystem::path processes = {};  // where parts that are processes have a folder each
   std::filesystem::path programs = {};   // where their programs are; empty: beside the program that asks
+  std::filesystem::path log = {};        // what they print is appended here; empty: to that of this process
 };
 
 // Fails with everything that is wrong in the file: C0001 to C0006, C0341 (unit), C0342 (unknown type).

@@ -24,7 +24,8 @@ class OwnComponent final : public Component {
     first_read_ = first_fault_ + e.faults.size();
     first_state_ = first_read_ + e.reads.size();
     for (const OwnState& state : e.states) {
-      add_state({.start = sure(state.start, variables).value(),
+      starts_.push_back(sure(state.start, variables));
+      add_state({.start = follows(starts_.back()) ? 0.0 : starts_.back().value(),
                  .tolerance = state.tolerance,
                  .liquid = state.liquid ? 1.0 : 0.0});
       derivatives_.push_back(sure(state.derivative, variables));
@@ -86,6 +87,29 @@ class OwnComponent final : public Component {
     return most;
   }
 
+  std::vector<FollowingStart> following_starts() const override {
+    std::vector<FollowingStart> following;
+    for (std::size_t i = 0; i < starts_.size(); ++i) {
+      const OwnState& state = equations_->states[i];
+      if (follows(starts_[i])) following.push_back({i, state.name, reads_of(starts_[i]), state.start_where});
+    }
+    return following;
+  }
+  double start_from(std::size_t state, const Frame& f) const override {
+    load(f);
+    return starts_[state].value();
+  }
+  std::optional<StartReads> output_reads(std::size_t port) const override {
+    StartReads reads;
+    for (std::size_t i = 0; i < outputs_.size(); ++i) {
+      const OwnPlace& place = equations_->outputs[i].place;
+      if (place.port != port) continue;
+      reads = reads_of(outputs_[i]);
+      if (place.through) reads.ports.push_back(port);  // the temperature of what flows
+    }
+    return reads;
+  }
+
   // A ball that bounces: what has fallen through zero rises again, or the other way round.
   void event_done(const Frame& f) override {
     load(f);
@@ -108,6 +132,26 @@ class OwnComponent final : public Component {
  private:
   static constexpr double kSoon_s = 1e-6;
 
+  // Whether it reads more than parameters.
+  bool follows(const Expression& expression) const {
+    const auto& parameters = equations_->parameters;
+    const std::vector<std::string> names = expression.reads();
+    return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+      return std::none_of(parameters.begin(), parameters.end(),
+                          [&](const auto& parameter) { return parameter.first == name; });
+    });
+  }
+  StartReads reads_of(const Expression& expression) const {
+    StartReads reads;
+    for (const std::string& name : expression.reads()) {
+      for (std::size_t i = 0; i < equations_->states.size(); ++i)
+        if (equations_->states[i].name == name) reads.states.push_back(i);
+      for (const OwnRead& read : equations_->reads)
+        if (read.name == name) reads.ports.push_back(read.place.port);
+    }
+    return reads;
+  }
+
   // How far the condition of an event is from zero, on the side that it comes from.
   double away(std::size_t event) const {
     return equations_->events[event].falling ? events_[event].value() : -events_[event].value();
@@ -127,7 +171,7 @@ class OwnComponent final : public Component {
   double room_k_;
   mutable std::vector<double> values_;  // of the variables, in the order of variables_of()
   std::size_t first_fault_ = 0, first_read_ = 0, first_state_ = 0;
-  std::vector<Expression> derivatives_, outputs_, events_;
+  std::vector<Expression> starts_, derivatives_, outputs_, events_;
   std::vector<std::vector<std::pair<std::size_t, Expression>>> sets_;
   std::vector<bool> happened_;    // at the root that is handled
   std::vector<double> reverses_;  // how far away each event's condition is kSoon_s behind it; 0: it goes on

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "plant_models/components/unit.h"
+#include "runtime/ground/result/result.h"
 
 namespace stepwright::components {
 
@@ -32,7 +33,8 @@ struct OwnOutput {
 struct OwnState {
   std::string name;
   Dimension dimension{};
-  std::string start;  // an expression of parameters
+  std::string start;
+  result::Location start_where{};
   std::string derivative;
   double tolerance = 1e-6;
   bool liquid = false;

@@ -59,8 +59,9 @@ class OwnTypeReader {
   Unit unit_of(const TomlTable& table) {
     const std::string text = table.text("unit", "");
     if (const auto unit = parse_unit(text)) return *unit;
+    const std::string meant = unit_hint(text);
     report(table, "unit", "'" + text + "' is no unit",
-           "such as \"m\", \"l/s\", \"percent\"; none for a pure number", "0341");
+           meant.empty() ? "such as \"m\", \"l/s\", \"percent\"; none for a pure number" : meant, "0341");
     return {};
   }
   void report(const TomlTable& table, const std::string& key, std::string message, std::string hint,
@@ -79,6 +80,8 @@ class OwnTypeReader {
       name(all, key);
       const TomlTable one = all.table(key);
       const Unit unit = unit_of(one);
+      if (one.has("default") && !one.text("default", "").empty())
+        (void)read_figure(one, {.name = "default", .unit = unit.text}, {});
       type_.parameters.push_back({.name = key,
                                   .unit = unit.text,
                                   .fallback = one.text("default", ""),
@@ -161,12 +164,13 @@ class OwnTypeReader {
       state.tolerance = std::abs(
           read_figure(one, {.name = "tolerance", .unit = unit.text, .fallback = "1e-6 " + unit.text}, {})
               .value);
-      // A figure with its unit, or an expression of parameters.
+      // A figure with its unit, or an expression.
       const std::string start = one.text("start", "0");
       const auto figure = parse_quantity(start);
       char text[40];
       std::snprintf(text, sizeof text, "%.17g", figure ? figure->value : 0.0);
       state.start = figure ? text : start;
+      state.start_where = one.where("start");
       if (figure && figure->value != 0.0 && figure->unit.dimension != unit.dimension)
         report(one, "start",
                "the unit of 'start' does not fit: " + to_string(figure->unit.dimension) + " where " +
@@ -215,6 +219,9 @@ class OwnTypeReader {
       event.falling = one.boolean("falling", false);
       event.rising = one.boolean("rising", !event.falling);
       const TomlTable set = one.table("set");
+      if (set.keys().empty())
+        report(one, "set", "event '" + key + "' sets nothing", "set = { STATE = \"...\" }: where it jumps to",
+               "0349");
       for (const std::string& state : set.keys()) {
         const auto& states = equations_->states;
         const auto found = std::find_if(states.begin(), states.end(),

@@ -54,12 +54,40 @@ result::Result<std::vector<Reader>> readers(core::Plant& plant, const std::vecto
 
 result::Result<void> act(core::Plant& plant, const AnswerAction& action) {
   if (action.fault) return plant.inject_fault(action.name, action.value);
+  plant.set_actuator(core::find_actuator(plant, action.name).value(),
+                     static_cast<std::int16_t>(action.value));
+  return {};
+}
+
+// Whether the terminal is there and can have the value. Faults say that themselves.
+result::Result<void> check_terminal(const core::Plant& plant, const AnswerAction& action) {
   const auto actuator = core::find_actuator(plant, action.name);
-  if (!actuator) {
+  if (!actuator)
     return result::fail("C0301", {}, "the plant has no terminal '" + action.name + "' that is driven",
                         meant_or(action.name, core::names_of(plant.actuators())));
+  const bool is_bit = plant.actuators()[actuator->value].kind == core::PortKind::Bool;
+  const double low = is_bit ? 0.0 : -32768.0;
+  const double high = is_bit ? 1.0 : 32767.0;
+  const bool fits = action.value == std::round(action.value) && action.value >= low && action.value <= high;
+  if (fits) return {};
+  return result::fail("C0350", {}, "terminal '" + action.name + "' cannot be " + text("%.9g", action.value),
+                      is_bit ? "a switch is 0 or 1" : "a word has whole numbers from -32768 to 32767");
+}
+
+result::Result<void> check_actions(const core::Plant& plant, const AnswerRequest& request) {
+  result::Diagnostics problems;
+  for (const AnswerAction& action : request.actions) {
+    if (auto fits = action.fault ? result::Result<void>() : check_terminal(plant, action); !fits)
+      problems.insert(problems.end(), fits.error().begin(), fits.error().end());
+    else if (action.at_s > request.seconds)
+      problems.push_back({"C0350",
+                          result::Severity::Error,
+                          {},
+                          "'" + action.name + "' is set at " + text("%.9g", action.at_s) +
+                              " s, and the run ends at " + text("%.9g", request.seconds) + " s",
+                          "--seconds says how long it runs"});
   }
-  plant.set_actuator(*actuator, static_cast<std::int16_t>(std::clamp(action.value, -32768.0, 32767.0)));
+  if (!problems.empty()) return tl::unexpected(std::move(problems));
   return {};
 }
 
@@ -84,6 +112,7 @@ result::Result<StepAnswer> record_answer(core::Plant& plant, const AnswerRequest
   StepAnswer answer;
   auto read = readers(plant, request.values.empty() ? all_names(plant) : request.values, answer);
   if (!read) return result::forward(read);
+  if (auto fits = check_actions(plant, request); !fits) return result::forward(fits);
   std::vector<AnswerAction> actions = request.actions;
   std::stable_sort(actions.begin(), actions.end(),
                    [](const AnswerAction& a, const AnswerAction& b) { return a.at_s < b.at_s; });
@@ -107,12 +136,12 @@ result::Result<StepAnswer> record_answer(core::Plant& plant, const AnswerRequest
   note();
   const std::chrono::nanoseconds end(static_cast<std::int64_t>(std::llround(request.seconds * 1e9)));
   while (plant.now() < end && !answer.failed) {
-    const std::chrono::nanoseconds row = plant.now() + request.interval;
+    const std::chrono::nanoseconds row = std::min(plant.now() + request.interval, end);
     if (auto done = act_before(row); !done) return result::forward(done);
     answer.failed = answer.failed || !run_to(row);
     if (!answer.failed) note();
   }
-  // What comes after the end is checked as well.
+  // What comes at the end is no longer seen, but is checked.
   for (; next < actions.size(); ++next)
     if (auto done = act(plant, actions[next]); !done) return result::forward(done);
   if (request.values.empty()) drop_constants(answer);

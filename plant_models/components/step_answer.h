@@ -42,7 +42,8 @@ struct StepAnswer {
   bool failed = false;  // the solver gave up at the last of the times
 };
 
-// Fails with C0301 (no such terminal or value) and what a fault is refused with.
+// The last row is the end, however long the interval. Fails with C0301 (no such terminal or value), C0350 (a
+// terminal cannot have the value, or is set after the end) and what a fault is refused with.
 [[nodiscard]] result::Result<StepAnswer> record_answer(core::Plant& plant, const AnswerRequest& request);
 
 std::string to_csv(const StepAnswer& answer);

@@ -2,6 +2,8 @@
 
 #include <udunits2.h>
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -139,6 +141,33 @@ std::optional<Quantity> parse_quantity(std::string_view text) {
   if (!unit) return std::nullopt;
   const double value = unit->to_si(figure);
   return Quantity{value, std::move(*unit)};
+}
+
+std::string unit_hint(std::string_view text) {
+  struct Usual {
+    std::string_view written;
+    std::string_view known;
+  };
+  constexpr std::array<Usual, 12> kUsual = {{{"gpm", "gallon/min"},
+                                             {"gph", "gallon/hour"},
+                                             {"gal", "gallon"},
+                                             {"gal/min", "gallon/min"},
+                                             {"lpm", "l/min"},
+                                             {"cfm", "ft3/min"},
+                                             {"barg", "bar"},
+                                             {"bara", "bar"},
+                                             {"psig", "psi"},
+                                             {"psia", "psi"},
+                                             {"cc", "cm3"},
+                                             {"ccm", "cm3"}}};
+  text = trimmed(text);
+  while (!text.empty() && (text.front() < 'A')) text.remove_prefix(1);  // the figure
+  const auto found =
+      std::find_if(kUsual.begin(), kUsual.end(), [&](const Usual& each) { return each.written == text; });
+  if (found == kUsual.end()) return {};
+  return std::string(text) +
+         (text.starts_with("gal") ? " is an acceleration, 1 cm/s2; meant is \"" : " is \"") +
+         std::string(found->known) + "\"";
 }
 
 std::string to_string(const Dimension& dimension) {

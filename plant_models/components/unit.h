@@ -46,6 +46,10 @@ std::optional<Unit> parse_unit(std::string_view text);
 // A figure with its unit behind it, or a pure number; nothing if it is neither.
 std::optional<Quantity> parse_quantity(std::string_view text);
 
+// What people write for a unit that UDUNITS-2 calls otherwise, of a figure or a unit: "gpm is
+// \"gallon/min\"". Empty: nothing of the kind.
+std::string unit_hint(std::string_view text);
+
 // "m3 s-1"; "a pure number" without a dimension.
 std::string to_string(const Dimension& dimension);
 

@@ -1,6 +1,7 @@
 // FMI 3.0 co-simulation: the few types and functions of the standard that are used (FMI 3.0.1, 2.2 and 4.2).
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <map>
@@ -74,6 +75,8 @@ struct Functions {
   }
 };
 
+constexpr std::size_t kLargestNumber = 8;  // bytes of any type
+
 // An array variable: the FMU takes and gives it as a whole only.
 struct Array {
   VariableType type = VariableType::Float64;
@@ -112,6 +115,9 @@ class Fmi3Instance final : public ModelInstance {
 
   bool instantiate(const ModelDescription& description, const std::filesystem::path& folder) {
     arrays_ = arrays_of(description);
+    std::size_t most = 1;
+    for (const auto& [reference, array] : arrays_) most = std::max(most, array.wanted.size());
+    room_ = std::make_unique<std::byte[]>(most * kLargestNumber);
     resources_ = (folder / "resources").string() + "/";
     instance_ = call_.instantiate(description.name.c_str(), description.token.c_str(), resources_.c_str(),
                                   false, false, false, false, nullptr, 0, this, &Fmi3Instance::log, nullptr);
@@ -155,19 +161,25 @@ class Fmi3Instance final : public ModelInstance {
  private:
   bool write(VariableType type, Reference reference, const double* numbers, std::size_t count) {
     return with(type, [&]<typename T>(Access<T>& access) {
-      const auto typed = std::make_unique<T[]>(count);
-      std::transform(numbers, numbers + count, typed.get(), nearest<T>);
-      return good(access.set(instance_, &reference, 1, typed.get(), count));
+      T* const typed = room_for<T>();
+      std::transform(numbers, numbers + count, typed, nearest<T>);
+      return good(access.set(instance_, &reference, 1, typed, count));
     });
   }
   bool read(VariableType type, Reference reference, double* numbers, std::size_t count) {
     return with(type, [&]<typename T>(Access<T>& access) {
-      const auto typed = std::make_unique<T[]>(count);
-      if (!good(access.get(instance_, &reference, 1, typed.get(), count))) return false;
-      std::transform(typed.get(), typed.get() + count, numbers,
-                     [](T each) { return static_cast<double>(each); });
+      T* const typed = room_for<T>();
+      if (!good(access.get(instance_, &reference, 1, typed, count))) return false;
+      std::transform(typed, typed + count, numbers, [](T each) { return static_cast<double>(each); });
       return true;
     });
+  }
+
+  // For as many numbers as the largest variable has; the same of every type.
+  template <typename T>
+  T* room_for() const {
+    static_assert(sizeof(T) <= kLargestNumber);
+    return reinterpret_cast<T*>(room_.get());
   }
 
   // What was set since, before the FMU goes on; what was read is no longer true then.
@@ -222,6 +234,7 @@ class Fmi3Instance final : public ModelInstance {
   std::string resources_;
   std::string said_;
   std::map<Reference, Array> arrays_;
+  std::unique_ptr<std::byte[]> room_;
   Instance instance_ = nullptr;
   bool running_ = false;
 };

@@ -91,6 +91,7 @@ result::Result<std::unique_ptr<StepLink>> StepLink::start(const StepNames& names
   options.arguments = command.arguments;
   options.arguments.front() = program;
   options.folder = command.folder;
+  options.log = command.log;
   options.descriptors = {sockets[1], link->area_.descriptor()};
   auto process = process::ChildProcess::start(options);
   close(sockets[1]);
@@ -120,7 +121,7 @@ result::Result<void> StepLink::wait_until_ready() {
     return result::fail(
         "R0153", command_.where,
         "the plant was not ready: " + (status ? how(*status) : std::string("it has closed its socket")),
-        "what it has printed stands in the output of the runtime");
+        command_.log.empty() ? "what it has printed stands in the output of the runtime" : "");
   }
   if (version != kStepVersion) {
     return result::fail("R0154", command_.where,

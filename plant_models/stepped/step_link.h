@@ -30,7 +30,8 @@ struct StepCommand {
   std::chrono::milliseconds patience{1'000};  // for the answer to a step
   std::chrono::milliseconds beginning{30'000};  // until it is ready
   std::vector<double> first_actuators = {};     // what the plant finds there at its beginning; else 0
-  result::Location where = {};                  // for diagnostics
+  std::filesystem::path log = {};  // what it prints is appended to this file; empty: to that of this process
+  result::Location where = {};     // for diagnostics
 };
 
 enum class LinkFailure : std::uint8_t {

@@ -18,6 +18,7 @@
 #include "programs/check/check_plant.h"
 #include "programs/check/check_processes.h"
 #include "programs/check/check_program.h"
+#include "programs/check/check_texts.h"
 #include "programs/check/compile_sources.h"
 #include "runtime/ground/process/diagnostics_json.h"
 
@@ -101,6 +102,7 @@ CheckReport check_cell(const std::filesystem::path& file, const std::vector<std:
   add(report.problems, cell_runtime::check_cell_io(cell.config));
   add(report.problems, check_plant(cell.config));
   add(report.problems, check_processes(cell.config));
+  add(report.problems, check_texts(cell.config));
   if (const auto trusted = config::check_state_dir(cell.config); !trusted)
     add(report.problems, trusted.error());
   check_monitors(cell.config, report.problems);

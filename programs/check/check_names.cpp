@@ -138,30 +138,48 @@ void check_trends(const config::CellConfig& config, NameCheck& names) {
   }
 }
 
-// A warning, too: somebody may draw it later.
-void check_wall(const config::CellConfig& config, const screens::ScreenStore& store,
-                result::Diagnostics& problems) {
-  std::vector<std::string> drawn;
-  for (const screens::Screen& screen : store.list())
-    if (screen.shown() != nullptr) drawn.push_back(screen.name);
-  for (const std::string& panel : config.hmi.wall.panels) {
-    const std::string name = config::wall_screen(panel);
-    if (name.empty() || std::ranges::find(drawn, name) != drawn.end()) continue;
-    const std::string meant = settings::closest(name, drawn);
+// A warning, too: somebody may draw it later, or show it to everybody.
+void check_wall_screen(const config::CellConfig& config, const std::string& name,
+                       const std::vector<screens::Screen>& all, result::Diagnostics& problems) {
+  const auto tell = [&](const std::string& what, std::string hint) {
     problems.push_back({"C0532",
                         result::Severity::Warning,
                         {config.file.string(), 0, 0},
-                        "[hmi.wall] shows the screen '" + name + "', and nobody has drawn it",
-                        meant.empty() ? "draw it on the page" : "did you mean '" + meant + "'?"});
+                        "[hmi.wall] shows the screen '" + name + "', " + what,
+                        std::move(hint)});
+  };
+  std::vector<std::string> drawn;
+  for (const screens::Screen& screen : all) {
+    const screens::Version* const shown = screen.shown();
+    if (shown == nullptr) continue;
+    if (screen.name != name) {
+      drawn.push_back(screen.name);
+      continue;
+    }
+    if (shown->least != "viewer")
+      tell(
+          "which is for the role " + shown->least + " and above: the display is a viewer and does not see it",
+          "'Who sees it' in its editor: viewers");
+    return;
+  }
+  const std::string meant = settings::closest(name, drawn);
+  tell("and nobody has drawn it", meant.empty() ? "draw it on the page" : "did you mean '" + meant + "'?");
+}
+
+void check_wall(const config::CellConfig& config, const std::vector<screens::Screen>& all,
+                result::Diagnostics& problems) {
+  for (const std::string& panel : config.hmi.wall.panels) {
+    const std::string name = config::wall_screen(panel);
+    if (!name.empty()) check_wall_screen(config, name, all, problems);
   }
 }
 
 // People draw them while the cell runs: a warning, as the page shows by itself what is bound to nothing.
 void check_screens(const config::CellConfig& config, NameCheck& names, result::Diagnostics& problems) {
-  if (!std::filesystem::is_directory(config.hmi.screens_dir)) return;
+  if (!std::filesystem::is_directory(config.hmi.screens_dir)) return check_wall(config, {}, problems);
   const auto store = screens::ScreenStore::open(config.hmi.screens_dir);
   if (!store) return;
-  check_wall(config, **store, problems);
+  check_wall(config, (*store)->list(), problems);
   for (const screens::Screen& screen : (*store)->list()) {
     const screens::Version* const now = screen.shown();
     if (now == nullptr) continue;

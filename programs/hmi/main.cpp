@@ -137,8 +137,7 @@ int run(const config::CellConfig& config) {
   {
     const server::CellPoller poller(
         **source, server::CellViewer(picture->sources), feed, [&] { (*http)->notify(); }, record, trouble);
-    const std::string scheme = config.hmi.certificate.empty() ? "http://" : "https://";
-    const std::string address = scheme + where->host + ":" + std::to_string((*http)->port()) + "/";
+    const std::string address = config::page_address(config.hmi, where->host, (*http)->port());
     (*log)->info("listens", "cell " + config.name + " at " + address,
                  {{"cell", config.name}, {"address", address}});
     init.ready(address);

@@ -106,9 +106,9 @@ std::vector<notify::StandingAlarm> Recording::unacknowledged() const {
   const std::shared_lock lock(mutex_);
   std::vector<notify::StandingAlarm> all;
   if (!recorder_) return all;
-  for (const auto& [definition, view] : recorder_->alarms().unacknowledged())
+  for (const auto& [definition, view, is_bool] : recorder_->alarms().unacknowledged())
     all.push_back({definition.name, definition.text, definition.source, definition.response,
-                   definition.priority, view.raised_ns, view.value});
+                   definition.priority, view.raised_ns, view.value, is_bool});
   return all;
 }
 

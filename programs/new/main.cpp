@@ -34,11 +34,19 @@ int main(int argc, char** argv) {
       ->check(CLI::IsMember(dialects))
       ->needs(from);
   app.add_option("--configuration", options.configuration, "of those that the project has")->needs(from);
+  app.footer(
+      "Exit codes: 0 the cell is there and runs, 1 it was not written, or its program does not compile, 2 "
+      "usage.");
   if (const auto exit = process::parse(app, argc, argv)) return *exit;
   const auto made = new_cell::make_cell(options);
   if (!made) return process::fail(made.error(), result::ExitCode::BadInput);
-  if (!made->empty()) std::printf("not taken (README.md has the list, too):\n");
-  for (const std::string& each : *made) std::printf("  %s\n", each.c_str());
+  if (!made->left.empty()) std::printf("not taken (README.md has the list, too):\n");
+  for (const std::string& each : made->left) std::printf("  %s\n", each.c_str());
+  if (!made->problems.empty()) {
+    std::printf("%s is written, but it does not run: its program does not compile.\n",
+                options.folder.c_str());
+    return process::fail(made->problems, result::ExitCode::BadInput);
+  }
   std::printf("%s is a cell now. Its README.md says what is in it:\n  cd %s\n  stepwright up\n",
               options.folder.c_str(), options.folder.c_str());
   return to_int(result::ExitCode::Done);

@@ -89,7 +89,7 @@ result::Result<std::optional<TakenProject>> project_of(const NewOptions& options
 
 }  // namespace
 
-result::Result<std::vector<std::string>> make_cell(const NewOptions& options) {
+result::Result<NewCell> make_cell(const NewOptions& options) {
   const std::filesystem::path folder = folder_of(options);
   const std::string name = folder.filename().string();
   if (!is_name(name))
@@ -110,7 +110,7 @@ result::Result<std::vector<std::string>> make_cell(const NewOptions& options) {
     std::filesystem::permissions(made, kUsual, error);
     std::filesystem::rename(made, folder, error);
   }
-  if (done && !error) return *project ? (*project)->left : std::vector<std::string>();
+  if (done && !error) return *project ? NewCell{(*project)->left, (*project)->problems} : NewCell{};
   std::error_code ignored;
   std::filesystem::remove_all(made, ignored);
   if (!done) return result::forward(done);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/ground/result/diagnostic.h"
 #include "runtime/ground/result/exit_code.h"
 #include "runtime/ground/result/result.h"
 
@@ -19,9 +20,14 @@ struct NewOptions {
   std::string configuration{};     // then: of those that it has; empty: it has one
 };
 
+struct NewCell {
+  std::vector<std::string> left;  // what of a project could not be taken, a line for each
+  result::Diagnostics
+      problems;  // why its program does not compile, at the places of main.xml; empty: it runs
+};
+
 // The whole folder, or nothing: M0018 a name that cannot name a cell, M0019 a folder that has something in
-// it, E0002 what cannot be written, M0020 and E08xx what is no PLCopen project. The result is what of a
-// project could not be taken, a line for each.
-[[nodiscard]] result::Result<std::vector<std::string>> make_cell(const NewOptions& options);
+// it, E0002 what cannot be written, M0020 and E08xx what is no PLCopen project.
+[[nodiscard]] result::Result<NewCell> make_cell(const NewOptions& options);
 
 }  // namespace stepwright::new_cell

@@ -11,6 +11,7 @@
 #include "ladder/exchange/plcopen_reader.h"
 #include "ladder/source/codes.h"
 #include "programs/new/address_plan.h"
+#include "programs/new/instruction_lists.h"
 #include "runtime/ground/naming/ascii_names.h"
 #include "runtime/ground/process/files.h"
 
@@ -157,26 +158,27 @@ std::string before_of(const AddressPlan& plan, const std::string& now) {
   return now;
 }
 
-void tell_what_does_not_compile(const graphic::Project& project, const source::Dialect& dialect,
-                                std::vector<std::string>& left) {
+// The program as the cell will have it: what keeps it from running, and what of it is code of others.
+void try_program(TakenProject& taken, const source::Dialect& dialect) {
   driver::CompileInput input;
-  input.projects = {&project};
+  input.projects = {&taken.model};
   input.dialect = &dialect;
   const auto output = driver::compile(input);
-  const auto tell = [&](const result::Diagnostic& each) {
-    left.push_back(std::string(kFileName) + ":" + std::to_string(each.where.line) + ":" +
-                   std::to_string(each.where.column) + ": " + each.code + ": " + each.message);
-  };
   if (!output) {
     for (const result::Diagnostic& each : output.error())
-      if (each.severity == result::Severity::Error) tell(each);
+      if (each.severity == result::Severity::Error) taken.problems.push_back(each);
     return;
   }
   for (const result::Diagnostic& each : output->warnings)
-    if (each.code == source::code::kForeignCode) tell(each);  // a pragma with code of another language
+    if (each.code == source::code::kForeignCode) taken.left.push_back(line_of(each));
 }
 
 }  // namespace
+
+std::string line_of(const result::Diagnostic& problem) {
+  return problem.where.file + ":" + std::to_string(problem.where.line) + ":" +
+         std::to_string(problem.where.column) + ": " + problem.code + ": " + problem.message;
+}
 
 result::Result<TakenProject> read_project(const std::filesystem::path& path, const ProjectOptions& options) {
   std::filesystem::path file;
@@ -186,11 +188,12 @@ result::Result<TakenProject> read_project(const std::filesystem::path& path, con
   // Once as it is, so that whatever is wrong is told at its place in the file that somebody has.
   auto read = exchange::read_plcopen(file.string(), *text, *dialect, options.configuration);
   if (!read) return result::forward(read);
-  const AddressPlan plan(addresses_in(*text));
   TakenProject taken;
+  const std::string kept = without_instruction_lists(*read, taken.left);
+  const AddressPlan plan(addresses_in(kept));
   taken.name = read->name;
   taken.dialect = options.dialect;
-  taken.xml = with_new_addresses(*text, plan);
+  taken.xml = with_new_addresses(kept, plan);
   auto model = exchange::read_plcopen(kFileName, taken.xml, *dialect, options.configuration);
   if (!model) return result::forward(model);
   taken.model = std::move(*model);
@@ -201,7 +204,7 @@ result::Result<TakenProject> read_project(const std::filesystem::path& path, con
   taken.output_bytes = plan.bytes(naming::Area::Output);
   taken.moved = plan.moved();
   for (const std::string& each : plan.unknown()) taken.left.push_back("an address that no cell has: " + each);
-  tell_what_does_not_compile(taken.model, *dialect, taken.left);
+  try_program(taken, *dialect);
   tell_idle_blocks(taken.model, taken.left);
   tell_vendor_data(*text, taken.left);
   tell_neighbours(file.parent_path(), taken.left);

@@ -15,6 +15,7 @@
 
 #include "ladder/graphic/project.h"
 #include "programs/new/beremiz_devices.h"
+#include "runtime/ground/result/diagnostic.h"
 #include "runtime/ground/result/result.h"
 
 namespace stepwright::new_cell {
@@ -38,6 +39,7 @@ struct TakenProject {
   std::vector<std::pair<std::string, std::string>> moved;  // addresses: there, here
   ForeignDevices devices;                                  // over Modbus, that the editor knows
   std::vector<std::string> left;                           // what could not be taken, a line for each
+  result::Diagnostics problems;                            // why the program of the cell does not compile
 };
 
 struct ProjectOptions {
@@ -46,9 +48,11 @@ struct ProjectOptions {
 };
 
 // `path`: the file, or the folder of a project of Beremiz or OpenPLC Editor with its plc.xml. Fails with
-// M0020 where that is no PLCopen file, and as ladder/exchange/plcopen_reader.h says. What only does not
-// compile is in `left`.
+// M0020 where that is no PLCopen file, and as ladder/exchange/plcopen_reader.h says.
 [[nodiscard]] result::Result<TakenProject> read_project(const std::filesystem::path& path,
                                                         const ProjectOptions& options);
+
+// "main.xml:7:3: E0302: ...".
+std::string line_of(const result::Diagnostic& problem);
 
 }  // namespace stepwright::new_cell

@@ -178,9 +178,12 @@ std::string moved(const TakenProject& project) {
 }
 
 std::string left(const TakenProject& project) {
-  if (project.left.empty()) return "Nothing: all of it was taken.\n";
+  if (project.left.empty() && project.problems.empty()) return "Nothing: all of it was taken.\n";
   std::string text;
   for (const std::string& each : project.left) text += "- " + one_line(each) + "\n";
+  if (!project.problems.empty())
+    text += "\nThe program does not compile, and the cell does not run, until this is mended:\n\n";
+  for (const result::Diagnostic& each : project.problems) text += "- " + one_line(line_of(each)) + "\n";
   return text;
 }
 

@@ -18,8 +18,9 @@ constexpr std::chrono::milliseconds kPoll{1};
 constexpr std::chrono::milliseconds kQuiet{
     20};  // for late answers to arrive, so that they can be thrown away
 constexpr std::chrono::milliseconds kMostQuiet{320};
-constexpr std::size_t kProbes = 60;  // lengths of them; none is that of another request's answer
-constexpr int kMaxRestarts = 20;     // of the reading of an event's image
+constexpr std::size_t kProbes = 60;           // lengths of them; none is that of another request's answer
+constexpr std::size_t kAtOnce = kProbes / 3;  // without a pause between them
+constexpr int kMaxRestarts = 20;              // of the reading of an event's image
 
 std::string describe(const LineAnswer& answer) {
   const std::string detail = answer.detail.empty() ? "" : " (" + answer.detail + ")";
@@ -49,7 +50,10 @@ tl::unexpected<result::Diagnostics> ControllerLink::fail(const char* code, std::
 // line nothing tells the late one from the answer to the next request of the same form. So before anything
 // else is asked, part of the status is read, each time of another length, until the answer has the right one.
 // Each wait is twice the one before: a slow controller, whose late answers come one by one, must catch up.
+// One that is held up answers all probes later: while the patience lasts there are fewer of them than
+// lengths.
 LineAnswer ControllerLink::find_step() {
+  const auto begin = Clock::now();
   std::array<std::uint16_t, kProbes> words{};
   probe_ = probe_ % kProbes + 1;
   const LineAnswer answer = line_.read(control::status::kFirst, std::span(words).first(probe_));
@@ -59,8 +63,15 @@ LineAnswer ControllerLink::find_step() {
     std::this_thread::sleep_for(quiet_);
   } else if (in_step_) {
     quiet_ = {};
+    silent_probes_ = 0;
+  } else if (++silent_probes_ > kAtOnce) {
+    rest_until(begin + options_.patience / (kProbes / 2));
   }
   return answer;
+}
+
+void ControllerLink::rest_until(Clock::time_point end) const {
+  while (Clock::now() < end && !stop_.load(std::memory_order_acquire)) std::this_thread::sleep_for(kPoll);
 }
 
 // Repeats what got no answer. An exception other than busy is an answer.

@@ -95,6 +95,7 @@ class ControllerLink {
   template <typename Request>
   [[nodiscard]] result::Result<void> ask(const Request& request);
   LineAnswer find_step();
+  void rest_until(std::chrono::steady_clock::time_point end) const;
   [[nodiscard]] result::Result<WindowHead> window(control::Memory memory, std::uint32_t offset,
                                                   std::span<std::byte> bytes);
   tl::unexpected<result::Diagnostics> fail(const char* code, std::string message,
@@ -106,6 +107,7 @@ class ControllerLink {
   std::uint16_t command_number_ = 0;
   bool in_step_ = true;                // no answer of an earlier request can come any more
   std::size_t probe_ = 0;              // registers that the newest probe read
+  std::size_t silent_probes_ = 0;      // since it was in step
   std::chrono::milliseconds quiet_{};  // the newest wait for late answers
   std::uint64_t repeated_ = 0;
 };

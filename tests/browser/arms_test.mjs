@@ -7,7 +7,7 @@ import { leadOverPage } from './page_run.mjs';
 import { BY_OPERATOR, dialogIsGone, isAccessible, startsTheRun } from './people.mjs';
 import { check, drawn, fitsEachLook, options, pictures, waitFor } from './support.mjs';
 
-const SPEED = 1;
+const SPEED = 0.5; // fingers close within a quarter of a second, which a page on a busy machine does not show
 const ROUNDED_M = 0.0006; // a page gets three digits of a number with a fraction
 const LOOKS = [['light', 1440], ['dark', 1440], ['light', 820], ['light', 360], ['dark', 360]];
 

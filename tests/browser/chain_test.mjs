@@ -4,7 +4,7 @@
 import { startDemo } from './demo_process.mjs';
 import { leadOverPage } from './page_run.mjs';
 import { BY_OPERATOR, startsTheRun } from './people.mjs';
-import { check, options, pictures, until, waitFor } from './support.mjs';
+import { check, fitsWidth, options, pictures, until, waitFor } from './support.mjs';
 
 const SPEED = 10;
 const KILL_AFTER_ACTIONS = 3;
@@ -33,7 +33,7 @@ function keepHistory() {
 
 async function takePictures(page, moment) {
   for (const width of [360, 1440]) {
-    await page.setViewportSize({ width, height: 900 });
+    await fitsWidth(page, width);
     await waitFor(page, `the newest active step is in view at ${width} px`, () => {
       const frame = document.querySelector('[aria-label="program chart"]').getBoundingClientRect();
       const lit = [...document.querySelectorAll('.step.active')].map((step) => step.getBoundingClientRect());
@@ -41,8 +41,6 @@ async function takePictures(page, moment) {
         box.left >= frame.left && box.right <= frame.right && box.top >= frame.top && box.bottom <= frame.bottom;
       return lit.length > 0 && inside(lit.reduce((lowest, box) => (box.bottom > lowest.bottom ? box : lowest)));
     });
-    const wide = await page.evaluate(() => document.documentElement.scrollWidth);
-    check(wide <= width, `nothing sticks out at ${width} px (${wide})`);
     await shot(page, `${moment}-${width}`);
   }
 }

@@ -8,7 +8,7 @@ import { startBottles } from './change_cell.mjs';
 import { leadOverPage } from './page_run.mjs';
 import { addsUsers, asks, claims, codeOf, isAccessible, logsIn } from './people.mjs';
 import { DRAWN, TEXT } from './program_sources.mjs';
-import { check, fitsEachLook, options, pictures, until, waitFor } from './support.mjs';
+import { check, drawn, fitsEachLook, options, pictures, until, waitFor } from './support.mjs';
 
 const given = options();
 const shot = pictures(given, 'change-', { fullPage: true });
@@ -241,6 +241,7 @@ async function speaksOtherLanguages(page) {
     await page.locator('[data-version]:not([disabled])').first().click();
     await isCompared(page, `${code}: an earlier program is compared`);
     check((await page.locator('#title-change-details').innerText()) === title, `the panel is in ${code}`);
+    await drawn(page);
     const wide = await page.evaluate(() => document.documentElement.scrollWidth);
     check(wide <= 360, `and fits in 360 px (${wide})`);
     await shot(page.locator('#change-details'), `${code}-360`);

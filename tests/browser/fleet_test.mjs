@@ -3,7 +3,7 @@
 
 import { startFleet } from './fleet_chain.mjs';
 import { leadOverPage } from './page_run.mjs';
-import { check, options, pictures, waitFor } from './support.mjs';
+import { check, fitsWidth, options, pictures, waitFor } from './support.mjs';
 
 const VEHICLES = 7;
 const SPEED = 20;
@@ -95,9 +95,7 @@ async function tellsWhoIsLost(page, fleet) {
 async function takePictures(page, moment, schemes) {
   for (const [width, scheme] of [[360, schemes[0]], [1440, schemes[1]]]) {
     await page.emulateMedia({ colorScheme: scheme });
-    await page.setViewportSize({ width, height: 900 });
-    const wide = await page.evaluate(() => document.documentElement.scrollWidth);
-    check(wide <= width, `nothing sticks out at ${width} px (${wide})`);
+    await fitsWidth(page, width);
     await shot(page, `${moment}-${width}-${scheme}`);
   }
 }

@@ -4,7 +4,7 @@
 import { startDemo } from './demo_process.mjs';
 import { leadOverPage } from './page_run.mjs';
 import { asks, BY_OPERATOR, isAccessible, startsTheRun } from './people.mjs';
-import { check, drawn, FLUENT, options, pictures, until, waitFor } from './support.mjs';
+import { check, drawn, fitsWidth, FLUENT, options, pictures, until, waitFor } from './support.mjs';
 
 const SPEED = 2; // a page on a busy machine draws a few pictures a second
 
@@ -32,9 +32,7 @@ function keepHistory() {
 
 async function takePictures(page) {
   for (const width of [360, 1440]) {
-    await page.setViewportSize({ width, height: 900 });
-    const wide = await page.evaluate(() => document.documentElement.scrollWidth);
-    check(wide <= width, `nothing sticks out at ${width} px (${wide})`);
+    await fitsWidth(page, width);
     await shot(page, `${width}`);
   }
 }

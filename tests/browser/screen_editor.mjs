@@ -2,7 +2,8 @@
 
 import { waitFor } from './support.mjs';
 
-export const editor = (page) => page.getByTestId('screen-editor');
+// Once it is open: before, nobody can type into it, but a test could, and what it typed would be lost.
+export const editor = (page) => page.locator('[data-testid=screen-editor]:not([inert])');
 export const field = (page, label) => page.getByTestId('properties').getByLabel(label, { exact: true });
 export const item = (page, key) => page.locator(`[data-testid=canvas] [data-item=${key}]`);
 export const adds = (page, kind) => page.locator(`[data-symbol-kind=${kind}]`).click();

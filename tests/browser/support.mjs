@@ -161,7 +161,8 @@ export async function drawn(page) {
   });
 }
 
-async function fitsWidth(page, width) {
+// Nothing sticks out of a window of that width.
+export async function fitsWidth(page, width) {
   await page.setViewportSize({ width, height: 900 });
   await drawn(page);
   const wide = await page.evaluate(() => document.documentElement.scrollWidth);

@@ -1,7 +1,11 @@
 #pragma once
 
-// The watchdog of ARM's Cortex-M System Design Kit (DDI 0479, 4.5). When it runs out the first time it raises
-// the NMI, which notes why and resets; if even that does not run, the second time it resets by itself.
+// The watchdog of ARM's Cortex-M System Design Kit (DDI 0479, 4.5). Its counter has half the period. When it
+// runs out it raises the NMI, which resets the board if the main loop has not come round since the last one;
+// if even that does not run, the hardware resets when it runs out again.
+//
+// The first NMI after a sign of life is no proof that the loop hangs: who holds up the whole machine (an
+// emulator that gets no processor, a debugger) stops the loop and lets the time go on.
 
 #include "firmware/boards/cortex_m/registers.h"
 #include "firmware/port/watchdog.h"
@@ -27,15 +31,22 @@ class CmsdkWatchdog final : public port::Watchdog {
 
   void start(std::uint32_t period_ms) override {
     reg(base_ + kLock) = kUnlocked;
-    reg(base_ + kLoad) = hertz_ / 1000 * period_ms;
+    reg(base_ + kLoad) = hertz_ / 1000 * (period_ms / 2);
     reg(base_ + kControl) = 0b11;  // interrupt and reset
   }
-  void feed() override { reg(base_ + kInterruptClear) = 1; }
+  void feed() override {
+    fed_ = true;
+    reload();
+  }
 
   // By the NMI.
-  [[noreturn]] void bite() {
-    notes_.bitten = 1;
-    reset_system();
+  void expired() {
+    if (!fed_) {
+      notes_.bitten = 1;
+      reset_system();
+    }
+    fed_ = false;
+    reload();
   }
 
   std::uint16_t resets() const override { return notes_.resets; }
@@ -46,10 +57,13 @@ class CmsdkWatchdog final : public port::Watchdog {
   static constexpr std::uint32_t kUnlocked = 0x1ACCE551;
   static constexpr std::uint32_t kMagic = 0x57445431;
 
+  void reload() { reg(base_ + kInterruptClear) = 1; }
+
   std::uintptr_t base_;
   std::uint32_t hertz_;
   ResetNotes& notes_;
   bool caused_ = false;
+  volatile bool fed_ = false;  // since the last NMI
 };
 
 }  // namespace stepwright::boards

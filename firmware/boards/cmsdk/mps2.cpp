@@ -43,8 +43,8 @@ void transmit_handler() {
   devices.uart->sent();
 }
 void watchdog_handler() {
-  if (devices.watchdog != nullptr) devices.watchdog->bite();
-  reset_system();
+  if (devices.watchdog == nullptr) reset_system();
+  devices.watchdog->expired();
 }
 // A fault of the firmware itself: the watchdog ends it.
 void fault_handler() {

@@ -76,6 +76,7 @@ class FmuTypeReader {
              "it has more than " + std::to_string(stepped::kMaxTerminals) + " inputs and outputs",
              "outputs = [\"level\"] takes some of them", "0335");
     if (wrong_) return std::nullopt;
+    setup_->command.log = place_.options.log;
     setup_->command.arguments =
         fmu::fmu_call({path, place_.options.processes / place_.name, parameters}, place_.options.programs);
     type_.make = [setup = std::shared_ptr<const FmuSetup>(setup_)](const Parameters&) {
@@ -155,6 +156,7 @@ class FmuTypeReader {
         parameters.emplace_back(key, unit->from_si(figure.value));
       }
     }
+    list.accept_all();  // what is none is told by then
     return parameters;
   }
 

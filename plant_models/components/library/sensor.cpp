@@ -25,7 +25,8 @@ class Sensor final : public Component {
                p["stream"] >= 0.0 ? static_cast<std::uint64_t>(p["stream"]) : 1000 + p.stream),
         what_(what),
         filter_s_(p["filter"]) {
-    if (filter_s_ > 0.0) add_state({.start = p["first"], .tolerance = 1e-7});
+    begins_with_measured_ = std::isnan(p["first"]);
+    if (filter_s_ > 0.0) add_state({.start = begins_with_measured_ ? 0.0 : p["first"], .tolerance = 1e-7});
     if (p["delay"] <= 0.0) return;
     const double samples = std::clamp(std::round(p["delay"] / kSample_s), 1.0, 1'000.0);
     line_.assign(static_cast<std::size_t>(samples), 0.0);
@@ -33,6 +34,15 @@ class Sensor final : public Component {
     set_roots(1);
   }
 
+  std::vector<FollowingStart> following_starts() const override {
+    if (state_count() == 0 || !begins_with_measured_) return {};
+    return {{.state = 0, .name = "filter", .reads = {.ports = {kOf}}}};
+  }
+  // Where nothing can be measured, 0: then the plant says itself what is wrong.
+  double start_from(std::size_t, const Frame& f) const override {
+    const double value = measured(f);
+    return std::isfinite(value) ? value : 0.0;
+  }
   void evaluate(std::uint32_t, const Frame& f) const override {
     across(f, kValue) = frozen() ? shown_ : reading(f);
     if (what_ != 0) through(f, kOf, kFlow) = through(f, kOf, kHeatFlow) = 0.0;
@@ -78,8 +88,9 @@ class Sensor final : public Component {
   core::SensorError error_;
   std::uint32_t what_;  // 0: a signal; else: a pressure
   double filter_s_;
-  std::vector<double> line_;  // of the delay: the oldest sample is the next one to be written over
-  double step_s_ = 0.0;       // between two samples
+  bool begins_with_measured_ = false;  // the filter
+  std::vector<double> line_;           // of the delay: the oldest sample is the next one to be written over
+  double step_s_ = 0.0;                // between two samples
   std::size_t ticks_ = 0;
   bool filled_ = false;
   std::int64_t since_ns_ = 0;
@@ -115,7 +126,7 @@ ComponentType sensor(const char* name, const char* meaning, const char* unit, co
                       .meaning = "until it shows what was there, in steps of 10 ms or a thousandth of it"},
                      {.name = "first",
                       .unit = of,
-                      .fallback = "0 " + of,
+                      .fallback = "what it measures",
                       .meaning = "what a filter shows at the start"},
                      {.name = "stream",
                       .unit = "",

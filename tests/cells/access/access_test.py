@@ -147,7 +147,7 @@ class Tls(unittest.TestCase):
             page.claim()
             page.process.end()
             page.start()
-            self.assertEqual(page.host, "0.0.0.0")
+            self.assertEqual(page.host, "line.plant", "the name that is served, and no 0.0.0.0")
             self.assertEqual(page.ask("GET", "/", Host=f"line.plant:{page.port}").status, 200)
             self.assertEqual(page.ask("GET", "/", Host=f"0.0.0.0:{page.port}").status, 403)
 

@@ -66,6 +66,31 @@ class Campaign(unittest.TestCase):
         self.assertEqual(again["last"]["verdict"], "violated")
         self.assertIn("monitor 'never_filled' failed", text)
 
+    def test_a_plant_whose_process_dies_is_told_with_what_it_printed_by_seed(self):
+        cell = self.copy_of_tank("by_hand.toml")
+        tank = cell.parent / "tank.py"
+        text = tank.read_text(encoding="utf-8")
+        dies = '    if struct.unpack_from("<q", area, TIME)[0] > 2_000_000_000:\n        raise ValueError("the pump has burst")\n'
+        line = '    seconds = struct.unpack_from("<q", area, STEP_LENGTH)[0] * 1e-9\n'
+        self.assertIn(line, text)
+        tank.write_text(text.replace(line, dies + line), encoding="utf-8")
+        figures, text = self.run_campaign(cell, "--runs", 2, "--seconds", 20, "--faults", "none", code=5)
+        self.assertEqual(figures["causes"], {"lost: plant lost": 2}, text)
+        for run in figures["failures"]:
+            self.assertRegex(run["why"], r"the plant is lost at 2\.\d+ s: its process ended with exit code 1")
+            self.assertTrue(run["printed"].endswith("ValueError: the pump has burst"), run)
+        self.assertRegex(text, r"(?s)seed 1: lost.*ValueError: the pump has burst.*seed 2: lost.*ValueError: the pump has burst")
+
+    def test_a_plant_that_cannot_be_solved_is_told_as_that(self):
+        plant = '[types.bomb]\nparameters.tick = { unit = "s", default = "1 s" }\nstates.x = { start = "1", derivative = "x * x / tick" }\n'
+        plant += 'outputs.hot = { switch = true, value = "x > 2" }\n[components.b]\ntype = "bomb"\n[terminals]\nHOT = { address = "%IX0.0", from = "b.hot" }\n'
+        (self.folder / "plant.toml").write_text(plant, encoding="utf-8")
+        (self.folder / "main.st").write_text("PROGRAM Main VAR hot AT %IX0.0 : BOOL; seen : BOOL; END_VAR seen := hot; END_PROGRAM\n", encoding="utf-8")
+        cell = self.write_cell('[plant]\nkind = "model"\nfile = "plant.toml"\n[runtime]\nsources = ["main.st"]\n')
+        figures, text = self.run_campaign(cell, "--runs", 1, "--seconds", 20, code=5)
+        self.assertEqual(figures["undisturbed"]["cause"], "plant lost", text)
+        self.assertIn("the plant's solver gave up", figures["undisturbed"]["why"])
+
     def test_faults_are_listed_and_chosen_by_name(self):
         listed = stepwright("campaign", "bench_model", "--list")
         self.assertEqual(listed.returncode, 0, listed.stderr)

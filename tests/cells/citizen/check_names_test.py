@@ -85,6 +85,26 @@ class CheckNames(unittest.TestCase):
         self.assertEqual(done.returncode, 1)
         self.assertRegex(done.stderr, r"main\.st:3:\d+: E\d{4}")
 
+    def test_a_screen_of_the_wall_that_is_not_drawn_or_not_for_viewers_is_a_warning(self):
+        self.write(**{"cell.toml": CELL + '[hmi.wall]\naddresses = ["127.0.0.1"]\npanels = ["screen:Mixer", "screen:Secret"]\n'})
+        done = self.check()
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(done.stderr.count("and nobody has drawn it"), 2, done.stderr)
+        screens = self.folder / "state/screens"
+        screens.mkdir(parents=True)
+        screen = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 10 10" data-least="{}"/>\n'
+        for name, least in (("Mixer", "viewer"), ("Secret", "operator")):
+            (screens / f"{name}.svg").write_text(screen.format(least), encoding="utf-8")
+        done = self.check()
+        self.assertEqual((done.returncode, done.stderr.count("C0532")), (0, 1), done.stderr)
+        self.assertIn("[hmi.wall] shows the screen 'Secret', which is for the role operator and above", done.stderr)
+
+    def test_a_source_that_is_no_utf8_is_a_warning_with_its_place(self):
+        (self.folder / "main.st").write_bytes(PROGRAM.replace("temp : REAL;", "temp : REAL; // °C").replace("limit :", "\n limit :", 1).encode("latin-1"))
+        done = self.check()
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertRegex(done.stderr, r"main\.st:2:23: warning: C0533: this is no UTF-8")
+
     def test_points_of_the_plant_are_names_too(self):
         self.write(**{"cell.toml": CELL + '[plant]\nkind = "tank_bench"\n'})
         self.names("a1.level", "Main.cleaning", "Main.limit", "a1.level", "Main.cleaning")

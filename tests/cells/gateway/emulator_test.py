@@ -1,5 +1,7 @@
 """The bench's plan on the firmware in QEMU, the plant on the host, Modbus RTU between them."""
 
+import signal
+import time
 import unittest
 
 from cell_process import Demo
@@ -8,11 +10,16 @@ from controllers import run_bench
 
 class Emulator(unittest.TestCase):
     def test_the_trace_on_the_emulated_board_is_that_of_the_host_also_when_its_machine_holds_it_up(self):
-        """For longer than the board's watchdog waits."""
+        """For longer than the board's watchdog waits, at work and asleep."""
         host, _ = run_bench()
         with Demo("--fast", "--no-compare", "--set", "controller.lost_after_ms=60000", "--controller", "qemu") as demo:
             demo.wait_for_actions(1)  # held up in its very first turn it is lost, and the run ends safely
             demo.hold_up_foreign("qemu-system-arm", 6.0)
+            demo.wait_for_actions(2)
+            demo.kill("gateway", signal.SIGSTOP)  # nothing is asked of the board any more: it falls asleep
+            time.sleep(1)
+            demo.hold_up_foreign("qemu-system-arm", 6.0)
+            demo.kill("gateway", signal.SIGCONT)
             report, code = demo.result()
         self.assertEqual(code, 0, report["stdout"])
         self.assertTrue(report["goal_reached"])

@@ -36,10 +36,11 @@ class From(unittest.TestCase):
         self.addCleanup(temporary.cleanup)
         self.root = pathlib.Path(temporary.name)
 
-    def take(self, source, *arguments, name="line"):
+    def take(self, source, *arguments, name="line", runs=True):
         done = stepwright("new", name, "--from", source, *arguments, cwd=self.root)
-        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
-        return self.root / name, done.stdout
+        self.assertEqual(done.returncode, 0 if runs else 1, done.stdout + done.stderr)
+        self.assertEqual("is a cell now" in done.stdout, runs, done.stdout)
+        return self.root / name, done.stdout + done.stderr
 
     def write(self, text, name="plc.xml"):
         path = self.root / name
@@ -139,7 +140,8 @@ class From(unittest.TestCase):
                            "a := lost.Q;", extra='<addData><data name="http://maker.example/layout" handleUnknown="discard"/></addData>'),
                    "project/plc.xml")
         (folder / "opcua_0@opcua").mkdir()
-        made, said = self.take(folder)
+        made, said = self.take(folder, runs=False)
+        self.assertIn("it does not run", said)
         for text in (said, (made / "README.md").read_text(encoding="utf-8")):
             self.assertIn("RTC_CLOCK", text)
             self.assertIn("Main.told: a LOGGER does nothing here", text)
@@ -147,6 +149,39 @@ class From(unittest.TestCase):
             self.assertIn("opcua_0@opcua", text)
         self.assertIn("main.xml:", said, "what does not compile has its place")
         self.assertEqual(stepwright("check", cwd=made).returncode, 1)
+
+    def test_an_instruction_list_is_left_out_and_the_rest_runs(self):
+        lists = ('<pou name="OldIL" pouType="program"><interface/><body><IL><xhtml:p><![CDATA[LD a (* </pou> *)]]></xhtml:p></IL></body></pou>'
+                 '<pou name="Idle" pouType="functionBlock"><interface/><body><IL><xhtml:p>RET</xhtml:p></IL></body></pou>')
+        task = TASK.replace("</task>", '<pouInstance name="old" typeName="OldIL"><documentation><xhtml:p>of 1998</xhtml:p></documentation></pouInstance></task>')
+        text = project([("a", "", "<BOOL/>")], "a := NOT a;", task=task).replace("</pous>", lists + "</pous>")
+        made, said = self.take(self.write(text))
+        for words in (said, (made / "README.md").read_text(encoding="utf-8")):
+            self.assertIn("OldIL: an instruction list, which is not read; old in the task slow does not run", words)
+            self.assertIn("Idle: an instruction list", words)
+        xml = (made / "main.xml").read_text(encoding="utf-8")
+        self.assertEqual(xml, text.replace(lists, "").replace(task, TASK))
+        self.sound(made)
+
+    def test_what_a_program_calls_of_an_instruction_list_keeps_the_cell_from_running(self):
+        lists = '<pou name="Old" pouType="functionBlock"><interface/><body><IL><xhtml:p>RET</xhtml:p></IL></body></pou>'
+        calls = project([("old", "", '<derived name="Old"/>')], "old();").replace("</pous>", lists + "</pous>")
+        made, said = self.take(self.write(calls), runs=False)
+        self.assertIn("Old: an instruction list", said)
+        self.assertRegex(said, r"main\.xml:\d+:\d+: error: E\d{4}: .*Old|main\.xml:\d+:\d+: E\d{4}: .*Old")
+        self.assertEqual(stepwright("check", cwd=made).returncode, 1)
+
+    def test_where_all_that_runs_is_an_instruction_list_nothing_else_begins_to(self):
+        text = project([("a", "", "<BOOL/>")], "a := NOT a;", task=TASK.replace("Main", "OldIL")).replace(
+            "</pous>", '<pou name="OldIL" pouType="program"><interface/><body><IL><xhtml:p>LD a</xhtml:p></IL></body></pou></pous>')
+        made, said = self.take(self.write(text), runs=False)
+        self.assertIn("E0804", said)
+        self.assertEqual((made / "main.xml").read_text(encoding="utf-8"), text)
+
+    def test_a_task_of_a_program_that_is_not_there_is_no_cell_that_runs(self):
+        made, said = self.take(self.write(project([("a", "", "<BOOL/>")], "a := TRUE;", task=TASK.replace("Main", "My Prog"))), runs=False)
+        self.assertIn("E0603", said)
+        self.assertIn("E0603", (made / "README.md").read_text(encoding="utf-8"))
 
     def test_what_is_no_project_is_refused_and_nothing_is_written(self):
         empty = self.root / "empty"
@@ -176,7 +211,12 @@ class From(unittest.TestCase):
             self.skipTest(f"there are no projects in {FOREIGN}")
         for number, source in enumerate(found):
             with self.subTest(source.name):
-                folder, _ = self.take(source, "--dialect", "codesys" if "codesys" in source.name else "matiec", name=f"cell{number}")
+                folder = self.root / f"cell{number}"
+                taken = stepwright("new", folder.name, "--from", source, "--dialect", "codesys" if "codesys" in source.name else "matiec",
+                                   cwd=self.root)
+                checked = stepwright("check", cwd=folder)
+                self.assertEqual("does not compile" in taken.stdout, taken.returncode == 1, taken.stdout + taken.stderr)
+                self.assertEqual(taken.returncode, checked.returncode, taken.stdout + checked.stderr)
                 stepwright("check", "--json", "checked.json", cwd=folder)
                 checked = json.loads((folder / "checked.json").read_text(encoding="utf-8"))
                 self.assertEqual([each for each in checked["diagnostics"] if each["code"].startswith("C")], [])

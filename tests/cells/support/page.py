@@ -47,7 +47,7 @@ class Page:
 
     def start(self):
         self.process = self.cell.start("hmi")
-        found = self.process.wait_for(r"at (https?)://([\d.]+):(\d+)/")
+        found = self.process.wait_for(r"at (https?)://(\S+):(\d+)/")
         self.scheme, self.host, self.port = found.group(1), found.group(2), int(found.group(3))
         return self.process
 

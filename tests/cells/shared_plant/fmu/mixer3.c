@@ -1,15 +1,13 @@
 /* Three flows that are shared out to two, as an FMU whose variables are arrays: FMI 3.0, the functions that a master of
  * ours calls, and no more (https://fmi-standard.org). tests/cells/shared_plant/fmu_pack.py makes mixer3.fmu of it and
  * of mixer3.xml. */
-#include <stdbool.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
-#define EXPORT __attribute__((visibility("default")))
+#include "fmi3.h"
+
 enum { IN = 3, OUT = 2 };
 enum { INFLOW = 2, OPEN, SHARE, OUTFLOW, STEPS, COUNT };
-enum { OK = 0, ERROR = 3 };
 
 static const size_t kSizes[COUNT] = {0, 0, IN, OUT, OUT * IN, OUT, OUT};
 struct mixer {
@@ -69,14 +67,4 @@ EXPORT int fmi3DoStep(void *instance, double time, double step, bool no_earlier,
     for (size_t i = 0; i < values; ++i) value[i] = (TYPE)((struct mixer *)mixer)->number[*vr][i];             \
     return OK;                                                                                                \
   }
-ACCESS(Float64, double)
-ACCESS(Float32, float)
-ACCESS(Int8, int8_t)
-ACCESS(UInt8, uint8_t)
-ACCESS(Int16, int16_t)
-ACCESS(UInt16, uint16_t)
-ACCESS(Int32, int32_t)
-ACCESS(UInt32, uint32_t)
-ACCESS(Int64, int64_t)
-ACCESS(UInt64, uint64_t)
-ACCESS(Boolean, bool)
+ACCESS_ALL(ACCESS)

@@ -1,14 +1,12 @@
 /* A tank as an FMU for co-simulation, FMI 3.0: the functions that a master of ours calls, and no more
  * (https://fmi-standard.org). tests/cells/shared_plant/fmu_pack.py makes tank3.fmu of it and of tank3.xml. */
-#include <stdbool.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-#define EXPORT __attribute__((visibility("default")))
+#include "fmi3.h"
+
 enum { VALVE, DRAIN, LEVEL, FULL, AREA, LEAK, TRAP, VOLUME, STEPS, COUNT };
-enum { OK = 0, ERROR = 3 };
 
 typedef void (*log_message)(void *, int, const char *, const char *);
 struct tank {
@@ -82,14 +80,4 @@ EXPORT int fmi3DoStep(void *instance, double time, double step, bool no_earlier,
     }                                                                                                        \
     return count == values ? OK : ERROR;                                                                     \
   }
-ACCESS(Float64, double)
-ACCESS(Float32, float)
-ACCESS(Int8, int8_t)
-ACCESS(UInt8, uint8_t)
-ACCESS(Int16, int16_t)
-ACCESS(UInt16, uint16_t)
-ACCESS(Int32, int32_t)
-ACCESS(UInt32, uint32_t)
-ACCESS(Int64, int64_t)
-ACCESS(UInt64, uint64_t)
-ACCESS(Boolean, bool)
+ACCESS_ALL(ACCESS)

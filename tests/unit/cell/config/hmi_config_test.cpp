@@ -65,8 +65,29 @@ TEST(HmiConfig, WhenItListensAtAllAddresses_ThenItHasToKnowItsNames) {
 }
 
 TEST(HmiConfig, WhenANameIsNone_ThenItIsRefused) {
-  for (const char* name : {"", "line.plant:8080", "https://line.plant", "line plant", "[::1]", "a/b"})
+  for (const char* name :
+       {"", "line.plant:8080", "https://line.plant", "line plant", "[line]", "[::1", "[::1]:8080", "a/b"})
     EXPECT_EQ(read("names = [\"" + std::string(name) + "\"]\n").codes, "C0470") << name;
+}
+
+TEST(HmiConfig, WhenAnAddressOfIpv6StandsInBrackets_ThenItIsTheSameWithout) {
+  const Read named = read("names = [\"[fd00::2]\", \"fd00::3\"]\nhost = \"[::1]\"\n");
+  EXPECT_EQ(named.codes, "");
+  EXPECT_EQ(named.config.names, (std::vector<std::string>{"fd00::2", "fd00::3"}));
+  EXPECT_EQ(named.config.host, "::1");
+}
+
+TEST(HmiConfig, WhenTheServerIsAtAllAddresses_ThenThePageIsToldByANameThatIsServed) {
+  HmiConfig hmi;
+  EXPECT_EQ(page_address(hmi, "127.0.0.1", 8080), "http://127.0.0.1:8080/");
+  EXPECT_EQ(page_address(hmi, "::1", 8080), "http://[::1]:8080/");
+  hmi.certificate = "page.pem";
+  hmi.names = {"line.plant", "10.0.0.5"};
+  EXPECT_EQ(page_address(hmi, "0.0.0.0", 8443), "https://line.plant:8443/");
+  EXPECT_EQ(page_address(hmi, "::", 8443), "https://line.plant:8443/");
+  EXPECT_EQ(page_address(hmi, "10.0.0.5", 8443), "https://10.0.0.5:8443/") << "the host is served, too";
+  hmi.names = {"fd00::2"};
+  EXPECT_EQ(page_address(hmi, "::", 8443), "https://[fd00::2]:8443/");
 }
 
 TEST(HmiConfig, WhenSomethingIsWrong_ThenItsCodeIsTold) {

@@ -121,12 +121,39 @@ TEST(TagTable, WhenItIsWrong_ThenTheLineIsNamedAndTheNextOnesAreReadAllTheSame) 
   EXPECT_EQ(problem(head + ",l,,,\n"), "C0630 2");
   EXPECT_EQ(problem(head + "x,l,,,\nX,m,,,\n"), "C0630 3");
   EXPECT_EQ(problem(head + "x,\"l\n"), "C0633 2");
+  EXPECT_EQ(problem(head + "x,l,,,\ny,\xB0"
+                           "C,,,\n"),
+            "C0633 3")
+      << "Latin-1";
+  EXPECT_EQ(problem(head + "x,l,,,,more\n"), "C0633 2") << "more fields than columns";
+  EXPECT_EQ(problem("name,unit,unit\nx,l,m\n"), "C0633 1");
   TagConfig described;
   described.name = "Main.X";
   EXPECT_EQ(problem(head + "main.x,l,,,\n", {described}), "C0630 2");
   std::vector<TagConfig> tags;
   EXPECT_EQ(read_tag_table("/nowhere/tags.csv", tags).front().code, "E0001");
   EXPECT_EQ(read_table(head + "x,l,one,,\ny,m,,5,5\nz,s,,,\n").problems.size(), 2u);
+}
+
+TEST(TagTable, WhenItIsSeparatedBySomethingElse_ThenThatIsSaid) {
+  for (const auto& [text, separator] :
+       {std::pair{"name;unit\nx;l\n", "';'"}, {"name\tunit\nx\tl\n", "tabs"}}) {
+    const Read wrong = read_table(text);
+    ASSERT_EQ(wrong.problems.size(), 1u);
+    EXPECT_EQ(wrong.problems[0].message,
+              "this table is separated by " + std::string(separator) + " and not by commas");
+  }
+}
+
+TEST(TagTable, WhenAColumnIsNearlyOneThatIsRead_ThenThatIsAWarning) {
+  for (const char* column : {"Unit", "units"}) {
+    const Read near = read_table("name," + std::string(column) + "\nx,l\n");
+    ASSERT_EQ(near.problems.size(), 1u) << column;
+    EXPECT_EQ(near.problems[0].severity, result::Severity::Warning);
+    EXPECT_EQ(near.problems[0].where.column, 6u);
+    EXPECT_EQ(near.problems[0].hint, "did you mean 'unit'?");
+  }
+  EXPECT_TRUE(read_table("name,type,address,unit,note\nx,REAL,%MD0,l,,\n").problems.empty()) << "for people";
 }
 
 }  // namespace

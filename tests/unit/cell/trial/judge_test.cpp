@@ -142,6 +142,69 @@ TEST(JudgeRuns, WhenEachOfTwoSensorsBeginsWhereTheOtherOneShould_ThenTheirTagsAr
             "change :init, or the start values of the plant");
 }
 
+std::string hint_with_tags(const std::string& tags, const std::string& more, const Reading& expected,
+                           const Reading& after) {
+  const std::string begin = "[tags]\n";
+  const auto read =
+      translate::read_binding(begin + tags + kBinding.substr(begin.size()) + more, "binding.toml");
+  if (!read) throw std::runtime_error(result::to_string(read.error()));
+  ActionRun run = run_of(10, 3);
+  run.end = RunEnd::NotBegun;
+  run.expected = expected;
+  run.after = after;
+  return judge_runs(*read, std::vector{run}).front().hint;
+}
+
+// The one has 2 t at 27648 counts, the other one 40 percent.
+TEST(JudgeRuns, WhenTwoSensorsOfOtherCalibrationsAreSwapped_ThenTheirCountsTellIt) {
+  const std::string more = R"toml([sensors.mass]
+tag = "MASS"
+fluent = "(mass d)"
+calibration = [[0, 0], [2, 27648]]
+tolerance = 0.05
+[sensors.moisture]
+tag = "MOISTURE"
+fluent = "(moisture d)"
+calibration = [[0, 0], [40, 27648]]
+tolerance = 1.5
+[[actions]]
+action = "(load ?b ?a)"
+outputs = ["P"]
+until = { fluent = "(mass ?b)" }
+timeout_s = 30
+)toml";
+  const std::string tags =
+      "MASS = { address = \"%IW3\", type = \"INT\" }\nMOISTURE = { address = \"%IW4\", "
+      "type = \"INT\" }\n";
+  const std::string hint = hint_with_tags(tags, more, {{"(mass d)", 0.1}, {"(moisture d)", 22.0}},
+                                          {{"(mass d)", 1.1}, {"(moisture d)", 2.0}});
+  EXPECT_EQ(
+      hint.rfind("each shows what the other one should: tag = \"MOISTURE\" for 'mass' and tag = \"MASS\" "
+                 "for 'moisture'",
+                 0),
+      0u)
+      << hint;
+}
+
+TEST(JudgeRuns, WhenTwoFactsBeginAsTheOtherOneShould_ThenTheirTagsAreSwapped) {
+  const std::string tags = "O = { address = \"%IX0.1\" }\nS = { address = \"%IX0.2\" }\n";
+  const std::string more =
+      "[[facts]]\nfact = \"(open d)\"\ntag = \"O\"\n[[facts]]\nfact = \"(shut d)\"\ntag = \"S\"\n";
+  const std::string hint = hint_with_tags(tags, more, {{"(open d)", 0.0}, {"(shut d)", 1.0}},
+                                          {{"(open d)", 1.0}, {"(shut d)", 0.0}});
+  EXPECT_EQ(hint.rfind("each shows what the other one should: tag = \"S\" for '(open d)'", 0), 0u) << hint;
+  const std::string both = hint_with_tags(tags, more, {{"(open d)", 1.0}, {"(shut d)", 1.0}},
+                                          {{"(open d)", 0.0}, {"(shut d)", 0.0}});
+  EXPECT_EQ(both, "change :init, or the start values of the plant");
+}
+
+TEST(JudgeRuns, WhenALevelWasElsewhereBefore_ThenTheActionHasNotChangedIt) {
+  ActionRun run = run_of(10, 11);
+  run.before["(level t2)"] = 3.0;
+  run.after["(level t2)"] = 3.0;
+  EXPECT_EQ(codes(judge_runs(binding(), std::vector{run})), Codes{});
+}
+
 // It has gone the other way, too slowly to be stopped for that: no time would be enough.
 TEST(JudgeRuns, WhenALevelHasFallenInAllItsTime_ThenNoTimeoutIsProposed) {
   ActionRun run = run_of(10, 150);
@@ -171,6 +234,14 @@ TEST(JudgeDuration, WhenItIsNear_ThenNothingIsSaid) {
   const translate::Binding bound = binding();
   EXPECT_EQ(codes(judge_duration(bound, bound.actions.front(), std::vector{run_of(10, 12), run_of(20, 24)})),
             Codes{});
+}
+
+// From one start it has 5 to move, from the other one 20.
+TEST(JudgeDuration, WhenOneActionHasOtherAmountsFromOtherStarts_ThenEachIsComparedWithItsOwn) {
+  const translate::Binding bound = binding();
+  ActionRun less = run_of(20, 6);
+  less.planned.before.fluents["(level t1)"] = 15.0;
+  EXPECT_EQ(codes(judge_duration(bound, bound.actions.front(), std::vector{less, run_of(20, 21)})), Codes{});
 }
 
 TEST(Spread, WhenARunDidNotEnd_ThenItDoesNotCount) {

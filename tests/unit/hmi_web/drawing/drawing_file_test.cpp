@@ -26,6 +26,13 @@ std::string mistake(const result::Result<Drawing>& drawing) {
   return first.code + " " + std::to_string(first.where.line) + " " + first.message;
 }
 
+TEST(Drawing, WhenItIsNoUtf8_ThenItsFirstByteIsNamed) {
+  EXPECT_THAT(drawn("<text>20 \u00B0C</text>"), HasSubstr("20 \u00B0C"));
+  EXPECT_EQ(mistake(of("<text>20 \xB0"
+                       "C</text>")),
+            "C0640 2 this is no UTF-8");
+}
+
 TEST(Drawing, WhenItIsOfADrawingProgram_ThenShapesStayAndItsOwnNotesAreLeftOut) {
   const auto drawing = read_drawing("plant.svg", R"(<?xml version="1.0" encoding="UTF-8"?>
 <!DOCTYPE svg PUBLIC "-//W3C//DTD SVG 1.1//EN" "http://www.w3.org/Graphics/SVG/1.1/DTD/svg11.dtd">

@@ -1,7 +1,7 @@
 #include "hmi_web/notify/curl_sender.h"
 
 #include <arpa/inet.h>
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
 #include <unistd.h>
@@ -52,6 +52,74 @@ class EndlessServer {
   std::thread thread_;
 };
 
+// A mail server that takes one connection and answers each command, `refused` ones with `refusal`.
+class MailServer {
+ public:
+  MailServer(std::string_view refused, std::string_view refusal)
+      : listener_(socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)), refused_(refused), refusal_(refusal) {
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    socklen_t size = sizeof address;
+    EXPECT_EQ(bind(listener_, reinterpret_cast<const sockaddr*>(&address), size), 0);
+    EXPECT_EQ(listen(listener_, 1), 0);
+    EXPECT_EQ(getsockname(listener_, reinterpret_cast<sockaddr*>(&address), &size), 0);
+    port_ = ntohs(address.sin_port);
+    thread_ = std::thread([this] { talk(); });
+  }
+  ~MailServer() {
+    thread_.join();
+    close(listener_);
+  }
+  MailServer(const MailServer&) = delete;
+  MailServer& operator=(const MailServer&) = delete;
+
+  std::string address() const { return "smtp://127.0.0.1:" + std::to_string(port_); }
+
+ private:
+  std::string answer_to(const std::string& line) const {
+    if (line.starts_with(refused_)) return refusal_;
+    if (line.starts_with("DATA")) return "354 go on\r\n";
+    return line.starts_with("QUIT") ? "221 bye\r\n" : "250 fine\r\n";
+  }
+  void talk() const {
+    const int client = accept4(listener_, nullptr, nullptr, SOCK_CLOEXEC);
+    const auto say = [client](const std::string& text) {
+      send(client, text.data(), text.size(), MSG_NOSIGNAL);
+    };
+    say("220 mail\r\n");
+    std::string line;
+    bool data = false;
+    for (char c = 0; recv(client, &c, 1, 0) == 1;) {
+      line += c;
+      if (!line.ends_with("\r\n")) continue;
+      if (!data || line == ".\r\n") say(answer_to(line));
+      data = data ? line != ".\r\n" : line.starts_with("DATA") && !line.starts_with(refused_);
+      line.clear();
+    }
+    close(client);
+  }
+
+  int listener_;
+  std::string refused_;
+  std::string refusal_;
+  std::uint16_t port_ = 0;
+  std::thread thread_;
+};
+
+std::string refusal_of(std::string_view refused, std::string_view refusal) {
+  CurlSender sender;
+  const MailServer server(refused, refusal);
+  Channel channel;
+  channel.name = "shift";
+  channel.server = server.address();
+  channel.from = "line@plant.example";
+  channel.to = {"a@plant.example"};
+  channel.needs_tls = false;
+  const auto sent = sender.send(channel, Message{"s", "t\n", "{}"}, {});
+  return sent ? "sent" : sent.error().front().code + " " + sent.error().front().message;
+}
+
 Channel hook(const EndlessServer& server) {
   Channel channel;
   channel.name = "hook";
@@ -64,6 +132,15 @@ TEST(CurlSender, WhenAnAnswerHasNoEnd_ThenItsStatusCountsAndTheRestIsNotRead) {
   const EndlessServer server("200 OK");
   const auto sent = sender.send(hook(server), Message{"s", "t", "{}"}, {});
   EXPECT_TRUE(sent) << result::to_string(sent.error());
+}
+
+TEST(CurlSender, WhenAMailServerRefuses_ThenItsOwnWordsAreTold) {
+  using testing::HasSubstr;
+  EXPECT_EQ(refusal_of("nothing", ""), "sent");
+  EXPECT_THAT(refusal_of("RCPT", "550 5.1.1 no such user\r\n"),
+              AllOf(HasSubstr("H0085 "), HasSubstr("the server said \"550 5.1.1 no such user\"")));
+  EXPECT_THAT(refusal_of("RCPT", "550-no such user\r\n550 here\r\n"), HasSubstr("\"550-no such user here\""));
+  EXPECT_THAT(refusal_of(".\r\n", "452 4.3.1 full\r\n"), HasSubstr("\"452 4.3.1 full\""));
 }
 
 TEST(CurlSender, WhenARefusalHasNoEnd_ThenItIsARefusal) {

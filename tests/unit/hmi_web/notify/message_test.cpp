@@ -40,6 +40,19 @@ TEST(Message, WhenAnAlarmStands_ThenItSaysWhatSinceWhenAndWhatToDo) {
   EXPECT_EQ(document["alarms"][0]["raised_ms"], 1'767'225'600'000);
 }
 
+TEST(Message, WhenTheSourceIsABool_ThenItsValueIsATruthValue) {
+  StandingAlarm hot = high();
+  hot.source = "Main.hot";
+  hot.value = 1;
+  hot.is_bool = true;
+  const Message on = message_of("bench", {hot});
+  EXPECT_NE(on.text.find("Main.hot = TRUE\n"), std::string::npos) << on.text;
+  EXPECT_EQ(json::parse(on.json)["alarms"][0]["value"], true);
+  EXPECT_TRUE(json::parse(on.json)["alarms"][0]["value"].is_boolean());
+  hot.value = 0;
+  EXPECT_NE(message_of("bench", {hot}).text.find("Main.hot = FALSE\n"), std::string::npos);
+}
+
 TEST(Message, WhenSeveralStand_ThenTheMostUrgentIsTheSubject) {
   const Message message = message_of("bench", {high(), lost()});
   EXPECT_EQ(message.subject, "bench: The runtime does not answer (critical) and 1 more");

@@ -161,12 +161,23 @@ TEST_F(MissingSourceTest, WhenAlarmsStandUnacknowledged_ThenThoseAndNoOthersAreH
   EXPECT_TRUE(alarms_->unacknowledged().empty());
   look(program({"main.high", "main.other"}), 1);
   ASSERT_EQ(alarms_->unacknowledged().size(), 1u);
-  EXPECT_EQ(alarms_->unacknowledged()[0].first.name, "high");
-  EXPECT_EQ(alarms_->unacknowledged()[0].second.raised_ns, time_ns_);
+  EXPECT_EQ(alarms_->unacknowledged()[0].definition.name, "high");
+  EXPECT_EQ(alarms_->unacknowledged()[0].view.raised_ns, time_ns_);
   EXPECT_EQ(listed()["high"]["words"]["de"]["response"], "leeren");
   EXPECT_FALSE(listed()["low"].contains("words"));
   ASSERT_TRUE(alarms_->command("high", {.event = alarms::AlarmEvent::Acknowledge, .user = "anna"}));
   EXPECT_TRUE(alarms_->unacknowledged().empty());
+}
+
+TEST_F(MissingSourceTest, WhenTheSourceIsABool_ThenThatIsHandedOutToo) {
+  open({alarm("hot", "main.hot"), alarm("count", "main.count")});
+  auto layout = std::make_shared<server::ProgramLayout>(*program({"main.hot", "main.count"}));
+  layout->tags[0].type = ElementaryType::Bool;
+  layout->tags[0].bit = 0;
+  look(layout, 1);
+  ASSERT_EQ(alarms_->unacknowledged().size(), 2u);
+  EXPECT_TRUE(alarms_->unacknowledged()[0].is_bool);
+  EXPECT_FALSE(alarms_->unacknowledged()[1].is_bool);
 }
 
 TEST_F(MissingSourceTest, WhenNoImageIsThere_ThenNoAlarmCountsAsNormalAndTheListStaysShort) {

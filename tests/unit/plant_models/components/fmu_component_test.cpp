@@ -283,6 +283,9 @@ TEST(FmuComponent, WhenItsLinesAreWrong_ThenEachHasItsPlace) {
                  (one.message + " / " + one.hint).find(wrong.says) != std::string::npos;
         });
     EXPECT_NE(found, plant.error().end()) << wrong.more << "\n" << result::to_string(plant.error());
+    const bool twice = std::any_of(plant.error().begin(), plant.error().end(),
+                                   [](const result::Diagnostic& one) { return one.code == "C0002"; });
+    EXPECT_FALSE(twice) << wrong.more << "\n" << result::to_string(plant.error());
   }
 }
 

@@ -256,6 +256,47 @@ a = "1 m"
   EXPECT_EQ(plant.error().size(), 1u) << result::to_string(plant.error());
 }
 
+TEST(OwnType, WhenAnEventSetsNothing_ThenItsLineIsTold) {
+  expect_wrong(R"toml([types.x]
+states.s = { start = "1", derivative = "0" }
+outputs.o = { value = "s" }
+events.never = { when = "s - 2" }
+)toml",
+               "C0349", 4, "event 'never' sets nothing");
+}
+
+// Once, and nothing of those further in.
+TEST(Assembly, WhenTheyAreTooDeep_ThenThatIsTheOnlyWord) {
+  std::string text;
+  for (int i = 0; i < 11; ++i) {
+    const std::string n = std::to_string(i);
+    text += "[assemblies.a" + n + ".components.x]\ntype = \"" +
+            (i == 10 ? "tank\"\nvolume = \"1 l" : "a" + std::to_string(i + 1)) + "\"\n";
+  }
+  const auto plant = ModelRig::load(text + "[components.top]\ntype = \"a0\"\n");
+  ASSERT_FALSE(plant);
+  ASSERT_EQ(plant.error().size(), 1u) << result::to_string(plant.error());
+  EXPECT_NE(plant.error()[0].message.find("too deep"), std::string::npos);
+}
+
+TEST(Assembly, WhenATruthNamesAPortOfAnAssembly_ThenItIsThatOfItsPart) {
+  ModelRig rig(R"toml([assemblies.station.components.main]
+type = "tank"
+volume = "1 m3"
+start = "50 percent"
+[assemblies.station.ports]
+content = "main.level"
+[components.a]
+type = "station"
+[components.l]
+type = "level_sensor"
+of = "a.content"
+[truths]
+shown = "a.content"
+)toml");
+  EXPECT_EQ(rig.truth("shown"), 50.0);
+}
+
 TEST(OwnType, WhenTheDefaultOfASwitchStandsInQuotes_ThenItIsTaken) {
   ModelRig rig(R"toml([types.x]
 inputs.on = { switch = true, default = "true" }

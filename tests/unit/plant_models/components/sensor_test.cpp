@@ -59,7 +59,10 @@ TEST(Sensor, WhenItHasNoise_ThenReadingsScatterAsSaidAndRepeat) {
 }
 
 TEST(Sensor, WhenItFilters_ThenItFollowsWithItsTimeConstant) {
-  ModelRig rig(kTank + "[components.s]\ntype = \"level_sensor\"\nof = \"t\"\nfilter = \"10 s\"\n" + kCard);
+  ModelRig rig(
+      kTank +
+      "[components.s]\ntype = \"level_sensor\"\nof = \"t\"\nfilter = \"10 s\"\nfirst = \"0 percent\"\n" +
+      kCard);
   ASSERT_TRUE(rig.run(10.0));
   EXPECT_NEAR(rig.truth("s.value"), 50.0 * (1.0 - std::exp(-1.0)), 1e-4);
 }

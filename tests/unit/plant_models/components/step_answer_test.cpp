@@ -54,5 +54,37 @@ TEST(StepAnswer, WhenWhatComesAfterTheEndIsWrong_ThenItIsToldAllTheSame) {
   EXPECT_EQ(answer.error().front().hint, "did you mean 'PUMP'?");
 }
 
+TEST(StepAnswer, WhenTheIntervalDoesNotDivideTheTime_ThenTheLastRowIsTheEnd) {
+  for (const std::chrono::nanoseconds interval : {7s, 100s}) {
+    ModelRig rig(kFilling);
+    const auto answer = record_answer(rig.plant(), {20.0, interval, {}, {}});
+    ASSERT_TRUE(answer);
+    EXPECT_DOUBLE_EQ(answer->times_s.back(), 20.0);
+    EXPECT_EQ(answer->times_s.size(), interval == 7s ? 4u : 2u);
+  }
+}
+
+std::string refusal_of(const AnswerAction& action) {
+  ModelRig rig(kFilling);
+  const auto answer = record_answer(rig.plant(), {50.0, 10s, {}, {action}});
+  if (answer) return "taken";
+  return answer.error().front().code + ": " + answer.error().front().message + "; " +
+         answer.error().front().hint;
+}
+
+TEST(StepAnswer, WhenATerminalCannotHaveTheValue_ThenItIsRefused) {
+  EXPECT_EQ(refusal_of({"PUMP", 1.0, 5.0, false}), "taken");
+  EXPECT_EQ(refusal_of({"PUMP", 2.5, 5.0, false}),
+            "C0350: terminal 'PUMP' cannot be 2.5; a switch is 0 or 1");
+  EXPECT_EQ(refusal_of({"PUMP", -1.0, 5.0, false}).substr(0, 5), "C0350");
+}
+
+TEST(StepAnswer, WhenSomethingIsSetAfterTheEnd_ThenItIsRefused) {
+  EXPECT_EQ(refusal_of({"PUMP", 1.0, 50.0, false}), "taken");
+  EXPECT_EQ(refusal_of({"PUMP", 1.0, 100.0, false}),
+            "C0350: 'PUMP' is set at 100 s, and the run ends at 50 s; --seconds says how long it runs");
+  EXPECT_EQ(refusal_of({"pump.blocked", 1.0, 100.0, true}).substr(0, 5), "C0350");
+}
+
 }  // namespace
 }  // namespace stepwright::components

@@ -32,5 +32,16 @@ TEST(Unit, WhenItIsNoFigure_ThenNothing) {
     EXPECT_FALSE(parse_quantity(text)) << text;
 }
 
+TEST(Unit, WhenAUnitIsCalledOtherwise_ThenItsNameIsSaidAndKnown) {
+  EXPECT_FALSE(parse_quantity("12 gpm"));
+  EXPECT_EQ(unit_hint("12 gpm"), "gpm is \"gallon/min\"");
+  EXPECT_EQ(unit_hint("264 gal"), "gal is an acceleration, 1 cm/s2; meant is \"gallon\"");
+  EXPECT_EQ(unit_hint("3 furlongz"), "");
+  EXPECT_EQ(unit_hint(""), "");
+  for (const char* const known :
+       {"gallon/min", "gallon/hour", "gallon", "l/min", "ft3/min", "bar", "psi", "cm3"})
+    EXPECT_TRUE(parse_unit(known)) << known;
+}
+
 }  // namespace
 }  // namespace stepwright::components

@@ -48,6 +48,7 @@ TEST(WrongModel, WhenAFileHasSlips_ThenEachHasItsPlaceAndAHint) {
   expect({"[components.t]\ntype = \"tnak\"\n", "C0342", 2, "did you mean 'tank'?"});
   expect({"[components.t]\ntype = \"tank\"\nvolume = \"3 s\"\n", "C0341", 3, "s where m3 is wanted"});
   expect({"[components.t]\ntype = \"tank\"\nvolume = \"3 litters\"\n", "C0341", 3, "no figure with a unit"});
+  expect({"[components.t]\ntype = \"tank\"\nvolume = \"264 gal\"\n", "C0341", 3, "meant is \"gallon\""});
   expect({"[components.t]\ntype = \"tank\"\nvolume = \"-3 l\"\n", "C0004", 3, "out of range"});
   expect({"[components.h]\ntype = \"heater\"\npower = \"0 W\"\n", "C0004", 3, "out of range"});
   expect({"[components.t]\ntype = \"tank\"\nvolumn = \"3 l\"\n", "C0002", 3, "did you mean 'volume'?"});

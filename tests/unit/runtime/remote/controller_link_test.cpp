@@ -4,6 +4,7 @@
 #include <chrono>
 #include <deque>
 #include <thread>
+#include <vector>
 
 #include "tests/support/remote_controller/remote_controller.h"
 #include "tests/unit/runtime/remote/harness.h"
@@ -60,9 +61,23 @@ TEST(ControllerLink_WhenAnAnswerIsLate, ThenItIsNotTakenForThatOfALaterRequest) 
   EXPECT_EQ(read, program);
 }
 
+// A line on which nothing is written.
+class ReadLine : public RegisterLine {
+ public:
+  LineAnswer write(std::uint16_t, std::span<const std::uint16_t>) override {
+    return {LineFault::Closed, 0, {}};
+  }
+  LineAnswer read_write(std::uint16_t, std::span<const std::uint16_t>, std::uint16_t,
+                        std::span<std::uint16_t>) override {
+    return {LineFault::Closed, 0, {}};
+  }
+  LineAnswer reopen() override { return {}; }
+  std::string name() const override { return "board that is read"; }
+};
+
 // A serial line to a controller that needs 30 ms for each answer and has some to earlier requests to give
 // first.
-class SlowLine final : public RegisterLine {
+class SlowLine final : public ReadLine {
  public:
   SlowLine(std::shared_ptr<support::BoardWorld> world, int owed) : line_(std::move(world)) {
     for (int i = 0; i < owed; ++i) owe(1);
@@ -76,15 +91,6 @@ class SlowLine final : public RegisterLine {
     std::this_thread::sleep_until(next.at);
     return next.words == words.size() ? line_.read(first, words) : LineAnswer{LineFault::Garbled, 0, {}};
   }
-  LineAnswer write(std::uint16_t, std::span<const std::uint16_t>) override {
-    return {LineFault::Closed, 0, {}};
-  }
-  LineAnswer read_write(std::uint16_t, std::span<const std::uint16_t>, std::uint16_t,
-                        std::span<std::uint16_t>) override {
-    return {LineFault::Closed, 0, {}};
-  }
-  LineAnswer reopen() override { return {}; }
-  std::string name() const override { return "slow board"; }
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -107,6 +113,30 @@ TEST(ControllerLink_WhenAControllerIsSlowToCatchUp, ThenItIsWaitedForLongerAndLo
   ControllerLink link(line, {.patience = std::chrono::seconds(5)}, stop);
   const auto status = link.status();
   EXPECT_TRUE(status) << result::to_string(status.error());
+}
+
+// Keeps every request, and answers none.
+class HeldLine final : public ReadLine {
+ public:
+  LineAnswer read(std::uint16_t, std::span<std::uint16_t> words) override {
+    lengths.push_back(words.size());
+    return {LineFault::Silent, 0, {}};
+  }
+
+  std::vector<std::size_t> lengths;  // of what was asked
+};
+
+// It may answer all of them at once when it goes on: no late answer may then look like that to the newest
+// probe.
+TEST(ControllerLink_WhenAControllerIsHeldUp, ThenNoTwoProbesHaveTheSameLength) {
+  HeldLine line;
+  const std::atomic<bool> stop{false};
+  ControllerLink link(line, {.patience = std::chrono::seconds(2)}, stop);
+  EXPECT_FALSE(link.status());
+  ASSERT_GT(line.lengths.size(), 10u);
+  std::ranges::sort(line.lengths);
+  EXPECT_EQ(std::ranges::adjacent_find(line.lengths), line.lengths.end())
+      << line.lengths.size() << " requests";
 }
 
 TEST(ControllerLink_WhenARequestIsRefused, ThenThePlaceAndTheExceptionAreSaid) {
