@@ -21,7 +21,6 @@ namespace {
 
 constexpr const char* kNoTable = "C0633";
 constexpr int kMostShown = 9;
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 const std::vector<std::string> kColumns = {"name",     "unit",  "description", "group",
                                            "decimals", "least", "greatest",    "values"};
 
@@ -47,8 +46,7 @@ class TagTable {
   void read_head() {
     head_fields_ = rows_.fields().size();
     for (std::size_t i = 0; i < rows_.fields().size(); ++i) {
-      std::string name = rows_.fields()[i];
-      if (i == 0 && name.starts_with(kByteOrderMark)) name.erase(0, kByteOrderMark.size());
+      const std::string& name = rows_.fields()[i];
       if (!columns_.emplace(name, i).second && std::ranges::find(kColumns, name) != kColumns.end())
         report(rows_.where(i), kNoTable, "the column '" + name + "' is there twice", "leave one of them out");
     }

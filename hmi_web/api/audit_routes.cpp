@@ -8,6 +8,7 @@
 #include "hmi_web/access/audit_filter.h"
 #include "hmi_web/access/audit_text.h"
 #include "hmi_web/api/routes.h"
+#include "runtime/ground/csv/csv_rows.h"
 
 namespace stepwright::api {
 namespace {
@@ -168,7 +169,8 @@ std::vector<Route> audit_routes(const Services& services) {
   table.query = before;
   table.handler = [audit](const Call& call) {
     return with_lines(*audit, call, kInAFile, [](const std::string& text) {
-      return file_answer(access::entries_csv(text), "text/csv; charset=utf-8", "audit.csv");
+      return file_answer(std::string(csv::kByteOrderMark) + access::entries_csv(text),
+                         "text/csv; charset=utf-8", "audit.csv");
     });
   };
   return {page, lines, table};

@@ -9,6 +9,7 @@
 
 #include "hmi_web/historian/visitors.h"
 #include "hmi_web/recorder/json_writer.h"
+#include "runtime/ground/csv/csv_rows.h"
 
 namespace stepwright::recorder {
 namespace {
@@ -357,8 +358,8 @@ Answer RecordQueries::journal_csv(const Parameters& given) const {
   if (!entries) return refused(entries.error());
   if (entries->size() > kMostCsvEntries)
     return refused(400, "H0061", "the table would have more than 100,000 entries", "ask for a shorter time");
-  Answer reply{200, "time,alarm,priority,event,from,to,value,first_out,user,comment\r\n",
-               "text/csv; charset=utf-8", "alarms.csv"};
+  Answer reply{200, std::string(csv::kByteOrderMark), "text/csv; charset=utf-8", "alarms.csv"};
+  reply.text += "time,alarm,priority,event,from,to,value,first_out,user,comment\r\n";
   for (const JournalEntry& entry : *entries) append_entry(reply.text, entry);
   return reply;
 }

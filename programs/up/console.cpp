@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <cstdlib>
+#include <utility>
 
 namespace stepwright::up {
 namespace {
@@ -22,10 +24,10 @@ std::string harmless(std::string_view text) {
 
 }  // namespace
 
-Console::Console(std::FILE* out, const std::vector<std::string>& names)
-    : out_(out), width_(std::char_traits<char>::length(kOwn)) {
+Console::Console(const std::vector<std::string>& names, std::unique_ptr<log::RotatingFile> file)
+    : file_(std::move(file)), width_(std::char_traits<char>::length(kOwn)) {
   for (const std::string& name : names) width_ = std::max(width_, name.size());
-  if (isatty(fileno(out)) == 0 || std::getenv("NO_COLOR") != nullptr) return;
+  if (file_ || isatty(STDOUT_FILENO) == 0 || std::getenv("NO_COLOR") != nullptr) return;
   for (std::size_t i = 0; i < names.size(); ++i) colours_[names[i]] = kColours[i % kColours.size()];
 }
 
@@ -38,8 +40,9 @@ void Console::line(std::string_view name, std::string_view text) {
     head += "\x1b[0m";
   }
   const std::string whole = head + " " + harmless(text) + "\n";
-  std::fwrite(whole.data(), 1, whole.size(), out_);
-  std::fflush(out_);
+  if (file_) return static_cast<void>(file_->append(whole));
+  std::fwrite(whole.data(), 1, whole.size(), stdout);
+  std::fflush(stdout);
 }
 
 }  // namespace stepwright::up

@@ -3,23 +3,25 @@
 // The one log of a cell that is up: a line for each line of its processes, with the name of who says it, in a
 // colour of its own on a terminal.
 //
-//   Console console(stdout, {"hmi", "link", "runtime"});
+//   Console console({"hmi", "link", "runtime"});
 //   console.line("link", "listens");          // "link     | listens"
 //
 // Threads: one. What cannot be written is lost.
 
-#include <cstdio>
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "runtime/ground/log/rotating_file.h"
 
 namespace stepwright::up {
 
 class Console {
  public:
-  // In colour if `out` is a terminal and NO_COLOR is not set.
-  Console(std::FILE* out, const std::vector<std::string>& names);
+  // To standard output, in colour if that is a terminal and NO_COLOR is not set; or to `file`.
+  explicit Console(const std::vector<std::string>& names, std::unique_ptr<log::RotatingFile> file = nullptr);
 
   void line(std::string_view name, std::string_view text);
   // What `stepwright up` itself has to say.
@@ -28,7 +30,7 @@ class Console {
   static constexpr const char* kOwn = "up";
 
  private:
-  std::FILE* out_;
+  std::unique_ptr<log::RotatingFile> file_;
   std::size_t width_ = 0;                            // of the longest name
   std::map<std::string, int, std::less<>> colours_;  // of the terminal; empty: none
 };

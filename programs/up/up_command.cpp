@@ -1,6 +1,7 @@
 #include "programs/up/up_command.h"
 
 #include <filesystem>
+#include <memory>
 #include <thread>
 
 #include "cell/config/state_dir.h"
@@ -9,6 +10,7 @@
 #include "programs/up/cell_lock.h"
 #include "programs/up/compile_step.h"
 #include "programs/up/detached.h"
+#include "runtime/ground/log/rotating_file.h"
 #include "runtime/ground/process/command_line.h"
 
 namespace stepwright::up {
@@ -16,6 +18,8 @@ namespace {
 
 using process::fail;
 using result::ExitCode;
+
+constexpr const char* kLog = "up.log";
 
 result::Diagnostics check(const config::CellConfig& config, const Options& options) {
   if (options.watch && config.boot.sources.empty())
@@ -33,12 +37,20 @@ result::Diagnostics check(const config::CellConfig& config, const Options& optio
   return {};
 }
 
+// Where a process that has no terminal any more goes on with what standard output has been; the set-up token
+// stands in it.
+std::unique_ptr<log::RotatingFile> log_of(const config::CellConfig& config, const Options& options) {
+  if (!options.detach) return nullptr;
+  auto file = log::RotatingFile::open(config.state_dir / kLog, {.max_bytes = 16u << 20, .keep = 1, .mode = 0600});
+  return file ? std::move(*file) : nullptr;
+}
+
 int keep_up(const config::CellConfig& config, const Options& options, Detached& detached) {
   const process::StopSignal stop;
   const std::filesystem::path programs = std::filesystem::read_symlink("/proc/self/exe").parent_path();
   std::vector<std::string> names = processes::starting_order(config);
   names.emplace_back("watch");
-  Console console(stdout, names);
+  Console console(names, log_of(config, options));
   auto keeper = CellKeeper::make({.config = config,
                                   .overrides = overrides_of(options),
                                   .programs = programs,
@@ -69,7 +81,7 @@ int run_up(const Options& options) {
   if (!lock) return fail(lock.error(), ExitCode::BadInput);
   Detached detached;
   if (options.detach) {
-    const auto exit = detached.leave(config->state_dir / "up.log");
+    const auto exit = detached.leave(config->state_dir / kLog);
     if (!exit) return fail(exit.error(), ExitCode::RuntimeFault);
     if (*exit) return **exit;
   }

@@ -125,14 +125,20 @@ class FmuTypeReader {
     return nullptr;
   }
 
-  // What the file says of the unit comes before what the FMU says.
+  // What the file says of it holds where the FMU says nothing, or a pure number; else both must say the same.
   std::optional<Unit> find_unit(const ModelVariable& variable) {
     const TomlTable units = table_.table("units");
-    if (!units.has(variable.name)) return unit_of(*description_, variable);
+    const auto own = unit_of(*description_, variable);
+    if (!units.has(variable.name)) return own;
     const std::string text = units.text(variable.name, {});
-    if (auto unit = parse_unit(text)) return unit;
-    report(units, variable.name, "'" + text + "' is no unit", "such as \"m\", \"l/s\", \"percent\"", "0341");
-    return std::nullopt;
+    const auto unit = parse_unit(text);
+    if (!unit) {
+      report(units, variable.name, "'" + text + "' is no unit", "such as \"m\", \"l/s\", \"percent\"", "0341");
+    } else if (own && !own->dimension.none() && !same_measure(*own, *unit)) {
+      report(units, variable.name, "the FMU has '" + variable.name + "' in '" + variable.unit + "', not in '" + text + "'",
+             "leave it out: figures are converted from the FMU's own unit", "0341");
+    }
+    return unit;
   }
   std::optional<Unit> wanted_unit(const TomlTable& table, const std::string& key,
                                   const ModelVariable& variable) {

@@ -33,6 +33,10 @@ std::string text_of(const fmu::UnitDefinition& definition) {
 
 }  // namespace
 
+bool same_measure(const Unit& a, const Unit& b) {
+  return a.dimension == b.dimension && alike(a.factor, b.factor) && alike(a.offset, b.offset);
+}
+
 std::optional<Unit> unit_of(const fmu::ModelDescription& description, const fmu::ModelVariable& variable) {
   const std::optional<Unit> named = parse_unit(variable.unit);
   const fmu::UnitDefinition* const definition = description.find_unit(variable.unit);
@@ -40,9 +44,7 @@ std::optional<Unit> unit_of(const fmu::ModelDescription& description, const fmu:
   if (definition->other || !std::isfinite(definition->factor) || definition->factor == 0.0)
     return std::nullopt;
   const std::optional<Unit> defined = parse_unit(text_of(*definition));
-  const bool same = named && defined && named->dimension == defined->dimension &&
-                    alike(named->factor, defined->factor) && alike(named->offset, defined->offset);
-  return same ? named : defined;
+  return named && defined && same_measure(*named, *defined) ? named : defined;
 }
 
 }  // namespace stepwright::components::library

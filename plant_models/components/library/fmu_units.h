@@ -13,4 +13,7 @@ namespace stepwright::components::library {
 // knows it.
 std::optional<Unit> unit_of(const fmu::ModelDescription& description, const fmu::ModelVariable& variable);
 
+// Whether a figure means the same in both: "l/s", "0.001 m3 s-1".
+bool same_measure(const Unit& a, const Unit& b);
+
 }  // namespace stepwright::components::library

@@ -17,6 +17,14 @@ bool CsvRows::next() {
   return false;
 }
 
+// The bytes of a mark that is none after all.
+std::string CsvRows::skip_mark() {
+  std::string begin;
+  while (begin.size() < kByteOrderMark.size() && sees(kByteOrderMark[begin.size()]))
+    begin += static_cast<char>(in_.sbumpc());
+  return begin == kByteOrderMark ? std::string() : begin;
+}
+
 void CsvRows::row() {
   fields_.clear();
   columns_.clear();
@@ -24,8 +32,8 @@ void CsvRows::row() {
   bytes_ = 0;
   for (bool more = true; more;) {
     columns_.push_back(bytes_ + 1);
-    std::string& field = fields_.emplace_back();
-    if (sees('"')) {
+    std::string& field = fields_.emplace_back(next_line_ == 1 && bytes_ == 0 ? skip_mark() : std::string());
+    if (field.empty() && sees('"')) {
       if (!quoted(field)) return;
     } else {
       while (!at_end() && !sees(',') && !sees('\r') && !sees('\n'))

@@ -1,7 +1,7 @@
 #pragma once
 
 // The rows of a table of comma-separated values (RFC 4180), one after the other: of the table no more than
-// one row is in memory, and of a row no more than a mebibyte.
+// one row is in memory, and of a row no more than a mebibyte. A byte order mark of UTF-8 is skipped.
 //
 // Thread rule: one thread at a time. Example:
 //   CsvRows rows(stream, "trace.csv", "L0041");
@@ -13,12 +13,16 @@
 #include <optional>
 #include <streambuf>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "runtime/ground/result/result.h"
 
 namespace stepwright::csv {
+
+// Of UTF-8. Spreadsheets write it before a table, and read letters beyond ASCII wrongly without it.
+inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 class CsvRows {
  public:
@@ -36,11 +40,12 @@ class CsvRows {
 
  private:
   void row();
+  std::string skip_mark();
   bool quoted(std::string& field);
   bool fail(const result::Location& at, const char* message, const char* hint);
 
   int peek() { return in_.sgetc(); }  // the end is none of the characters
-  bool sees(char c) { return peek() == c; }
+  bool sees(char c) { return peek() == std::char_traits<char>::to_int_type(c); }
   bool at_end() { return peek() == std::char_traits<char>::eof(); }
   // The next one; false, with an error, where the row is longer than its bound.
   bool take(std::string* into);

@@ -11,8 +11,6 @@
 namespace stepwright::log {
 namespace {
 
-constexpr mode_t kMode = 0644;
-
 std::filesystem::path numbered(const std::filesystem::path& file, std::uint32_t number) {
   return file.string() + "." + std::to_string(number);
 }
@@ -32,7 +30,7 @@ RotatingFile::~RotatingFile() {
 
 // The file before stays open where there is no other.
 int RotatingFile::reopen() {
-  const int fresh = ::open(file_.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, kMode);
+  const int fresh = ::open(file_.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, rotation_.mode);
   if (fresh < 0) return errno;
   if (descriptor_ >= 0) close(descriptor_);
   descriptor_ = fresh;

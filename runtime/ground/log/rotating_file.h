@@ -9,6 +9,8 @@
 //
 // A terminal, a pipe or another special file is never renamed. Threads: one at a time; processes: any number.
 
+#include <sys/types.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -22,6 +24,7 @@ namespace stepwright::log {
 struct Rotation {
   std::uint64_t max_bytes = 16u << 20;  // 0: it may grow without end
   std::uint32_t keep = 4;               // older files beside it
+  mode_t mode = 0644;                   // of a new one
 };
 
 class RotatingFile {

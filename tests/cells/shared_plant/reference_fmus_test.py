@@ -38,7 +38,7 @@ state_dir = "state"
 
 [clock]
 mode = "simulated"
-speed = 0.01           # hardly anything happens before it stands still
+speed = 0
 interval_us = {interval_us}
 
 [plant]

@@ -51,8 +51,8 @@ class SteppedCell(Cell):
         self.ask("compile", self.folder / "tank.st", "-o", image)
         self.runtime = self.start_runtime()
         self.ask("download", image, "--config", self.config, "--replace")
+        self.step(0)  # it stands before it is started: else it would run as far as the machine lets it until we step
         self.ask("start", "--config", self.config)
-        self.scan = 0
         self.step(1)
         return self
 

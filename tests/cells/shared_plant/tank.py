@@ -1,7 +1,6 @@
-"""A tank with a valve and a drain as a plant of a cell: standard library alone.
+"""A tank with a valve and a drain as a plant of a cell, in lock-step: standard library alone.
 
-The runtime starts this program with a socket as descriptor 3 and the shared area as descriptor 4
-(plant_models/doc/shared_plant.md). It runs in lock-step: it computes when it is asked, and only then.
+The runtime starts it with a socket as descriptor 3 and the shared area (shared_plant.md) as descriptor 4.
 """
 
 import mmap
@@ -20,17 +19,11 @@ magic, version, size, *places, seed = struct.unpack_from("<8sII10IQ", area, 0)
 if magic != MAGIC or version != VERSION or size > len(area):
     sys.exit(f"no area of version {VERSION}: {magic}, version {version}, {len(area)} bytes")
 
-
-def numbers(count, at):
-    """A block of the area as a list of floats that both sides see."""
-    return area[at:at + 8 * count].cast("d")
-
-
-actuators, sensors, values, faults = (numbers(*places[2 * i:2 * i + 2]) for i in range(4))
 lines = bytes(area[places[9]:places[9] + places[8]]).decode().splitlines()
-blocks = {"actuator": actuators, "sensor": sensors, "value": values, "fault": faults}
 where = {}                                       # (kind, name) -> block, index
-for kind, block in blocks.items():
+for number, kind in enumerate(("actuator", "sensor", "value", "fault")):
+    count, at = places[2 * number:2 * number + 2]
+    block = area[at:at + 8 * count].cast("d")    # a list of floats that both sides see
     names = [line.split(" ", 1)[1] for line in lines if line.startswith(kind + " ")]
     where.update({(kind, name): (block, index) for index, name in enumerate(names)})
 

@@ -1,14 +1,31 @@
 """`stepwright up`: all processes of a cell come up, are started again when they are killed, and end in order."""
 
 import os
+import pathlib
 import re
 import signal
 import unittest
 
-from kept_cell import DEVICES, KeptCell, alive
+from kept_cell import DEVICES, PAGE, RUNS, KeptCell, alive
 from processes import SOURCES, eventually, get, stepwright
 
 ORDER = ["hmi", "link", "runtime"]
+TANK = pathlib.Path(__file__).parent.parent / "shared_plant/tank.py"
+PRINTS = """\
+[plant]
+kind = "shared"
+command = ["python3", "tank.py"]
+[plant.sensors]
+level = "%IW0"
+full = "%IX4.0"
+[plant.actuators]
+valve = "%QX0.0"
+drain = "%QX0.1"
+[plant.values]
+volume = "l"
+[plant.faults]
+leak = "m/s"
+"""
 
 
 def ended(process):
@@ -135,6 +152,22 @@ class Up(unittest.TestCase):
         self.assertTrue(all(alive(pid) for pid in pids))
         self.assertEqual(cell.run("down").returncode, 0)
         self.assertTrue(cell.nothing_is_left(pids))
+
+    def test_detached_its_log_does_not_grow_without_end(self):
+        cell = self.kept(more=PRINTS + RUNS + PAGE)
+        tank = TANK.read_text(encoding="utf-8")
+        step = "    seconds ="
+        self.assertIn(step, tank)
+        (cell.folder / "tank.py").write_text(tank.replace(step, f"    print('x' * 65_536, flush=True)\n{step}", 1), encoding="utf-8")
+        done = cell.run("up", "--detach")
+        self.addCleanup(cell.run, "down")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        log, older = cell.state / "up.log", cell.state / "up.log.1"
+        self.assertTrue(eventually(lambda: older.exists() and log.exists()))
+        for file in (log, older):
+            self.assertLessEqual(file.stat().st_size, 16 << 20)
+            self.assertEqual(file.stat().st_mode & 0o777, 0o600, "the set-up token stands in it")
+        self.assertEqual(cell.run("status").returncode, 0)
 
     def test_in_the_folder_of_the_cell_its_file_need_not_be_named(self):
         cell = self.kept()

@@ -275,7 +275,7 @@ TEST_F(RequestGuardTest, WhenTheAuditIsRead_ThenItComesInPagesAndAsFiles) {
   const Answer lines = ask("GET", "/api/audit/audit.jsonl", "", opened);
   EXPECT_EQ(access::check_chain(lines.text).entries, 6u);
   EXPECT_EQ(lines.file_name, "audit.jsonl");
-  EXPECT_TRUE(ask("GET", "/api/audit/audit.csv", "", opened).text.starts_with("seq,"));
+  EXPECT_TRUE(ask("GET", "/api/audit/audit.csv", "", opened).text.starts_with("\xEF\xBB\xBFseq,"));
 }
 
 TEST_F(RequestGuardTest, WhenAnEngineerForces_ThenTheProgramIsAskedAndTheListSaysUntilWhen) {

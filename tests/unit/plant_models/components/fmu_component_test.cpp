@@ -269,6 +269,7 @@ TEST(FmuComponent, WhenItsLinesAreWrong_ThenEachHasItsPlace) {
            Wrong{"faults = { leak = [1, 0] }", "C0006", 5, "its least and its greatest"},
            Wrong{"outputs = [\"lvl\"]", "C0335", 5, "no variable 'lvl'"},
            Wrong{"units = { level = \"cubits\" }", "C0341", 5, "is no unit"},
+           Wrong{"units = { level = \"mm\" }", "C0341", 5, "'level' in 'm', not in 'mm' / leave it out"},
            Wrong{"timeout = \"0 s\"", "C0004", 5, "out of range"},
        }) {
     const auto plant =
