@@ -41,7 +41,8 @@ result::Diagnostics check(const config::CellConfig& config, const Options& optio
 // stands in it.
 std::unique_ptr<log::RotatingFile> log_of(const config::CellConfig& config, const Options& options) {
   if (!options.detach) return nullptr;
-  auto file = log::RotatingFile::open(config.state_dir / kLog, {.max_bytes = 16u << 20, .keep = 1, .mode = 0600});
+  auto file =
+      log::RotatingFile::open(config.state_dir / kLog, {.max_bytes = 16u << 20, .keep = 1, .mode = 0600});
   return file ? std::move(*file) : nullptr;
 }
 

@@ -133,9 +133,11 @@ class FmuTypeReader {
     const std::string text = units.text(variable.name, {});
     const auto unit = parse_unit(text);
     if (!unit) {
-      report(units, variable.name, "'" + text + "' is no unit", "such as \"m\", \"l/s\", \"percent\"", "0341");
+      report(units, variable.name, "'" + text + "' is no unit", "such as \"m\", \"l/s\", \"percent\"",
+             "0341");
     } else if (own && !own->dimension.none() && !same_measure(*own, *unit)) {
-      report(units, variable.name, "the FMU has '" + variable.name + "' in '" + variable.unit + "', not in '" + text + "'",
+      report(units, variable.name,
+             "the FMU has '" + variable.name + "' in '" + variable.unit + "', not in '" + text + "'",
              "leave it out: figures are converted from the FMU's own unit", "0341");
     }
     return unit;

@@ -33,7 +33,8 @@ TEST(CsvRows, WhenLinesEndInAnyWay_ThenRowsAreTheSame) {
 TEST(CsvRows, WhenAByteOrderMarkStandsBeforeTheTable_ThenItIsNoPartOfIt) {
   EXPECT_EQ(read("\xEF\xBB\xBFname,b\n1,2\n").rows, (std::vector<Row>{{"name", "b"}, {"1", "2"}}));
   EXPECT_EQ(read("\xEF\xBB\xBF\"na,me\",b\n").rows, (std::vector<Row>{{"na,me", "b"}}));
-  EXPECT_EQ(read("\xEF\xBBx,b\n\xEF\xBB\xBFy\n").rows, (std::vector<Row>{{"\xEF\xBBx", "b"}, {"\xEF\xBB\xBFy"}}));
+  EXPECT_EQ(read("\xEF\xBBx,b\n\xEF\xBB\xBFy\n").rows,
+            (std::vector<Row>{{"\xEF\xBBx", "b"}, {"\xEF\xBB\xBFy"}}));
   EXPECT_TRUE(read("\xEF\xBB\xBF").rows.empty());
 }
 
