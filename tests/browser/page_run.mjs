@@ -5,7 +5,8 @@ import { check, endInTime, failurePicture, launchBrowser, openPage } from './sup
 
 // `start` brings up a cell with url, logs and end; `steps` are taken on its page, in which `watch` has run before anything else.
 // `look`: how the browser is to draw.
-// The page may tell of answers with the statuses `expected`, which the server gives on purpose, and of nothing else.
+// The page may tell of answers with the statuses `expected`, which the server gives on purpose, and that somebody is not there yet; of
+// nothing else.
 export async function leadOverPage(given, { name, start, steps, watch, expected = [], look = {} }) {
   endInTime();
   const browser = await launchBrowser(given, look);
@@ -18,7 +19,7 @@ export async function leadOverPage(given, { name, start, steps, watch, expected 
     opened = await openPage(browser.context, cell.url);
     const { page, problems } = opened;
     await steps(page, cell);
-    const unexpected = problems.filter((problem) => !expected.some((status) => problem.includes(`status of ${status}`)));
+    const unexpected = problems.filter((problem) => ![...expected, 503].some((status) => problem.includes(`status of ${status}`)));
     check(unexpected.length === 0, `no errors, no foreign requests, no policy violations ${unexpected.join('; ')}`);
   } catch (error) {
     if (opened) await failurePicture(given, name, opened.page);

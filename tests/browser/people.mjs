@@ -4,7 +4,7 @@ import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { join } from 'node:path';
 
-import { check, until, waitFor } from './support.mjs';
+import { check, eventually, until, waitFor } from './support.mjs';
 
 export const PASSWORD = 'correct horse';
 
@@ -88,18 +88,26 @@ export async function addsUsers(page) {
     check((await asks(page, 'POST', '/api/users', { name, role, password: PASSWORD })).status === 200, `${name} is a user`);
 }
 
-// Asks the API as the person who has logged in on this page; its status and JSON, null if it is none.
-export function asks(page, method, path, body) {
-  return page.evaluate(async ([how, where, what]) => {
-    const { csrf } = await (await fetch('/api/session')).json();
-    const headers = { 'Content-Type': 'application/json', 'X-CSRF-Token': csrf };
-    const answer = await fetch(where, { method: how, headers, ...(what === undefined ? {} : { body: JSON.stringify(what) }) });
-    return { status: answer.status, json: await answer.json().catch(() => null) };
-  }, [method, path, body]);
-}
-
 // Status of an answer and the code of its first problem.
 export const codeOf = ({ status, json }) => `${status} ${json?.problems?.[0]?.code ?? ''}`.trim();
+
+// Nothing was done: the server has not heard of who should do it (yet), or too many wait already.
+const NOT_YET = ['503 D0001', '503 H0047'];
+
+// Asks the API as the person who has logged in on this page, as soon as somebody is there; status and JSON, null if it is none.
+export async function asks(page, method, path, body) {
+  let answer;
+  await eventually(`somebody is there for ${path}`, async () => {
+    answer = await page.evaluate(async ([how, where, what]) => {
+      const { csrf } = await (await fetch('/api/session')).json();
+      const headers = { 'Content-Type': 'application/json', 'X-CSRF-Token': csrf };
+      const response = await fetch(where, { method: how, headers, ...(what === undefined ? {} : { body: JSON.stringify(what) }) });
+      return { status: response.status, json: await response.json().catch(() => null) };
+    }, [method, path, body]);
+    return !NOT_YET.includes(codeOf(answer));
+  });
+  return answer;
+}
 
 // Acts by the API; its status and the first problem's code.
 export async function asksApi(page, path, body) {
