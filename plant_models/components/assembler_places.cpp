@@ -8,14 +8,6 @@
 namespace stepwright::components {
 namespace {
 
-std::uint32_t across_size(PortKind kind) {
-  return kind == PortKind::Fluid ? kFluidAcross : 1;
-}
-std::uint32_t through_size(PortKind kind) {
-  if (is_signal(kind)) return 0;
-  return kind == PortKind::Fluid ? kFluidThrough : 1;
-}
-
 void add_range(std::vector<std::uint32_t>& list, std::uint32_t first, std::uint32_t count) {
   for (std::uint32_t i = 0; i < count; ++i) list.push_back(first + i);
 }
@@ -97,6 +89,7 @@ void Assembler::place_junctions() {
         model_->values[across + kTemperature] = text_.components.front().parameters.room_k;
       } else if (kind == PortKind::Heat) {
         model_->values[across] = text_.components.front().parameters.room_k;
+        model_->values[across + kContact] = 1.0;
       }
     } else {
       across = slots_[nodes.front()].across;

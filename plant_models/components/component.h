@@ -38,7 +38,17 @@ inline constexpr std::uint32_t kFluidAcross = 3;
 inline constexpr std::uint32_t kFlow = 0;      // m3/s
 inline constexpr std::uint32_t kHeatFlow = 1;  // K m3/s: flow times temperature of what flows
 inline constexpr std::uint32_t kFluidThrough = 2;
-// Heat: across K, through W. Rotation: across rad/s, through N m. Signals: across only.
+// Heat: across K and, behind it, how much of a surface touches liquid, through W. Rotation: across rad/s,
+// through N m. Signals: across only.
+inline constexpr std::uint32_t kContact = 1;  // 0..1; what has no liquid gives and takes no heat
+inline constexpr std::uint32_t kHeatAcross = 2;
+
+constexpr std::uint32_t across_size(PortKind kind) {
+  return kind == PortKind::Fluid ? kFluidAcross : kind == PortKind::Heat ? kHeatAcross : 1;
+}
+constexpr std::uint32_t through_size(PortKind kind) {
+  return is_signal(kind) ? 0 : kind == PortKind::Fluid ? kFluidThrough : 1;
+}
 
 // Where the values of a port are in the vector of values.
 struct PortSlots {

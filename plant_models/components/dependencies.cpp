@@ -8,13 +8,6 @@ namespace {
 
 using States = std::vector<std::uint32_t>;
 
-std::uint32_t across_size(PortKind kind) {
-  return kind == PortKind::Fluid ? kFluidAcross : 1;
-}
-std::uint32_t through_size(PortKind kind) {
-  return is_signal(kind) ? 0 : kind == PortKind::Fluid ? kFluidThrough : 1;
-}
-
 void add(States& to, const States& more) {
   States sum;
   std::set_union(to.begin(), to.end(), more.begin(), more.end(), std::back_inserter(sum));

@@ -10,13 +10,6 @@ namespace {
 
 using Starts = std::set<std::uint32_t>;  // by their place in the list
 
-std::uint32_t across_size(PortKind kind) {
-  return kind == PortKind::Fluid ? kFluidAcross : 1;
-}
-std::uint32_t through_size(PortKind kind) {
-  return is_signal(kind) ? 0 : kind == PortKind::Fluid ? kFluidThrough : 1;
-}
-
 class StartTracer {
  public:
   StartTracer(const std::vector<StartOfState>& starts, const Model& model)

@@ -1,5 +1,7 @@
 // Heat that flows because of a difference of temperature: W = UA (T1 - T2).
 
+#include <algorithm>
+
 #include "plant_models/components/library/types.h"
 
 namespace stepwright::components::library {
@@ -10,7 +12,8 @@ class Cooler final : public Component {
   explicit Cooler(const Parameters& p) : conductance_(p["conductance"]), coolant_k_(p["coolant"]) {}
   void evaluate(std::uint32_t, const Frame& f) const override {
     const double share = across(f, kOn) >= 0.5 ? across(f, kShare) : 0.0;
-    const double power = conductance_ * share * (1.0 - fault(0)) * (across(f, kHeat) - coolant_k_);
+    const double given = conductance_ * share * (1.0 - fault(0)) * across(f, kHeat, kContact);
+    const double power = given * (across(f, kHeat) - coolant_k_);
     through(f, kHeat) = -power;
     across(f, kPower) = power;
   }
@@ -24,7 +27,8 @@ class HeatExchanger final : public Component {
  public:
   explicit HeatExchanger(const Parameters& p) : conductance_(p["conductance"]) {}
   void evaluate(std::uint32_t, const Frame& f) const override {
-    const double power = conductance_ * (1.0 - fault(0)) * (across(f, kHot) - across(f, kCold));
+    const double touched = std::min(across(f, kHot, kContact), across(f, kCold, kContact));
+    const double power = conductance_ * (1.0 - fault(0)) * touched * (across(f, kHot) - across(f, kCold));
     through(f, kHot) = -power;
     through(f, kCold) = power;
     across(f, kPower) = power;

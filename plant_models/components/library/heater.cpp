@@ -12,8 +12,11 @@ class Heater final : public Component {
     add_state({.tolerance = 1e-6 * power_});
   }
   void evaluate(std::uint32_t, const Frame& f) const override {
-    across(f, kPower) = y(f, 0);
-    through(f, kHeat) = y(f, 0);
+    // By the square, so that the little that is left in a tank does not become ever hotter.
+    const double contact = across(f, kHeat, kContact);
+    const double power = y(f, 0) * contact * contact;
+    across(f, kPower) = power;
+    through(f, kHeat) = power;
   }
   void derivative(const Frame& f) const override {
     const double wanted = across(f, kCommand) >= 0.5 ? across(f, kShare) : 0.0;
@@ -42,7 +45,7 @@ ComponentType heater_type() {
                           .low = 1e-3,
                           .high = 1e5,
                           .meaning = "until it gives it"}},
-          .ports = {{.name = "heat", .kind = PortKind::Heat, .meaning = "what it heats"},
+          .ports = {{.name = "heat", .kind = PortKind::Heat, .reads = 0, .meaning = "what it heats"},
                     {.name = "command",
                      .kind = PortKind::Logic,
                      .open = Open::Constant,

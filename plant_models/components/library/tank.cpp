@@ -25,9 +25,11 @@ class Tank final : public Component {
         conical_(p.is("shape", "cone")),
         thermal_(p.is("thermal", "yes")) {
     const double content = p["start"] * capacity_;
-    add_state({.start = content, .tolerance = 1e-9, .liquid = 1.0});
+    // Of a thermal tank both are exact to a hundredth of the trace, so that an empty one has a temperature.
+    add_state(
+        {.start = content, .tolerance = thermal_ ? std::min(1e-9, 0.01 * trace()) : 1e-9, .liquid = 1.0});
     if (thermal_)
-      add_state({.start = (content + trace()) * start_k_, .tolerance = 1e-4 * capacity_, .heat = 1.0});
+      add_state({.start = (content + trace()) * start_k_, .tolerance = 0.01 * trace(), .heat = 1.0});
     set_roots(2);
   }
 
@@ -41,6 +43,7 @@ class Tank final : public Component {
     across(f, kLiquid, kAvailable) = available;
     across(f, kLiquid, kTemperature) = warm;
     across(f, kHeat) = warm;
+    across(f, kHeat, kContact) = available;
     across(f, kLevel) = share;
     across(f, kVolume) = content;
     across(f, kTemperatureOut) = warm;
@@ -59,7 +62,7 @@ class Tank final : public Component {
     dydt(f, kContentHeat) = through(f, kLiquid, components::kHeatFlow) -
                             through(f, kOverflow, components::kHeatFlow) -
                             through(f, kLeak, components::kHeatFlow) + per_joule_ * through(f, kHeat) -
-                            loss_ * (across(f, kHeat) - room_k_);
+                            loss_ * across(f, kHeat, kContact) * (across(f, kHeat) - room_k_);
   }
 
   void roots(const Frame& f, double* g) const override {
@@ -69,11 +72,12 @@ class Tank final : public Component {
   Event handle(const Frame&, const int*, double*) override { return Event::Restart; }
 
  private:
-  // So little that it shows nowhere: an empty tank has a temperature as well.
-  double trace() const { return 1e-9 * capacity_; }
+  // So little that it shows nowhere, and more than a solver may be below nothing: an empty tank has a
+  // temperature as well.
+  double trace() const { return 1e-6 * capacity_; }
   double temperature(const Frame& f) const {
     if (!thermal_) return start_k_;
-    return y(f, kContentHeat) / (std::max(0.0, y(f, kContent)) + trace());
+    return y(f, kContentHeat) / std::max(y(f, kContent) + trace(), 0.5 * trace());
   }
 
   double capacity_, height_, suction_, overflow_rate_, weight_, start_k_, room_k_, loss_, per_joule_;

@@ -42,6 +42,33 @@ TEST(Heat, WhenTwoTanksShareAWall_ThenTheirMeanStaysAndTheirDifferenceFades) {
   EXPECT_NEAR(rig.truth("u.temperature_out") - rig.truth("t.temperature_out"), 40.0 * std::exp(-1.0), 5e-3);
 }
 
+// It has no surface that touches anything; its heat goes with what flows out.
+TEST(Heat, WhenATankIsEmptyOrIsEmptied_ThenItGivesAndTakesNoneAndItsTemperatureIsOneThatWasThere) {
+  const std::string solver[] = {"", "[solver]\nmethod = \"implicit\"\n"};
+  for (const std::string& method : solver) {
+    ModelRig rig(method +
+                 "[components.t]\ntype = \"tank\"\nvolume = \"50 l\"\nstart = \"10 percent\"\nthermal = "
+                 "\"yes\"\ntemperature = \"60 degC\"\nheat_loss = \"20 W/K\"\n"
+                 "[components.e]\ntype = \"tank\"\nvolume = \"100 l\"\nthermal = \"yes\"\n"
+                 "[components.h]\ntype = \"heater\"\npower = \"10 kW\"\nheat = \"e\"\n"
+                 "[components.c]\ntype = \"cooler\"\nconductance = \"500 W/K\"\nheat = \"e\"\n"
+                 "[components.x]\ntype = \"heat_exchanger\"\nconductance = \"500 W/K\"\nhot = \"t\"\ncold = "
+                 "\"e\"\n");
+    ASSERT_TRUE(rig.run(10.0));
+    EXPECT_NEAR(rig.truth("e.temperature_out"), 20.0, 1e-6) << method;
+    EXPECT_EQ(rig.truth("x.power"), 0.0);
+    EXPECT_EQ(rig.truth("h.power_out"), 0.0);
+    ASSERT_TRUE(rig.plant().inject_fault("t.leak", 5.0));
+    for (int second = 11; second <= 200; ++second) {
+      ASSERT_TRUE(rig.run(second));
+      const double temperature = rig.truth("t.temperature_out");
+      ASSERT_GT(temperature, 20.0) << method << " at " << second;
+      ASSERT_LT(temperature, 60.0) << method << " at " << second;
+    }
+    EXPECT_NEAR(rig.truth("t.level"), 0.0, 1e-3);
+  }
+}
+
 // One litre of 80 degrees and three of 20 give 35.
 TEST(Heat, WhenWarmAndColdLiquidMeet_ThenTheMixtureHasTheirMean) {
   ModelRig rig(

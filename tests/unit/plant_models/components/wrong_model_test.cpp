@@ -157,5 +157,38 @@ HIGH = { address = "%IX0.0", from = "wild.high" }
   EXPECT_FALSE(rig.run(1.0));
 }
 
+// What is too quick for any step stands still, and something slow moves.
+TEST(WrongModel, WhenASensorIsTooQuickForTheSolver_ThenItIsNamedAndNotWhatMoves) {
+  ModelRig rig(R"toml(
+[components.from]
+type = "source"
+pressure = "1 bar"
+[components.valve]
+type = "control_valve"
+kv = "1 m3/h"
+travel = "5 s"
+in = "from"
+out = "tank"
+command = "50 percent"
+[components.tank]
+type = "tank"
+volume = "100 l"
+[components.quick]
+type = "level_sensor"
+of = "tank"
+filter = "1e-12 s"
+[components.card]
+type = "analog_input"
+of = "quick"
+low = "0 percent"
+high = "100 percent"
+[terminals]
+LEVEL = { address = "%IW0", from = "card" }
+)toml");
+  EXPECT_FALSE(rig.run(1.0));
+  EXPECT_NE(rig.plant().trouble().find("'quick' changes fastest"), std::string::npos)
+      << rig.plant().trouble();
+}
+
 }  // namespace
 }  // namespace stepwright::components
