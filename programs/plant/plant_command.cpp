@@ -1,5 +1,7 @@
 #include "programs/plant/plant_command.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -42,7 +44,10 @@ void print_types() {
     std::printf("%s: %s\n", type.name.c_str(), type.meaning.c_str());
     for (const components::ParameterSpec& spec : type.parameters) {
       const std::string value = spec.fallback.empty() ? "required, " + spec.unit : spec.fallback;
-      std::printf("  %-20s %-16s %s\n", spec.name.c_str(), value.c_str(), spec.meaning.c_str());
+      const std::string choices =
+          spec.choices.empty() ? "" : fmt::format(" ({})", fmt::join(spec.choices, ", "));
+      std::printf("  %-20s %-16s %s%s\n", spec.name.c_str(), value.c_str(), spec.meaning.c_str(),
+                  choices.c_str());
     }
     for (const components::PortSpec& port : type.ports)
       std::printf("  %s %-16s %-16s %s\n", port.role == components::Role::Node ? "->" : "<-",

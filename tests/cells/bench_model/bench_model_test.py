@@ -103,6 +103,7 @@ class PlantCommand(unittest.TestCase):
         run = stepwright("plant", "--types")
         types = [line.split(":")[0] for line in run.stdout.splitlines() if not line.startswith(" ")]
         self.assertGreaterEqual(len(types), 25)
+        self.assertIn("how flow follows position (linear, equal_percentage)", run.stdout)
         document = (CELL.parents[3] / "plant_models/doc/components.md").read_text(encoding="utf-8")
         for name in types:
             self.assertIn(f"`{name}`", document)
