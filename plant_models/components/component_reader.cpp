@@ -87,9 +87,10 @@ Quantity read_figure(const TomlTable& table, const ParameterSpec& spec, const Re
     return fallback;
   }
   if (!(figure.value >= spec.low && figure.value <= spec.high)) {
+    const Unit& said = figure.unit;
     table.report(key, "'" + key + "' is out of range",
-                 "it must lie between " + short_text(wanted.from_si(spec.low)) + " and " +
-                     short_text(wanted.from_si(spec.high)) + " " + wanted.text,
+                 "it must lie between " + short_text(said.from_si(spec.low)) + " and " +
+                     short_text(said.from_si(spec.high)) + (said.text.empty() ? "" : " ") + said.text,
                  "0004");
     return fallback;
   }

@@ -49,7 +49,7 @@ TEST(WrongModel, WhenAFileHasSlips_ThenEachHasItsPlaceAndAHint) {
   expect({"[components.t]\ntype = \"tank\"\nvolume = \"3 s\"\n", "C0341", 3, "s where m3 is wanted"});
   expect({"[components.t]\ntype = \"tank\"\nvolume = \"3 litters\"\n", "C0341", 3, "no figure with a unit"});
   expect({"[components.t]\ntype = \"tank\"\nvolume = \"264 gal\"\n", "C0341", 3, "meant is \"gallon\""});
-  expect({"[components.t]\ntype = \"tank\"\nvolume = \"-3 l\"\n", "C0004", 3, "out of range"});
+  expect({"[components.t]\ntype = \"tank\"\nvolume = \"-3 l\"\n", "C0004", 3, "between 1e-06 and 1e+09 l"});
   expect({"[components.h]\ntype = \"heater\"\npower = \"0 W\"\n", "C0004", 3, "out of range"});
   expect({"[components.t]\ntype = \"tank\"\nvolumn = \"3 l\"\n", "C0002", 3, "did you mean 'volume'?"});
   expect({"[components.t]\ntype = \"tank\"\n", "C0005", 1, "'components.t.volume' is missing"});
