@@ -89,17 +89,18 @@ std::string story(const CellRun& run) {
   if (!run.cause.empty()) fmt::format_to(out, "\n  cause: {}", run.cause);
   for (const std::string& name : run.refused) fmt::format_to(out, "\n  the plant did not take {}", name);
   for (const std::string& alarm : run.alarms) fmt::format_to(out, "\n  alarm {}", alarm);
-  fmt::format_to(out, "\n  {:.1f} s of plant time, {} replans, trace {:016x}\n", run.time_s, run.replans,
-                 run.trace_hash);
+  fmt::format_to(out, "\n  {:.1f} s of plant time, {} replan{}, trace {:016x}\n", run.time_s, run.replans,
+                 run.replans == 1 ? "" : "s", run.trace_hash);
   return text;
 }
 
 std::string table(const Campaign& campaign) {
-  std::string text =
-      fmt::format("{}: {} faults, within {:.1f} s", campaign.cell, campaign.offered, campaign.horizon_s);
+  std::string text = fmt::format("{}: {} fault{}, within {:.1f} s", campaign.cell, campaign.offered,
+                                 campaign.offered == 1 ? "" : "s", campaign.horizon_s);
   const auto out = std::back_inserter(text);
   if (campaign.without_range > 0)
-    fmt::format_to(out, "; {} more have no range and are not tried", campaign.without_range);
+    fmt::format_to(out, "; {} more {} no range and {} not tried", campaign.without_range,
+                   campaign.without_range == 1 ? "has" : "have", campaign.without_range == 1 ? "is" : "are");
   fmt::format_to(out, "\nundisturbed: {}{}{}{}\n\n", word(campaign.undisturbed.verdict, campaign.planned),
                  campaign.undisturbed.why.empty() ? "" : ": ", campaign.undisturbed.why,
                  quoted(campaign.undisturbed.printed));

@@ -25,6 +25,7 @@ namespace {
 using simulation::PlantFault;
 using simulation::SimulatedController;
 
+constexpr const char* kPlantLost = "plant lost";
 constexpr double kMostPlant_s = 24.0 * 3'600.0;  // a mission that goes on longer hangs
 
 // As fast as the machine allows, with nobody who would have to start or to see to something.
@@ -67,6 +68,12 @@ std::vector<PlantFault> faults_of(const config::CellConfig& config, const Distur
     if (!config::is_goal_change(each)) faults.push_back({each.at_s, each.name, each.value});
   return faults;
 }
+
+// The plant has not begun: it is lost before anything has run.
+struct PlantRefusal {
+  std::string why;
+  std::string printed;
+};
 
 // One cell with its controller in this thread.
 class Trial {
@@ -115,8 +122,7 @@ class Trial {
   static std::unique_ptr<core::Plant> plant_of(const config::CellConfig& config) {
     auto plant = cell_runtime::fresh_plant(config);
     if (plant) return std::move(*plant);
-    const std::string printed = last_lines(config.plant.log);
-    throw std::runtime_error(result::to_string(plant.error()) + (printed.empty() ? "" : "\n") + printed);
+    throw PlantRefusal{result::to_string(plant.error()), last_lines(config.plant.log)};
   }
   static host::HostConfig host_of(const config::CellConfig& config) {
     host::HostConfig host = result::value_or_throw(cell_runtime::host_options(config));
@@ -196,7 +202,7 @@ class Trial {
         run_.verdict == Verdict::GoalReached ? std::string() : controller_.plant_trouble();
     if (trouble.empty()) return;
     run_.verdict = Verdict::Lost;
-    run_.cause = "plant lost";
+    run_.cause = kPlantLost;
     run_.why = trouble;
     run_.printed = last_lines(config_.plant.log);
   }
@@ -256,16 +262,20 @@ result::Result<CellBase> prepare(const CampaignCell& cell) {
 }
 
 CellRun run_cell(const CellBase& base, std::uint64_t seed, const Disturbance& disturbance) {
+  CellRun run;
+  run.seed = seed;
+  run.disturbance = disturbance;
   try {
     return Trial(base, seed, disturbance).run();
+  } catch (const PlantRefusal& refusal) {
+    run.cause = kPlantLost;
+    run.why = refusal.why;
+    run.printed = refusal.printed;
   } catch (const std::exception& problem) {  // a run that hangs, or a cell that cannot be made any more
-    CellRun run;
-    run.seed = seed;
-    run.disturbance = disturbance;
     run.cause = "end";
     run.why = problem.what();
-    return run;
   }
+  return run;
 }
 
 }  // namespace stepwright::campaign

@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 
+#include "cell/trial/level_change.h"
 #include "cell/trial/swapped_tags.h"
 #include "supervisor/translate/change.h"
 
@@ -31,11 +32,6 @@ std::string range_of(std::vector<double> values) {
   for (const double value : values) sum += value;
   const std::string mean = number(sum / static_cast<double>(values.size()));
   return number(low) == number(high) ? mean : mean + " (" + number(low) + " to " + number(high) + ")";
-}
-
-double value_of(const Reading& reading, const std::string& atom) {
-  const auto found = reading.find(atom);
-  return found == reading.end() ? 0.0 : found->second;
 }
 
 class Judge {
@@ -97,10 +93,7 @@ class Judge {
         return add("B0022", who_ + " may not start" + times(runs) + ": sensors do not show " + unmet(first),
                    "an effect of an action before it, or the tolerance of a sensor, is not as the plant is");
       case RunEnd::HoldLost:
-        return add(
-            "B0023",
-            fmt::format("{} loses {} after {} s{}", who_, lost(first), number(first.active_s), times(runs)),
-            "hold only what stays while its outputs are on");
+        return hold_lost(runs);
       case RunEnd::WrongWay:
         return wrong_way(runs);
       case RunEnd::TimedOut:
@@ -142,13 +135,29 @@ class Judge {
     return text.empty() ? std::string("what it needs") : text;
   }
 
-  std::string lost(const ActionRun& run) const {
+  // What is to be held and is not in the reading.
+  std::string lost(const Reading& reading) const {
     std::string text;
     for (const translate::Pattern& pattern : entry_.hold) {
       const std::string atom = translate::instantiate(pattern, assignment_);
-      if (value_of(run.after, atom) < 0.5) text += (text.empty() ? "" : " and ") + atom;
+      if (value_of(reading, atom) < 0.5) text += (text.empty() ? "" : " and ") + atom;
     }
-    return text.empty() ? std::string("what it must hold") : text;
+    return text;
+  }
+
+  void hold_lost(const Runs& runs) {
+    const ActionRun& first = *runs.front();
+    const std::string missing = lost(first.before);
+    if (!missing.empty() && missing == lost(first.after)) {
+      return add("B0023",
+                 fmt::format("{} is to hold {}, which it begins without{}", who_, missing, times(runs)),
+                 "an action before it does not bring that about; or hold what is there");
+    }
+    const std::string gone = lost(first.after);
+    add("B0023",
+        fmt::format("{} loses {} after {} s{}", who_, gone.empty() ? "what it must hold" : gone,
+                    number(first.active_s), times(runs)),
+        "hold only what stays while its outputs are on");
   }
 
   // What sensors show of the run: "level of t2 from 3 to 4.1, (closed v1) false".
@@ -195,12 +204,13 @@ class Judge {
     if (std::abs(change) <= binding_.sensor_of(until_)->tolerance) return no_change(runs, first);
     const double claimed = planned_.after.fluents.at(until_) - planned_.before.fluents.at(until_);
     if (change * claimed < 0.0) return wrong_way(runs);
+    const double way = way_left(first, until_);
     const double rate = change / std::max(first.active_s, 1e-3);
     add("B0026",
         fmt::format("{} moves {} by {} of {} in {} s{}: too slow, or it ends before", who_, label(until_),
-                    number(change), number(claimed), number(first.active_s), times(runs)),
+                    number(change), number(way), number(first.active_s), times(runs)),
         fmt::format("timeout_s = {} at {} units a second, if it gets there at all",
-                    number(std::ceil(kRoom * claimed / rate)), number(rate)));
+                    number(std::ceil(kRoom * way / rate)), number(rate)));
   }
 
   void no_change(const Runs& runs, const ActionRun& first) {
@@ -218,7 +228,7 @@ class Judge {
   void judge_done(const Runs& runs) {
     const Spread spread = spread_of(runs_);
     const double timeout_s = std::chrono::duration<double>(entry_.timeout).count();
-    if (spread.longest_s > timeout_s) {
+    if (spread.longest_s > timeout_s && !began_elsewhere(binding_, *runs.front())) {
       add("B0026",
           fmt::format("{} takes {} s (longest of {}), and counts as failed after {} s", who_,
                       number(spread.longest_s), spread.runs, number(timeout_s)),
@@ -234,12 +244,16 @@ class Judge {
   }
 
   void judge_fact(const std::string& atom, const Runs& runs) {
+    const bool is_claimed = claimed_.contains(atom);
     Runs other;
-    for (const ActionRun* run : runs)
-      if ((value_of(run->after, atom) > 0.5) != (value_of(run->expected, atom) > 0.5)) other.push_back(run);
+    for (const ActionRun* run : runs) {
+      const bool after = value_of(run->after, atom) > 0.5;
+      const bool was_so = after == (value_of(run->before, atom) > 0.5);
+      if (after != (value_of(run->expected, atom) > 0.5) && (is_claimed || !was_so)) other.push_back(run);
+    }
     if (other.empty()) return;
     const bool wanted = value_of(other.front()->expected, atom) > 0.5;
-    if (claimed_.contains(atom)) {
+    if (is_claimed) {
       return add("B0027",
                  fmt::format("after {} the domain says that {} is {}, and its sensor does not show that{}",
                              who_, atom, wanted ? "true" : "false", times(other)),
@@ -254,28 +268,23 @@ class Judge {
 
   void judge_level(const std::string& atom, const Runs& runs) {
     const double tolerance = binding_.sensor_of(atom)->tolerance;
-    std::vector<double> after, off, change;
+    const bool by_level = entry_.completion.kind == translate::CompletionKind::Fluent;
+    const LevelChange level = level_change(binding_, runs, atom, by_level ? until_ : std::string());
+    if (std::abs(level.off) <= tolerance) return;
+    const double moved = level.moved;
+    const double claimed = level.claimed;
+    std::vector<double> after, change;
     for (const ActionRun* run : runs) {
       after.push_back(value_of(run->after, atom));
-      off.push_back(after.back() - value_of(run->expected, atom));
       change.push_back(after.back() - value_of(run->before, atom));
     }
-    double mean = 0.0;
-    double moved = 0.0;
-    for (std::size_t i = 0; i < off.size(); ++i) {
-      mean += off[i] / static_cast<double>(off.size());
-      moved += change[i] / static_cast<double>(off.size());
-    }
-    if (std::abs(mean) <= tolerance) return;
     if (!claimed_.contains(atom)) {
-      if (std::abs(moved) <= tolerance) return;  // it was elsewhere before already
       return add("B0029",
                  fmt::format("{} changes {} by {}, of which the domain says nothing", who_, label(atom),
                              range_of(change)),
                  fmt::format("({} {} {}) in the effect", moved > 0.0 ? "increase" : "decrease", atom,
                              number(std::abs(moved))));
     }
-    const double claimed = planned_.after.fluents.at(atom) - planned_.before.fluents.at(atom);
     if (std::abs(moved) <= tolerance) {
       return add("B0024",
                  fmt::format("{} changes {} by {} in the domain, and the plant leaves it", who_, label(atom),
@@ -288,18 +297,18 @@ class Judge {
                              number(claimed), range_of(change)),
                  fmt::format("({} {} ...) in the effect", moved > 0.0 ? "increase" : "decrease", atom));
     }
-    judge_end_level(atom, mean, claimed, after, change);
+    judge_end_level(atom, level, after, change);
   }
 
-  void judge_end_level(const std::string& atom, double mean, double claimed, const std::vector<double>& after,
+  void judge_end_level(const std::string& atom, const LevelChange& level, const std::vector<double>& after,
                        const std::vector<double>& change) {
     if (atom != until_) {
       return add("B0028",
                  fmt::format("{} changes {} by {} in the domain, and the plant by {}", who_, label(atom),
-                             number(claimed), range_of(change)),
+                             number(level.claimed), range_of(change)),
                  "amounts of the effect in the plant's own proportion, or a wider tolerance");
     }
-    const double beyond = mean * std::copysign(1.0, claimed);
+    const double beyond = level.off * std::copysign(1.0, level.claimed);
     const double pre_act = std::max(0.0, entry_.completion.pre_act + beyond);
     add("B0028",
         fmt::format("{} ends with {} at {} instead of {}", who_, label(atom), range_of(after),

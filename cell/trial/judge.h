@@ -16,6 +16,8 @@
 // - B0030: its duration is far off
 // - B0031: the program or the plant has failed
 //
+// What was otherwise before the action began is not its fault (level_change.h).
+//
 // Pure functions.
 
 #include <span>
@@ -33,7 +35,8 @@ inline constexpr const char* kNotBegunCode = "B0020";
 // Of one ground action from one start, with any seeds; the hint of each is what to write.
 result::Diagnostics judge_runs(const translate::Binding& binding, std::span<const ActionRun> runs);
 
-// Of all actions of one entry of the binding: its `duration`. Only runs that ended count.
+// Of all actions of one entry of the binding: its `duration`. Only runs count that ended and
+// began where the plan says.
 result::Diagnostics judge_duration(const translate::Binding& binding, const translate::ActionBinding& entry,
                                    std::span<const ActionRun> runs);
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "cell/trial/judge.h"
+#include "cell/trial/level_change.h"
 
 namespace stepwright::trial {
 namespace {
@@ -78,7 +79,7 @@ result::Diagnostics judge_duration(const Binding& binding, const ActionBinding& 
   std::map<std::pair<std::string, double>, std::vector<ActionRun>> by_amount;
   std::vector<std::pair<double, double>> points;
   for (const ActionRun& run : runs) {
-    if (run.end != RunEnd::Done) continue;
+    if (run.end != RunEnd::Done || began_elsewhere(binding, run)) continue;
     const double amount = of ? counted(run, binding, *of).value_or(0.0) : 0.0;
     by_amount[{model::to_string(run.planned.action), amount}].push_back(run);
     points.emplace_back(amount, run.active_s);

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <vector>
 
+#include "cell/trial/level_change.h"
+
 namespace stepwright::trial {
 namespace {
 
@@ -13,36 +15,31 @@ using translate::Binding;
 using translate::ObservedFact;
 using translate::Sensor;
 
-double read_of(const Reading& reading, const std::string& atom) {
-  const auto found = reading.find(atom);
-  return found == reading.end() ? 0.0 : found->second;
-}
-
 // What `sensor` would show with the counts at which `other` shows `value`.
 double shown_with(const Sensor& sensor, const Sensor& other, double value) {
   return sensor.calibration.value_at(other.calibration.counts_at(value));
 }
 
 bool is_right(const Sensor& sensor, const ActionRun& run) {
-  return std::abs(read_of(run.after, sensor.fluent) - read_of(run.expected, sensor.fluent)) <=
+  return std::abs(value_of(run.after, sensor.fluent) - value_of(run.expected, sensor.fluent)) <=
          sensor.tolerance;
 }
 
 // Whether `sensor` would be right with the tag of `other`.
 bool is_right_with(const Sensor& sensor, const Sensor& other, const ActionRun& run) {
-  const double value = read_of(run.after, other.fluent);
+  const double value = value_of(run.after, other.fluent);
   const double shown = shown_with(sensor, other, value);
   const double tolerance = std::abs(shown_with(sensor, other, value + other.tolerance) - shown);
-  return std::abs(shown - read_of(run.expected, sensor.fluent)) <= std::max(sensor.tolerance, tolerance);
+  return std::abs(shown - value_of(run.expected, sensor.fluent)) <= std::max(sensor.tolerance, tolerance);
 }
 
 bool is_right(const ObservedFact& fact, const ActionRun& run) {
-  return (read_of(run.after, fact.fact) > 0.5) == (read_of(run.expected, fact.fact) > 0.5);
+  return (value_of(run.after, fact.fact) > 0.5) == (value_of(run.expected, fact.fact) > 0.5);
 }
 
 bool is_right_with(const ObservedFact& fact, const ObservedFact& other, const ActionRun& run) {
-  const bool input = (read_of(run.after, other.fact) > 0.5) != other.inverted;
-  return (input != fact.inverted) == (read_of(run.expected, fact.fact) > 0.5);
+  const bool input = (value_of(run.after, other.fact) > 0.5) != other.inverted;
+  return (input != fact.inverted) == (value_of(run.expected, fact.fact) > 0.5);
 }
 
 std::string lines(const std::string& tag, const std::string& of, const std::string& other_tag,

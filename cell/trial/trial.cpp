@@ -172,7 +172,8 @@ class Trial {
     }
     for (std::size_t i = 0; i < merged.size(); ++i) {
       if (more[i] > 0 && merged[i].code != kNotBegunCode)
-        merged[i].message += "; so do " + std::to_string(more[i]) + " others of this entry";
+        merged[i].message += more[i] == 1 ? std::string("; so does 1 other of this entry")
+                                          : "; so do " + std::to_string(more[i]) + " others of this entry";
     }
     std::ranges::stable_sort(merged,
                              [](const auto& a, const auto& b) { return a.where.line < b.where.line; });

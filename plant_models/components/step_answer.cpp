@@ -119,7 +119,8 @@ result::Result<StepAnswer> record_answer(core::Plant& plant, const AnswerRequest
   std::size_t next = 0;
   const auto note = [&] {
     answer.times_s.push_back(static_cast<double>(plant.now().count()) * 1e-9);
-    for (std::size_t i = 0; i < read->size(); ++i) answer.columns[i].values.push_back((*read)[i]());
+    // + 0.0: without -0.
+    for (std::size_t i = 0; i < read->size(); ++i) answer.columns[i].values.push_back((*read)[i]() + 0.0);
   };
   // False: the plant has failed.
   const auto run_to = [&](std::chrono::nanoseconds time) {

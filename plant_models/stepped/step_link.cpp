@@ -28,14 +28,16 @@ std::string how(const process::ExitStatus& status) {
          (name != nullptr ? std::string(" (") + name + ")" : std::string());
 }
 
-// A process that has closed its socket is about to end by itself, or never will.
-std::optional<process::ExitStatus> ended(process::ChildProcess& process) {
+// Ends a process that has closed its socket: it is about to end by itself, or never will. How it has; in the
+// second case its status is of no meaning.
+std::string how_it_ended(process::ChildProcess& process) {
   constexpr std::chrono::milliseconds kByItself{1'000};
   const auto deadline = Clock::now() + kByItself;
   while (!process.poll() && Clock::now() < deadline)
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  if (const auto status = process.poll()) return how(*status);
   process.end(std::chrono::milliseconds(200));
-  return process.poll();
+  return "it has closed its socket; its process was ended";
 }
 
 void limit_receive(int socket, std::chrono::milliseconds patience) {
@@ -93,6 +95,7 @@ result::Result<std::unique_ptr<StepLink>> StepLink::start(const StepNames& names
   options.folder = command.folder;
   options.log = command.log;
   options.descriptors = {sockets[1], link->area_.descriptor()};
+  options.with_descendants = true;
   auto process = process::ChildProcess::start(options);
   close(sockets[1]);
   if (!process) return result::forward(process);
@@ -117,10 +120,8 @@ result::Result<void> StepLink::wait_until_ready() {
         "shared_plant.md); start_timeout_ms gives it more time");
   }
   if (why != LinkFailure::None) {
-    const auto status = ended(*process_);
     return result::fail(
-        "R0153", command_.where,
-        "the plant was not ready: " + (status ? how(*status) : std::string("it has closed its socket")),
+        "R0153", command_.where, "the plant was not ready: " + how_it_ended(*process_),
         command_.log.empty() ? "what it has printed stands in the output of the runtime" : "");
   }
   if (version != kStepVersion) {
@@ -183,8 +184,7 @@ std::string StepLink::trouble() {
   }
   const LinkFailure why = failure_.load(std::memory_order_acquire);
   if (why == LinkFailure::None) return {};
-  if (why != LinkFailure::Ended) process_->kill_now();
-  const auto status = ended(*process_);
+  if (end_.empty()) end_ = end_process(why);
   char at[64];
   std::snprintf(at, sizeof at, "the plant is lost at %.3f s: ",
                 static_cast<double>(failed_at_ns_.load(std::memory_order_relaxed)) * 1e-9);
@@ -202,7 +202,12 @@ std::string StepLink::trouble() {
     case LinkFailure::None:
       break;
   }
-  return at + (status ? how(*status) : std::string("it has closed its socket"));
+  return at + end_;
+}
+
+std::string StepLink::end_process(LinkFailure why) {
+  if (why != LinkFailure::Ended) process_->kill_now();
+  return how_it_ended(*process_);
 }
 
 }  // namespace stepwright::stepped

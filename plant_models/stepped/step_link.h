@@ -54,7 +54,7 @@ class StepLink {
   [[nodiscard]] static result::Result<std::unique_ptr<StepLink>> start(const StepNames& names,
                                                                        std::uint64_t seed,
                                                                        const StepCommand& command);
-  // Ends the process.
+  // Ends the process, and all that it has started.
   ~StepLink();
   StepLink(const StepLink&) = delete;
   StepLink& operator=(const StepLink&) = delete;
@@ -71,7 +71,6 @@ class StepLink {
   bool failed() const { return failure_.load(std::memory_order_acquire) != LinkFailure::None; }
   // What has failed, in one sentence, after the process was ended; empty if nothing has.
   std::string trouble();
-  pid_t pid() const { return process_->pid(); }
 
  private:
   StepLink(StepArea area, int socket, const StepCommand& command);
@@ -79,6 +78,8 @@ class StepLink {
   // The answer within `patience`, or why there is none.
   LinkFailure answer(std::chrono::milliseconds patience);
   bool fail(LinkFailure why);
+  // Nothing of it runs then. How it ended.
+  std::string end_process(LinkFailure why);
 
   StepArea area_;
   int socket_;
@@ -87,6 +88,7 @@ class StepLink {
   std::uint64_t steps_ = 0;
   std::atomic<std::int64_t> failed_at_ns_{0};  // simulated
   std::atomic<LinkFailure> failure_{LinkFailure::None};
+  std::string end_;       // of the process; empty while it runs
   char number_[64] = {};  // name of what is no number; written before failure_
 };
 

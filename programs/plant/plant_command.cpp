@@ -114,8 +114,11 @@ double measure_speed(ModelPlant& plant) {
 
 void print_plant(const ModelPlant& plant, double speed) {
   const components::Model& model = plant.model();
-  std::printf("%s: %zu components, %zu states, %zu loops\n", model.text.name.c_str(),
-              model.text.components.size(), model.states, model.loops.size());
+  const auto ending = [](std::size_t count) { return count == 1 ? "" : "s"; };
+  const std::size_t components = model.text.components.size();
+  std::printf("%s: %zu component%s, %zu state%s, %zu loop%s\n", model.text.name.c_str(), components,
+              ending(components), model.states, ending(model.states), model.loops.size(),
+              ending(model.loops.size()));
   for (const components::Loop& loop : model.loops) std::printf("  solved together: %s\n", loop.names.c_str());
   std::printf("driven by the program\n");
   for (std::size_t i = 0; i < model.actuators.size(); ++i)

@@ -12,6 +12,8 @@
 #include <thread>
 #include <utility>
 
+#include "runtime/ground/process/subreaper.h"
+
 namespace stepwright::process {
 namespace {
 
@@ -57,13 +59,32 @@ void become_child(pid_t parent, const char* log, int output) {
   prctl(PR_SET_PDEATHSIG, SIGTERM);
   if (getppid() != parent) _exit(1);  // the parent died before the line above
   setpgid(0, 0);
-  sigset_t none;
-  sigemptyset(&none);
-  sigprocmask(SIG_SETMASK, &none, nullptr);
   if (log != nullptr) output = open(log, O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600);
   if (output < 0) return;
   dup2(output, STDOUT_FILENO);
   dup2(output, STDERR_FILENO);
+}
+
+// While it lives no signal reaches this thread; a child that is forked meanwhile begins so, too.
+class BlockedSignals {
+ public:
+  BlockedSignals() {
+    sigset_t all;
+    sigfillset(&all);
+    pthread_sigmask(SIG_SETMASK, &all, &before_);
+  }
+  BlockedSignals(const BlockedSignals&) = delete;
+  BlockedSignals& operator=(const BlockedSignals&) = delete;
+  ~BlockedSignals() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+
+ private:
+  sigset_t before_;
+};
+
+void unblock_signals() {
+  sigset_t none;
+  sigemptyset(&none);
+  sigprocmask(SIG_SETMASK, &none, nullptr);
 }
 
 }  // namespace
@@ -80,23 +101,28 @@ result::Result<ChildProcess> ChildProcess::start(const ChildOptions& options) {
   const pid_t parent = getpid();
   const char* const log = options.log.empty() ? nullptr : options.log.c_str();
   const char* const folder = options.folder.empty() ? nullptr : options.folder.c_str();
+  // A handler of this process is not to run in the child.
+  const BlockedSignals blocked;
   const pid_t pid = fork();
   if (pid < 0) return result::fail("M0001", {}, std::string("cannot fork: ") + std::strerror(errno));
   if (pid == 0) {
     become_child(parent, log, options.output);
     if (folder != nullptr && chdir(folder) != 0) _exit(kCannotStart);
     if (!options.descriptors.empty()) hand_down(options.descriptors);
+    if (options.with_descendants) stand_over_program();
+    unblock_signals();
     execve(argv[0], argv.data(), envp.data());
     _exit(kCannotStart);
   }
-  return ChildProcess(pid);
+  return ChildProcess(pid, options.with_descendants ? kKillProgram : SIGKILL);
 }
 
 ChildProcess::ChildProcess(ChildProcess&& other) noexcept
-    : pid_(std::exchange(other.pid_, -1)), status_(other.status_) {}
+    : pid_(std::exchange(other.pid_, -1)), kill_signal_(other.kill_signal_), status_(other.status_) {}
 
 ChildProcess& ChildProcess::operator=(ChildProcess&& other) noexcept {
   std::swap(pid_, other.pid_);
+  std::swap(kill_signal_, other.kill_signal_);
   std::swap(status_, other.status_);
   return *this;
 }
@@ -124,7 +150,8 @@ void ChildProcess::ask_to_end() {
 }
 
 void ChildProcess::kill_now() {
-  signal(SIGKILL);
+  signal(kill_signal_);
+  if (kill_signal_ != SIGKILL) signal(SIGCONT);  // it may be stopped
 }
 
 void ChildProcess::end(std::chrono::milliseconds patience) {

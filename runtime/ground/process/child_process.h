@@ -34,6 +34,9 @@ struct ChildOptions {
   // Open descriptors that are 3, 4, ... in the child, which then gets no others of this process but the
   // standard streams.
   std::vector<int> descriptors = {};
+  // Whatever it has started ends with it, also when this process is killed: a process stands over it
+  // (subreaper.h), whose number pid() is. It is killed 2 s after ask_to_end() at the latest.
+  bool with_descendants = false;
 };
 
 class ChildProcess {
@@ -55,10 +58,11 @@ class ChildProcess {
   void end(std::chrono::milliseconds patience);
 
  private:
-  explicit ChildProcess(pid_t pid) : pid_(pid) {}
+  ChildProcess(pid_t pid, int kill_signal) : pid_(pid), kill_signal_(kill_signal) {}
   void signal(int number);
 
   pid_t pid_ = -1;
+  int kill_signal_;
   std::optional<ExitStatus> status_;
 };
 

@@ -99,6 +99,16 @@ class BindingTry(unittest.TestCase):
         self.finds(cell, "B0024", "temperature of the vessel", of=("--action", "(fill ?v ?a)"))
         self.finds(cell, "B0022", "(temperature v1)", of=("--action", "(empty ?v)"))
 
+    def test_what_another_action_does_wrong_is_not_said_of_a_right_one(self):
+        for old, new, action in ((":effect (assign (temperature ?v) (hot))", ":effect (and (assign (temperature ?v) (hot)) (increase (product) 5))", "heat"),
+                                 ("(increase (batches) 1)", "(increase (batches) 1) (decrease (product) 3)", "fill")):
+            cell = self.batch()
+            cell.change("domain.pddl", old, new)
+            done, tried = cell.attempt("--seeds", "1")
+            self.assertEqual(done.returncode, 1, done.stderr)
+            for each in tried["diagnostics"]:
+                self.assertEqual((each["code"], each["message"].startswith(f"({action} ")), ("B0024", True), tried["diagnostics"])
+
     def test_a_fact_that_is_to_be_held_and_goes(self):
         cell = self.line()
         cell.change("binding.toml", 'hold = ["(over ?p)"]', 'hold = ["(free)"]')

@@ -1,16 +1,28 @@
 """Campaigns of cells: with and without a planner, on every kind of plant; verdicts, repetition by seed, wrong input."""
 
+import contextlib
 import json
 import os
 import pathlib
 import shutil
 import tempfile
+import time
 import unittest
 
 from processes import SOURCES, stepwright
 
 CELLS = SOURCES / "tests/cells"
 NEVER_FILLED = '[[monitors]]\nname = "never_filled"\nformula = "never filled"\nlet = { filled = "Main.filled" }\n'
+
+
+def processes_with(argument):
+    """Numbers of the processes that were called with it."""
+    found = []
+    for line in pathlib.Path("/proc").glob("[0-9]*/cmdline"):
+        with contextlib.suppress(OSError):
+            if argument.encode() in line.read_bytes().split(b"\0"):
+                found.append(int(line.parent.name))
+    return found
 
 
 class Campaign(unittest.TestCase):
@@ -80,6 +92,30 @@ class Campaign(unittest.TestCase):
             self.assertRegex(run["why"], r"the plant is lost at 2\.\d+ s: its process ended with exit code 1")
             self.assertTrue(run["printed"].endswith("ValueError: the pump has burst"), run)
         self.assertRegex(text, r"(?s)seed 1: lost.*ValueError: the pump has burst.*seed 2: lost.*ValueError: the pump has burst")
+
+    def test_a_plant_that_refuses_a_seed_is_lost(self):
+        cell = self.copy_of_tank("by_hand.toml")
+        tank = cell.parent / "tank.py"
+        text = tank.read_text(encoding="utf-8")
+        line = "level_m, noise = "
+        self.assertIn(line, text)
+        refuses = 'if seed == 12:\n    print("nothing more is printed", flush=True)\n    answer("no valve")\n    sys.exit(1)\n'
+        tank.write_text(text.replace(line, refuses + line), encoding="utf-8")
+        figures, text = self.run_campaign(cell, "--runs", 3, "--seed", 11, "--seconds", 5, "--faults", "none", code=5)
+        self.assertEqual(figures["causes"], {"lost: plant lost": 1}, text)
+        [lost] = figures["failures"]
+        self.assertEqual((lost["seed"], lost["printed"]), (12, "nothing more is printed"))
+        self.assertIn("R0155: the plant cannot run: no valve", lost["why"])
+
+    def test_what_a_plant_has_started_ends_with_its_run(self):
+        cell = self.copy_of_tank("by_hand.toml")
+        tank = cell.parent / "tank.py"
+        mark = f"{os.getpid()}.{time.monotonic_ns()}"
+        start = f'import subprocess\nfor own in (False, True):\n    subprocess.Popen(["sh", "-c", "sleep 987; exit", "{mark}"], start_new_session=own)\n'
+        tank.write_text(start + tank.read_text(encoding="utf-8"), encoding="utf-8")
+        # The pipe ends: nobody holds the output any more.
+        self.run_campaign(cell, "--runs", 2, "--seconds", 5, "--faults", "none")
+        self.assertEqual(processes_with(mark), [])
 
     def test_a_plant_that_cannot_be_solved_is_told_as_that(self):
         plant = '[types.bomb]\nparameters.tick = { unit = "s", default = "1 s" }\nstates.x = { start = "1", derivative = "x * x / tick" }\n'

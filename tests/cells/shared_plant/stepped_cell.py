@@ -77,14 +77,17 @@ class SteppedCell(Cell):
         return [found[name] for name in names]
 
     def plant_processes(self, count):
-        """The processes that the runtime has started."""
-        children = pathlib.Path(f"/proc/{self.runtime.pid}/task/{self.runtime.pid}/children")
-        pids = [int(each) for each in children.read_text(encoding="ascii").split()]
+        """The plants that the runtime has started: each below a process that stands over it."""
+        pids = [plant for over in children(self.runtime.pid) for plant in children(over)]
         assert len(pids) == count, pids
         return pids
 
     def plant_process(self):
         return self.plant_processes(1)[0]
+
+
+def children(pid):
+    return [int(each) for each in pathlib.Path(f"/proc/{pid}/task/{pid}/children").read_text(encoding="ascii").split()]
 
 
 def gone(pid):

@@ -205,6 +205,56 @@ TEST(JudgeRuns, WhenALevelWasElsewhereBefore_ThenTheActionHasNotChangedIt) {
   EXPECT_EQ(codes(judge_runs(binding(), std::vector{run})), Codes{});
 }
 
+// What fills t1 by 10 takes 10 from t2, which begins 5 below the plan.
+TEST(JudgeRuns, WhenALevelBeganElsewhere_ThenItsChangeIsCompared) {
+  ActionRun run = run_of(10, 11);
+  run.planned.after.fluents["(level t2)"] = -10.0;
+  run.expected["(level t2)"] = -10.0;
+  run.before["(level t2)"] = -5.0;
+  run.after["(level t2)"] = -15.0;
+  EXPECT_EQ(codes(judge_runs(binding(), std::vector{run})), Codes{});
+  run.after["(level t2)"] = -10.0;  // as an effect that assigns the level
+  EXPECT_EQ(codes(judge_runs(binding(), std::vector{run})), Codes{});
+  run.after["(level t2)"] = -18.0;
+  const result::Diagnostics problems = judge_runs(binding(), std::vector{run});
+  ASSERT_EQ(codes(problems), Codes{"B0028"});
+  EXPECT_NE(problems.front().message.find("by -10 in the domain, and the plant by -13"), std::string::npos)
+      << problems.front().message;
+}
+
+// It fills up to 10 from 4: what it takes from t2 is as much less.
+TEST(JudgeRuns, WhenTheLevelThatEndsItBeganElsewhere_ThenTheOthersChangeInProportion) {
+  ActionRun run = run_of(10, 7);
+  run.planned.after.fluents["(level t2)"] = -10.0;
+  run.expected["(level t2)"] = -10.0;
+  run.before["(level t1)"] = 4.0;
+  run.after["(level t2)"] = -6.0;
+  EXPECT_EQ(codes(judge_runs(binding(), std::vector{run})), Codes{});
+  run.after["(level t1)"] = 14.0;  // as far as planned, and beyond where it ends
+  EXPECT_EQ(codes(judge_runs(binding(), std::vector{run})), Codes{"B0028"});
+  run.before["(level t1)"] = 14.0;  // it was there already, and ends at once
+  run.after["(level t2)"] = 0.0;
+  EXPECT_EQ(codes(judge_runs(binding(), std::vector{run})), Codes{});
+}
+
+TEST(JudgeRuns, WhenAFactWasOtherwiseBefore_ThenTheActionHasNotMadeItSo) {
+  ActionRun run = run_of(10, 11);
+  run.before["(full t1)"] = 1.0;
+  run.after["(full t1)"] = 1.0;
+  EXPECT_EQ(codes(judge_runs(binding(), std::vector{run})), Codes{});
+}
+
+TEST(JudgeRuns, WhenItBeganElsewhereAndIsTooSlow_ThenTheWayIsThatFromThere) {
+  ActionRun run = run_of(10, 100);
+  run.end = RunEnd::TimedOut;
+  run.before["(level t1)"] = -10.0;
+  run.after["(level t1)"] = 0.0;
+  const result::Diagnostics problems = judge_runs(binding(), std::vector{run});
+  ASSERT_EQ(codes(problems), Codes{"B0026"});
+  EXPECT_NE(problems.front().message.find("by 10 of 20 in 100 s"), std::string::npos);
+  EXPECT_EQ(problems.front().hint.rfind("timeout_s = 300 at 0.1 units a second", 0), 0u);
+}
+
 // It has gone the other way, too slowly to be stopped for that: no time would be enough.
 TEST(JudgeRuns, WhenALevelHasFallenInAllItsTime_ThenNoTimeoutIsProposed) {
   ActionRun run = run_of(10, 150);
@@ -242,6 +292,15 @@ TEST(JudgeDuration, WhenOneActionHasOtherAmountsFromOtherStarts_ThenEachIsCompar
   ActionRun less = run_of(20, 6);
   less.planned.before.fluents["(level t1)"] = 15.0;
   EXPECT_EQ(codes(judge_duration(bound, bound.actions.front(), std::vector{less, run_of(20, 21)})), Codes{});
+}
+
+// From -20 instead of 0: that it takes three times as long is not of its duration.
+TEST(JudgeDuration, WhenItBeganElsewhere_ThenTheRunDoesNotCount) {
+  const translate::Binding bound = binding();
+  ActionRun run = run_of(10, 31);
+  run.before["(level t1)"] = -20.0;
+  EXPECT_EQ(codes(judge_duration(bound, bound.actions.front(), std::vector{run})), Codes{});
+  EXPECT_EQ(codes(judge_runs(bound, std::vector{run})), Codes{}) << "nor of its timeout";
 }
 
 TEST(Spread, WhenARunDidNotEnd_ThenItDoesNotCount) {

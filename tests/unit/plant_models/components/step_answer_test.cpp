@@ -64,6 +64,22 @@ TEST(StepAnswer, WhenTheIntervalDoesNotDivideTheTime_ThenTheLastRowIsTheEnd) {
   }
 }
 
+TEST(StepAnswer, WhenAValueIsMinusZero_ThenTheTableHasZero) {
+  ModelRig rig(R"toml([types.mirror]
+parameters.tick = { unit = "s", default = "1 s" }
+states.x = { start = "0", derivative = "1 / tick" }
+outputs.back = { value = "-x" }
+outputs.far = { switch = true, value = "x > 5" }
+[components.m]
+type = "mirror"
+[terminals]
+FAR = { address = "%IX0.0", from = "m.far" }
+)toml");
+  const auto answer = record_answer(rig.plant(), {1.0, 1s, {"m.back"}, {}});
+  ASSERT_TRUE(answer) << result::to_string(answer.error());
+  EXPECT_EQ(to_csv(*answer).rfind("time_s,m.back\n0,0\n1,-", 0), 0u) << to_csv(*answer);
+}
+
 std::string refusal_of(const AnswerAction& action) {
   ModelRig rig(kFilling);
   const auto answer = record_answer(rig.plant(), {50.0, 10s, {}, {action}});

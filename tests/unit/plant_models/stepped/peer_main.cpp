@@ -19,6 +19,10 @@ int main(int argc, char** argv) {
   const int when = argc > 2 ? std::atoi(argv[2]) : 1;
   if (how == "ends_at_once") return 7;
   if (how == "never_ready") pause();
+  if (how == "closes_at_once") {
+    close(stepwright::stepped::kPeerSocket);
+    pause();
+  }
   auto peer = StepPeer::open();
   if (!peer) return 1;
   if (how == "refuses") return peer->refuse("the water is cut off");
@@ -33,6 +37,17 @@ int main(int argc, char** argv) {
   return peer->serve([&](std::int64_t, std::int64_t step_ns) -> std::string {
     const bool now = ++steps == when;
     if (now && how == "crashes") abort();
+    if (now && how == "closes") {
+      close(stepwright::stepped::kPeerSocket);
+      pause();
+    }
+    if (now && how == "crashes_with_a_child") {
+      if (fork() == 0) {  // it has the socket, too
+        setsid();
+        for (;;) pause();
+      }
+      abort();
+    }
     if (now && how == "hangs") pause();
     if (now && how == "ignores_signals") {
       signal(SIGTERM, SIG_IGN);

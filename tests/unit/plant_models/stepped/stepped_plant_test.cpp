@@ -122,6 +122,20 @@ TEST(SteppedPlant, WhenTheProcessIsKilledInTheMiddle_ThenOnlyThePlantIsLost) {
             "the plant is lost at 0.030 s: its process was killed by signal 6 (Aborted)");
 }
 
+// The child holds the socket: without its end the plant would count as silent.
+TEST(SteppedPlant, WhenTheProcessLeavesAChild_ThenThatEndsWithIt) {
+  EXPECT_EQ(loss({"crashes_with_a_child", "3"}),
+            "the plant is lost at 0.030 s: its process was killed by signal 6 (Aborted)");
+}
+
+TEST(SteppedPlant, WhenTheProcessClosesItsSocketAndGoesOn_ThenThatIsTheReason) {
+  auto plant = started({"closes", "2"});
+  EXPECT_EQ(plant->advance(20ms), PlantStatus::Failed);
+  const std::string reason = "the plant is lost at 0.020 s: it has closed its socket; its process was ended";
+  EXPECT_EQ(plant->trouble(), reason);
+  EXPECT_EQ(plant->trouble(), reason) << "whoever asks again";
+}
+
 TEST(SteppedPlant, WhenTheProcessHangs_ThenTheWaitIsBounded) {
   const auto begin = std::chrono::steady_clock::now();
   EXPECT_EQ(loss({"hangs", "2"}, 200ms),
@@ -164,6 +178,10 @@ TEST(SteppedPlant, WhenItCannotBeginAtAll_ThenTheStartSaysWhy) {
   EXPECT_EQ(ended.code, "R0153");
   EXPECT_NE(ended.message.find("exit code 7"), std::string::npos);
   EXPECT_EQ(ended.where.line, 4);
+
+  const auto closed = refusal(command({"closes_at_once"}));
+  EXPECT_EQ(closed.code, "R0153");
+  EXPECT_EQ(closed.message, "the plant was not ready: it has closed its socket; its process was ended");
 
   const auto refused = refusal(command({"refuses"}));
   EXPECT_EQ(refused.code, "R0155");
