@@ -8,7 +8,8 @@
 // the node and an input the branch.
 //
 // Thread rule: one thread at a time. `evaluate`, `derivative` and `roots` are pure functions of the frame and
-// of the modes, which only `settle`, `handle` and `fault_changed` change; none of them allocates. SI units.
+// of the modes, which only `settle`, `handle`, `handle_jumps` and `fault_changed` change; none of them
+// allocates. SI units.
 
 #include <cstddef>
 #include <cstdint>
@@ -113,6 +114,18 @@ class Component {
   virtual Event handle(const Frame& frame, const int* signs, double* y) {
     (void)frame;
     (void)signs;
+    (void)y;
+    return Event::None;
+  }
+  // Whether its root functions are conditions of events that happen also where they jump through zero, which
+  // no solver sees. Other components look at what has jumped in settle().
+  virtual bool follows_jumps() const { return false; }
+  // Something is about to jump; the frame is as it was before.
+  virtual void remember(const Frame& frame) { (void)frame; }
+  // Behind a jump: has the events happen whose conditions have passed zero since remember(), or since the
+  // last call. It may change its states in `y`.
+  virtual Event handle_jumps(const Frame& frame, double* y) {
+    (void)frame;
     (void)y;
     return Event::None;
   }

@@ -127,14 +127,17 @@ void ComponentReader::read(const TomlTable& table, const std::string& name) {
   read_in(table, name, {});
 }
 
-// Returns whether it is there now, with all of its parts.
-bool ComponentReader::read_in(const TomlTable& table, const std::string& name, const Around& around) {
+bool ComponentReader::is_name(const TomlTable& table, const std::string& name) {
   const bool plain =
       std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; });
-  if (!plain || name.empty()) {
-    table.report("type", "'" + name + "' cannot name a component", "letters, digits and '_'");
-    return false;
-  }
+  if (plain && !name.empty()) return true;
+  table.report("type", "'" + name + "' cannot name a component", "letters, digits and '_'");
+  return false;
+}
+
+// Returns whether it is there now, with all of its parts.
+bool ComponentReader::read_in(const TomlTable& table, const std::string& name, const Around& around) {
+  if (!is_name(table, name)) return false;
   const std::string type = table.required_text("type");
   if (type.empty()) return false;
   if (wrong_types_.contains(type)) {
@@ -144,11 +147,15 @@ bool ComponentReader::read_in(const TomlTable& table, const std::string& name, c
   if (const ComponentType* found = find_type(type))
     return read_part(table, *found, around.prefix + name, around);
   if (assemblies_.has_table(type)) return read_assembly(table, type, around.prefix + name, around);
+  report_no_type(table, type);
+  return false;
+}
+
+void ComponentReader::report_no_type(const TomlTable& table, const std::string& type) const {
   std::vector<std::string> known = assemblies_.keys();
   for (const ComponentType& one : model_.own_types) known.push_back(one.name);
   for (const ComponentType& one : catalogue_) known.push_back(one.name);
   table.report("type", "there is no type '" + type + "'", meant_or(type, known), "0342");
-  return false;
 }
 
 bool ComponentReader::read_assembly(const TomlTable& table, const std::string& type, const std::string& name,
@@ -160,6 +167,7 @@ bool ComponentReader::read_assembly(const TomlTable& table, const std::string& t
     assemblies_.accept_all();  // those further in are not read
     return false;
   }
+  used_assemblies_.insert(type);
   const TomlTable assembly = assemblies_.table(type);
   Around inside{name + ".", {}, around.depth + 1};
   const TomlTable parameters = assembly.table("parameters");
@@ -251,7 +259,7 @@ bool ComponentReader::read_part(const TomlTable& table, const ComponentType& of_
     if (auto to = text_of(table, port, around.replaced); !to.empty())
       part.connections.push_back({i, std::move(to), around.prefix, table.where(port)});
   }
-  if (type.wrong) {
+  if (type.wrong && !around.unused) {
     auto [message, hint] = type.wrong(part.parameters);
     if (!message.empty()) table.report("type", std::move(message), std::move(hint), "0321");
   }

@@ -78,6 +78,7 @@ result::Result<void> ModelPlant::clear_fault(std::string_view name) {
 void ModelPlant::set_fault(std::size_t fault, double si) {
   const ModelFault& at = model_->fault_at[fault];
   Component& component = *model_->components[at.component];
+  remember();
   // Sampled, so that what a sensor shows now can be kept.
   component.fault_changed(at.fault, si, sampled_frame());
   component.set_fault(at.fault, si);

@@ -13,10 +13,6 @@
 namespace stepwright::components {
 namespace {
 
-constexpr int kMostEvents = 10'000;  // within kEventSpan_s: what is built has fewer
-constexpr double kEventSpan_s = 1e-3;
-constexpr double kBehindEvent_s = 0.01;  // first steps behind an event, which may be longer than what follows
-
 double seconds(std::chrono::nanoseconds time) {
   return static_cast<double>(time.count()) * 1e-9;
 }
@@ -41,6 +37,8 @@ ModelPlant::ModelPlant(std::unique_ptr<Model> model)
       after_(model_->states),
       actuators_(model_->actuators.size(), 0),
       sampled_(model_->values) {
+  for (const std::uint32_t c : model_->with_roots)
+    if (model_->components[c]->follows_jumps()) jumping_.push_back(c);
   description_ = describe(*model_);
   mark_ = mark();
 }
@@ -99,13 +97,9 @@ void ModelPlant::settle(double t_s) {
   equations_->settle(frame(t_s));
 }
 
-bool ModelPlant::restart(double t_s) {
-  settle(t_s);
-  return solver_ == nullptr || solver_->restart(t_s, y_);
-}
-
 result::Result<void> ModelPlant::start() {
   result::Result<void> followed;
+  remembered_at_ = kNever;
   auto started = exchange_.start([&] {
     if (followed) followed = follow_processes();
     settle(seconds(now_));
@@ -130,6 +124,7 @@ core::PlantStatus ModelPlant::advance_to(std::chrono::nanoseconds time) {
   if (time <= now_ || failed_) return failed_ ? core::PlantStatus::Failed : core::PlantStatus::Good;
   while (exchange_.running() && exchange_.end() <= time) {
     if (advance_alone(exchange_.end()) != core::PlantStatus::Good) return core::PlantStatus::Failed;
+    remember();
     const Answer answer = exchange_.finish();
     failed_ = answer == Answer::Lost;
     if (failed_) return core::PlantStatus::Failed;
@@ -156,6 +151,7 @@ core::PlantStatus ModelPlant::advance_alone(std::chrono::nanoseconds time) {
     for (std::size_t i = 0; i < actuators_.size(); ++i)
       differs = differs || values[model_->actuator_at[i].slot] != actuators_[i];
     if (differs) {
+      remember();
       failed_ = !restart(seconds(now_));
       event_pending_ = false;
     }
@@ -205,77 +201,6 @@ std::string ModelPlant::trouble() {
          (model_->text.solver.implicit
               ? ": a state with large values may need a tolerance of its own that is as large"
               : " ([solver] method = \"implicit\" is for stiff plants)");
-}
-
-bool ModelPlant::run_to(double t_s) {
-  if (solver_ == nullptr) return true;
-  int events = 0;
-  double events_since_s = solver_->time();
-  while (solver_->time() < t_s || (event_pending_ && solver_->time() <= t_s)) {
-    if (event_pending_) {
-      event_pending_ = false;
-      if (solver_->time() - events_since_s > kEventSpan_s) {
-        events = 0;
-        events_since_s = solver_->time();
-      }
-      endless_events_ = ++events > kMostEvents;
-      if (endless_events_ || !handle_event()) return false;
-      continue;
-    }
-    const ode::StepOutcome outcome = solver_->step();
-    if (outcome == ode::StepOutcome::Failed) return false;
-    event_pending_ = outcome == ode::StepOutcome::Root;
-    if (solver_->time() - event_at_s_ < kBehindEvent_s && is_unseen()) return false;
-  }
-  return solver_->state_at(t_s, y_);
-}
-
-// Whether an event that has just happened was passed again, within one step.
-bool ModelPlant::is_unseen() {
-  if (event_pending_ || !solver_->state_at(solver_->time(), y_)) return false;
-  const Frame at = frame(solver_->time());
-  equations_->evaluate(at);
-  for (const std::uint32_t c : model_->with_roots) {
-    unseen_event_ = model_->components[c]->passed_unseen(at);
-    if (unseen_event_ == nullptr) continue;
-    last_event_component_ = c;
-    return true;
-  }
-  return false;
-}
-
-// Returns false if the solver cannot go on.
-bool ModelPlant::handle_event() {
-  const auto signs = solver_->roots();
-  const double t_s = solver_->time();
-  if (!solver_->state_at(t_s, y_)) return false;
-  Frame at = frame(t_s);
-  at.dydt = before_.data();
-  equations_->evaluate(at);
-  equations_->derivatives(at);
-  Event most = Event::None;
-  for (const std::uint32_t c : model_->with_roots) {
-    Component& component = *model_->components[c];
-    const int* of_component = signs.data() + model_->first_root[c];
-    if (std::all_of(of_component, of_component + component.root_count(), [](int sign) { return sign == 0; }))
-      continue;
-    last_event_component_ = c;
-    most = std::max(most, component.handle(at, of_component, y_.data()));
-  }
-  if (most == Event::None) return true;
-  event_at_s_ = t_s;
-  if (most == Event::Restart) {
-    if (!restart(t_s)) return false;
-    at.dydt = after_.data();
-    equations_->derivatives(at);
-    for (const std::uint32_t c : model_->with_roots) model_->components[c]->event_done(at);
-    return true;
-  }
-  settle(t_s);
-  at.dydt = after_.data();
-  equations_->evaluate(at);
-  equations_->derivatives(at);
-  return before_ == after_ || solver_->restart(t_s, y_);
 }
 
 void ModelPlant::sample(Sampled wanted) const {

@@ -74,11 +74,15 @@ class ModelPlant final : public core::Plant {
   Frame frame(double t_s);
   [[nodiscard]] result::Result<void> follow_processes();
   void settle(double t_s);
+  void remember();
+  bool follow_jumps(double t_s);
+  bool is_endless(double t_s);
   bool restart(double t_s);
   core::PlantStatus advance_alone(std::chrono::nanoseconds time);
   bool give_inputs();
   bool run_to(double t_s);
   bool handle_event();
+  bool go_on_from(double t_s);
   bool is_unseen();
   enum class Sampled : std::uint8_t { Nothing, Shown, All };
   void sample(Sampled wanted) const;
@@ -90,6 +94,7 @@ class ModelPlant final : public core::Plant {
   double mark() const;
   void set_fault(std::size_t fault, double si);
 
+  static constexpr std::chrono::nanoseconds kNever{-1};
   std::unique_ptr<Model> model_;
   std::unique_ptr<ModelEquations> equations_;
   std::unique_ptr<ode::CvodeSolver> solver_;  // null for a plant without states
@@ -98,8 +103,10 @@ class ModelPlant final : public core::Plant {
   std::vector<double> y_;       // at now_
   std::vector<double> before_;  // derivatives around an event
   std::vector<double> after_;
-  std::vector<std::int16_t> actuators_;  // as commanded
-  mutable std::vector<double> sampled_;  // values of the ports at now_, as far as `sampled_now_`
+  std::vector<std::uint32_t> jumping_;               // components that follow jumps
+  std::chrono::nanoseconds remembered_at_ = kNever;  // they have been told then what was before
+  std::vector<std::int16_t> actuators_;              // as commanded
+  mutable std::vector<double> sampled_;              // values of the ports at now_, as far as `sampled_now_`
   mutable Sampled sampled_now_ = Sampled::Nothing;
   std::chrono::nanoseconds now_{0};
   double mark_ = 0.0;
@@ -109,6 +116,8 @@ class ModelPlant final : public core::Plant {
   bool event_pending_ = false;    // the solver stands at a root that has not been handled
   bool failed_ = false;
   bool endless_events_ = false;
+  int events_ = 0;  // since events_since_s_
+  double events_since_s_ = 0.0;
   const Loop* unsolved_loop_ = nullptr;
   const std::string* unseen_event_ = nullptr;  // that was passed without being seen
   double event_at_s_ = -1.0;                   // the last one

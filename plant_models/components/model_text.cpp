@@ -97,6 +97,7 @@ result::Result<ModelText> read_model(settings::TomlDocument& document, const std
     }
     reader.read(components.table(name), name);
   }
+  reader.read_unused();
   if (!root.has("components"))
     root.report("components", "the plant has no components", "[components.tank1] with type = \"tank\"");
   read_terminals(root.table("terminals"), model);

@@ -38,6 +38,7 @@ class OwnComponent final : public Component {
     }
     set_roots(events_.size(), true);
     happened_.resize(events_.size());
+    before_.resize(events_.size());
     reverses_.resize(events_.size());
   }
 
@@ -74,14 +75,28 @@ class OwnComponent final : public Component {
   Event handle(const Frame& f, const int* signs, double* all) override {
     load(f);
     Event most = Event::None;
-    happened_.assign(events_.size(), false);
     reverses_.assign(events_.size(), 0.0);
     for (std::size_t i = 0; i < events_.size(); ++i) {
-      const OwnEvent& event = equations_->events[i];
-      const bool happens = (signs[i] > 0 && event.rising) || (signs[i] < 0 && event.falling);
-      if (!happens) continue;
-      for (const auto& [state, value] : sets_[i]) state_of(all, state) = value.value();
-      happened_[i] = true;
+      if (signs[i] == 0) continue;
+      before_[i] = 0.0;
+      if (happens(i, signs[i], all)) most = Event::Restart;
+    }
+    return most;
+  }
+
+  bool follows_jumps() const override { return !events_.empty(); }
+  void remember(const Frame& f) override { roots(f, before_.data()); }
+  Event handle_jumps(const Frame& f, double* all) override {
+    load(f);
+    Event most = Event::None;
+    for (std::size_t i = 0; i < events_.size(); ++i) {
+      const double now = events_[i].value();
+      const int sign = before_[i] < 0.0 && now >= 0.0 ? 1 : before_[i] > 0.0 && now <= 0.0 ? -1 : 0;
+      before_[i] = now;
+      if (sign == 0) continue;
+      reverses_[i] = 0.0;
+      if (!happens(i, sign, all)) continue;
+      before_[i] = 0.0;  // where its own states jump to is no passing
       most = Event::Restart;
     }
     return most;
@@ -115,9 +130,11 @@ class OwnComponent final : public Component {
     load(f);
     for (std::size_t i = 0; i < happened_.size(); ++i) {
       if (!happened_[i] || equations_->events[i].rising == equations_->events[i].falling) continue;
+      reverses_[i] = 0.0;
       const double now = away(i);
       for (std::size_t s = 0; s < derivatives_.size(); ++s) values_[first_state_ + s] += kSoon_s * dydt(f, s);
-      reverses_[i] = std::max(0.0, away(i) - now);
+      // Only if it is at zero: states may have jumped far beyond.
+      if (const double soon = away(i); soon > 0.0) reverses_[i] = std::max(0.0, soon - now);
       load(f);
     }
     happened_.assign(happened_.size(), false);
@@ -152,6 +169,14 @@ class OwnComponent final : public Component {
     return reads;
   }
 
+  // Sets the states of an event whose condition has passed zero, if that is its direction.
+  bool happens(std::size_t i, int sign, double* all) {
+    const OwnEvent& event = equations_->events[i];
+    if (!((sign > 0 && event.rising) || (sign < 0 && event.falling))) return false;
+    for (const auto& [state, value] : sets_[i]) state_of(all, state) = value.value();
+    happened_[i] = true;
+    return true;
+  }
   // How far the condition of an event is from zero, on the side that it comes from.
   double away(std::size_t event) const {
     return equations_->events[event].falling ? events_[event].value() : -events_[event].value();
@@ -173,7 +198,8 @@ class OwnComponent final : public Component {
   std::size_t first_fault_ = 0, first_read_ = 0, first_state_ = 0;
   std::vector<Expression> starts_, derivatives_, outputs_, events_;
   std::vector<std::vector<std::pair<std::size_t, Expression>>> sets_;
-  std::vector<bool> happened_;    // at the root that is handled
+  std::vector<bool> happened_;    // at the instant that is handled
+  std::vector<double> before_;    // conditions before what jumps; 0: at zero, from where nothing passes it
   std::vector<double> reverses_;  // how far away each event's condition is kSoon_s behind it; 0: it goes on
 };
 

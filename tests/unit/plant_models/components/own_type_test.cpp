@@ -279,6 +279,50 @@ TEST(Assembly, WhenTheyAreTooDeep_ThenThatIsTheOnlyWord) {
   EXPECT_NE(plant.error()[0].message.find("too deep"), std::string::npos);
 }
 
+const std::string kLamp = "[components.l]\ntype = \"lamp\"\ncommand = \"true\"\n";
+
+// Each depends on the next one, further than they may stand in each other.
+TEST(Assembly, WhenNoComponentIsMadeOfIt_ThenItMayStandThere) {
+  std::string text = R"toml([assemblies.st.parameters]
+head = "as high as it takes"
+file = ""
+[assemblies.st.components.p1]
+type = "pump"
+head = "$head"
+resistance = "5000 m/(m3/s)"
+[assemblies.st.components.f]
+type = "fmu"
+file = "$file"
+[assemblies.st.ports]
+in = "p1.in"
+out = "p1.out"
+)toml";
+  for (int i = 0; i < 11; ++i) {
+    const std::string n = "[assemblies.a" + std::to_string(i);
+    text += n + ".components.x]\ntype = \"" +
+            (i == 10 ? "tank\"\nvolume = \"1 l\"" : "a" + std::to_string(i + 1) + "\"") + "\n" + n +
+            ".ports]\nl = \"x." + (i == 10 ? "level" : "l") + "\"\n";
+  }
+  const auto plant = ModelRig::load(text + kLamp);
+  ASSERT_TRUE(plant) << result::to_string(plant.error());
+  EXPECT_EQ((*plant)->model().components.size(), 1u);
+}
+
+TEST(Assembly, WhenOneThatIsNotUsedIsWrong_ThenItsLineIsTold) {
+  const auto with = [](const std::string& line, const std::string& ports) {
+    return "[assemblies.st.components.x]\n" + line + "\n[assemblies.st.ports]\n" + ports + "\n" + kLamp;
+  };
+  expect_wrong(with("type = \"tnak\"", ""), "C0342", 2, "did you mean 'tank'?");
+  expect_wrong(with("type = \"tank\"\nvolum = \"1 l\"", ""), "C0002", 3, "did you mean 'volume'?");
+  expect_wrong(with("type = \"tank\"\nvolume = \"1 m\"", ""), "C0341", 3, "m where m3 is wanted");
+  expect_wrong(with("type = \"tank\"\nvolume = \"$v\"", ""), "C0006", 3, "'$v' is no parameter");
+  expect_wrong(with("type = \"tank\"\nvolume = \"1 l\"", "l = \"x.levl\""), "C0343", 5,
+               "is no port of a part");
+  expect_wrong(with("type = \"lamp\"", "") + "[assemblies.st2]\nport.l = \"x.l\"\n", "C0002", 9,
+               "did you mean 'ports'?");
+  expect_wrong("[assemblies.tank.ports]\n" + kLamp, "C0006", 1, "there is a type 'tank' already");
+}
+
 TEST(Assembly, WhenATruthNamesAPortOfAnAssembly_ThenItIsThatOfItsPart) {
   ModelRig rig(R"toml([assemblies.station.components.main]
 type = "tank"
