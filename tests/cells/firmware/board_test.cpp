@@ -214,7 +214,7 @@ TEST(Masters, Mbpoll_WhenItReadsAndWrites_ThenSeesTheProgram) {
   rig.controller().download(compiled(kCounting));
   rig.controller().start(modbus::control::kStartLockStep);
   rig.controller().turn(Bytes{std::byte{0x5A}});
-  const std::string poll = "mbpoll -m rtu -a 1 -b 115200 -P none -0 -1 -q ";
+  const std::string poll = "mbpoll -m rtu -a 1 -b 115200 -P none -0 -1 -q -o 10 ";  // s to wait: its most
   const std::string line = " " + rig.board().line();
   EXPECT_NE(output_of(poll + "-t 4:hex -r 0 -c 2" + line).find("[0]: \t0x005A"), std::string::npos);
   EXPECT_NE(output_of(poll + "-t 4 -r 1024" + line + " 1234").find("Written 1 references"),
