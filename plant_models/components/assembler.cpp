@@ -204,14 +204,16 @@ bool Assembler::is_there(PortId port, const result::Location& where) {
 void Assembler::set_constant(PortId input, const ConnectionText& connection) {
   const PortSpec& port = spec(input);
   auto figure = parse_quantity(connection.to);
-  const std::string meant = unit_hint(connection.to);
+  const auto hint = [&](const char* without_unit) {
+    const std::string meant = unit_hint(connection.to);
+    if (!meant.empty()) return meant;
+    return port.unit.empty() ? std::string(without_unit) : "such as \"1 " + port.unit + "\"";
+  };
   if (connection.to == "true" || connection.to == "false")
     figure = Quantity{connection.to == "true" ? 1.0 : 0.0, Unit{}};
   if (!figure) {
     report("C0341", connection.where, "'" + connection.to + "' is no figure with a unit",
-           !meant.empty()      ? meant
-           : port.unit.empty() ? "a number, or the name of an output"
-                               : "such as \"1 " + port.unit + "\"");
+           hint("a number, or the name of an output"));
     return;
   }
   if (port.unit == "any") unit_[input] = figure->unit;
@@ -219,9 +221,7 @@ void Assembler::set_constant(PortId input, const ConnectionText& connection) {
     report("C0341", connection.where,
            "the unit does not fit '" + name_of(input) + "': " + to_string(figure->unit.dimension) +
                " where " + to_string(unit_[input].dimension) + " is wanted",
-           !meant.empty()      ? meant
-           : port.unit.empty() ? "a pure number"
-                               : "such as \"1 " + port.unit + "\"");
+           hint("a pure number"));
     return;
   }
   used_[input] = constant_[input] = true;

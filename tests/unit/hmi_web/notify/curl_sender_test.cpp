@@ -15,66 +15,64 @@
 namespace stepwright::notify {
 namespace {
 
-// A web hook that answers one request with `status`, and goes on to talk until nobody listens any more.
-class EndlessServer {
+// A port of this machine for one client.
+class Listener {
  public:
-  explicit EndlessServer(std::string_view status)
-      : listener_(socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
+  Listener() : socket_(socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
     sockaddr_in address{};
     address.sin_family = AF_INET;
     address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
     socklen_t size = sizeof address;
-    EXPECT_EQ(bind(listener_, reinterpret_cast<const sockaddr*>(&address), size), 0);
-    EXPECT_EQ(listen(listener_, 1), 0);
-    EXPECT_EQ(getsockname(listener_, reinterpret_cast<sockaddr*>(&address), &size), 0);
+    EXPECT_EQ(bind(socket_, reinterpret_cast<const sockaddr*>(&address), size), 0);
+    EXPECT_EQ(listen(socket_, 1), 0);
+    EXPECT_EQ(getsockname(socket_, reinterpret_cast<sockaddr*>(&address), &size), 0);
     port_ = ntohs(address.sin_port);
-    thread_ = std::thread([this, head = "HTTP/1.1 " + std::string(status) + "\r\n\r\n"] { talk(head); });
   }
-  ~EndlessServer() {
-    thread_.join();
-    close(listener_);
-  }
+  ~Listener() { close(socket_); }
+  Listener(const Listener&) = delete;
+  Listener& operator=(const Listener&) = delete;
+
+  int accept_client() const { return accept4(socket_, nullptr, nullptr, SOCK_CLOEXEC); }
+  std::string port() const { return std::to_string(port_); }
+
+ private:
+  int socket_;
+  std::uint16_t port_ = 0;
+};
+
+// A web hook that answers one request with `status`, and goes on to talk until nobody listens any more.
+class EndlessServer {
+ public:
+  explicit EndlessServer(std::string_view status)
+      : thread_([this, head = "HTTP/1.1 " + std::string(status) + "\r\n\r\n"] { talk(head); }) {}
+  ~EndlessServer() { thread_.join(); }
   EndlessServer(const EndlessServer&) = delete;
   EndlessServer& operator=(const EndlessServer&) = delete;
 
-  std::string address() const { return "http://127.0.0.1:" + std::to_string(port_) + "/"; }
+  std::string address() const { return "http://127.0.0.1:" + listener_.port() + "/"; }
 
  private:
   void talk(const std::string& head) const {
-    const int client = accept4(listener_, nullptr, nullptr, SOCK_CLOEXEC);
+    const int client = listener_.accept_client();
     std::string text = head;
     while (send(client, text.data(), text.size(), MSG_NOSIGNAL) > 0) text.assign(4'096, 'x');
     close(client);
   }
 
-  int listener_;
-  std::uint16_t port_ = 0;
-  std::thread thread_;
+  Listener listener_;
+  std::thread thread_;  // last, as it uses the others
 };
 
 // A mail server that takes one connection and answers each command, `refused` ones with `refusal`.
 class MailServer {
  public:
   MailServer(std::string_view refused, std::string_view refusal)
-      : listener_(socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)), refused_(refused), refusal_(refusal) {
-    sockaddr_in address{};
-    address.sin_family = AF_INET;
-    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    socklen_t size = sizeof address;
-    EXPECT_EQ(bind(listener_, reinterpret_cast<const sockaddr*>(&address), size), 0);
-    EXPECT_EQ(listen(listener_, 1), 0);
-    EXPECT_EQ(getsockname(listener_, reinterpret_cast<sockaddr*>(&address), &size), 0);
-    port_ = ntohs(address.sin_port);
-    thread_ = std::thread([this] { talk(); });
-  }
-  ~MailServer() {
-    thread_.join();
-    close(listener_);
-  }
+      : refused_(refused), refusal_(refusal), thread_([this] { talk(); }) {}
+  ~MailServer() { thread_.join(); }
   MailServer(const MailServer&) = delete;
   MailServer& operator=(const MailServer&) = delete;
 
-  std::string address() const { return "smtp://127.0.0.1:" + std::to_string(port_); }
+  std::string address() const { return "smtp://127.0.0.1:" + listener_.port(); }
 
  private:
   std::string answer_to(const std::string& line) const {
@@ -83,7 +81,7 @@ class MailServer {
     return line.starts_with("QUIT") ? "221 bye\r\n" : "250 fine\r\n";
   }
   void talk() const {
-    const int client = accept4(listener_, nullptr, nullptr, SOCK_CLOEXEC);
+    const int client = listener_.accept_client();
     const auto say = [client](const std::string& text) {
       send(client, text.data(), text.size(), MSG_NOSIGNAL);
     };
@@ -100,11 +98,10 @@ class MailServer {
     close(client);
   }
 
-  int listener_;
+  Listener listener_;
   std::string refused_;
   std::string refusal_;
-  std::uint16_t port_ = 0;
-  std::thread thread_;
+  std::thread thread_;  // last, as it uses the others
 };
 
 std::string refusal_of(std::string_view refused, std::string_view refusal) {
