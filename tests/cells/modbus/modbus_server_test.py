@@ -11,7 +11,7 @@ import unittest
 
 from modbus_wire import Client, Refused, frame, read_request, write_request
 from namespaces import ip, need_network_of_its_own
-from processes import Cell, eventually, figures_of, get, stepwright
+from processes import PATIENCE_S, Cell, eventually, figures_of, get, stepwright
 
 PROGRAM = """
 TYPE Pair : STRUCT first : INT; second : INT; END_STRUCT; END_TYPE
@@ -283,7 +283,7 @@ class ModbusServer(unittest.TestCase):
             self.assertTrue(eventually(lambda: figure("malformed_total") == before["malformed_total"] + 1))
         ip("addr", "add", "10.8.0.1/32", "dev", "lo")  # which is not allowed in
         self.addCleanup(ip, "addr", "del", "10.8.0.1/32", "dev", "lo")
-        stranger = socket.create_connection(("127.0.0.1", port), source_address=("10.8.0.1", 0), timeout=5)
+        stranger = socket.create_connection(("127.0.0.1", port), source_address=("10.8.0.1", 0), timeout=PATIENCE_S)
         self.assertEqual(stranger.recv(1), b"")
         stranger.close()
         self.assertTrue(eventually(lambda: figure("turned_away_total") == before["turned_away_total"] + 1))

@@ -1,7 +1,8 @@
 // Our master (runtime/modbus/master) against a slave that others wrote:
-//   modbus_interop_master tcp PORT | rtu DEVICE
+//   modbus_interop_master tcp PORT | rtu DEVICE [S]
 // The slave's tables are those of peer_server.py. Says for each function code "FC3 ok", "FC22 exception 1" or
-// what else it came to; exit code 1 if a value was wrong.
+// what else it came to; exit code 1 if a value was wrong. The slave has 60 s for each answer; S seconds for
+// functions that some slaves say nothing to.
 
 #include <array>
 #include <chrono>
@@ -16,9 +17,10 @@
 namespace {
 
 using namespace stepwright::modbus::master;
-using std::chrono::milliseconds;
+using std::chrono::seconds;
 
 constexpr std::uint16_t kBeyond = 60'000;
+constexpr seconds kPatience{60};
 
 bool all_right = true;
 
@@ -43,7 +45,7 @@ Endpoint endpoint_of(const std::string& kind, const std::string& where) {
   return line;
 }
 
-void poll(Master& master) {
+void poll(Master& master, seconds rare_functions) {
   std::vector<std::uint8_t> bits(19);
   std::array<std::uint16_t, 10> words{};
   const std::array<std::uint16_t, 4> some{0x1234, 0xFFFF, 0, 0x8001};
@@ -80,6 +82,7 @@ void poll(Master& master) {
   std::array<std::uint16_t, 125> most{};
   tell("most", master.read_registers(RegisterTable::Input, 0, most), true);
   // Last, as some slaves say nothing any more after a function that they do not know.
+  master.set_timeout(rare_functions);
   done = master.mask_register(10, 0xFF00, 0x0055);
   tell("FC22", done);
   if (done.good()) {
@@ -95,8 +98,9 @@ void poll(Master& master) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 3) return 2;
-  auto master = Master::create(endpoint_of(argv[1], argv[2]), {.timeout = milliseconds(1'000)});
+  if (argc != 3 && argc != 4) return 2;
+  auto master =
+      Master::create(endpoint_of(argv[1], argv[2]), {.timeout = kPatience, .connect_timeout = kPatience});
   if (!master) {
     std::cerr << stepwright::result::to_string(master.error()) << '\n';
     return 2;
@@ -107,6 +111,6 @@ int main(int argc, char** argv) {
     return 2;
   }
   if (!master->select_unit(1).good()) return 2;
-  poll(*master);
+  poll(*master, argc == 4 ? seconds(std::stoi(argv[3])) : kPatience);
   return all_right ? 0 : 1;
 }

@@ -22,7 +22,7 @@ CLIENT_EXTENSIONS = "extendedKeyUsage = clientAuth\n"
 ROLE = "1.3.6.1.4.1.50316.802.1 = ASN1:UTF8String:"
 ACCESS = f"""
 plain = false
-greeting_timeout_ms = 1000
+greeting_timeout_ms = 10_000
 [modbus.server.tls]
 port = {PORT}
 certificate = "tls/plc.crt"

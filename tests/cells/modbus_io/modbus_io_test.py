@@ -143,7 +143,7 @@ class Plant:
     def field(self, table="4", count=1):
         """What an independent master reads from the PLC: holding registers (4) or coils (0)."""
         done = subprocess.run(["mbpoll", "-m", "tcp", "-p", str(PORT), "-a", "1", "-t", table, "-r", "1", "-c", str(count),
-                               "-1", "127.0.0.1"], capture_output=True, text=True, timeout=PATIENCE_S, check=False)
+                               "-1", "-o", "10", "127.0.0.1"], capture_output=True, text=True, timeout=PATIENCE_S, check=False)
         found = re.search(r"\[1\]:\s+(-?\d+)", done.stdout)
         return int(found.group(1)) if found else None
 
