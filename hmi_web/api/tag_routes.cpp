@@ -11,6 +11,10 @@ const Field kName{
     .name = "name", .least = 1, .most = 512, .description = "path of a variable, or a direct address"};
 const Field kValue{
     .name = "value", .least = 1, .most = 64, .description = "a literal of IEC 61131-3: TRUE, 16#FF, T#2s"};
+const Field kText{.name = "value",
+                  .least = 1,
+                  .most = 1'024,
+                  .description = "a literal of IEC 61131-3; of a STRING also its text without quotes"};
 const Field kReason{.name = "reason", .least = 3, .most = 200, .description = "why, for the audit trail"};
 const Field kMinutes{.name = "minutes",
                      .kind = Kind::Number,
@@ -61,7 +65,7 @@ std::vector<Route> tag_routes(const Services& services) {
   list.handler = [forces](const Call&) { return Answer{.text = forces->json()}; };
 
   Route write = row("/api/tags/write", "tag.write", "Writes a value once; the program may change it again",
-                    {"WriteTag", {kName, kValue, kReason}});
+                    {"WriteTag", {kName, kText, kReason}});
   write.handler = [cell](const Call& call) {
     const std::string& name = call.body.text("name");
     const std::string before = cell->read(name).value_or("");

@@ -1,7 +1,7 @@
 // Literals (IEC 61131-3, 6.3).
 
 #include "ladder/syntax/internal/parser.h"
-#include "ladder/syntax/text_literal.h"
+#include "runtime/ground/naming/text_literal.h"
 
 namespace stepwright::syntax::internal {
 
@@ -67,8 +67,9 @@ ExpressionPtr Parser::text_literal() {
   auto node = make(wide ? ExpressionKind::WideString : ExpressionKind::String);
   const Token& token = advance();
   const std::string_view inside = token.text.substr(1, token.text.size() - 2);
-  TextMistake mistake;
-  auto characters = parse_text(inside, wide ? TextWidth::Double : TextWidth::Single, mistake);
+  naming::TextMistake mistake;
+  auto characters =
+      naming::parse_text(inside, wide ? naming::TextWidth::Double : naming::TextWidth::Single, mistake);
   if (!characters) {
     const source::Position where{token.where.file,
                                  token.where.offset + 1 + static_cast<std::uint32_t>(mistake.offset)};

@@ -1,5 +1,7 @@
 #include "programs/hmi/dds_cell_control.h"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "hmi_web/api/cell_codes.h"
@@ -41,6 +43,18 @@ Result<service::NamedBits> value_of(DdsCellSource& source, const std::string& na
   return (**names).value(name, text);
 }
 
+Result<service::NamedWrite> written(DdsCellSource& source, const std::string& name, const std::string& text) {
+  auto names = RunningNames::of(source);
+  if (!names) return result::forward(names);
+  return (**names).written(name, text);
+}
+
+// A controller without an operating system takes a single part, and no block.
+service::RequestBody request_of(host::BlockWrite block) {
+  if (block.parts.size() == 1) return service::Write{{block.program_digest, block.parts.front()}};
+  return service::WriteBlock{std::move(block)};
+}
+
 api::ForcedPlace told(const service::ForcedValue& forced) {
   return {forced.name, forced.text(), forced.ends};
 }
@@ -73,15 +87,16 @@ Result<std::string> DdsCellControl::read(const std::string& name) {
 }
 
 Result<std::string> DdsCellControl::spell(const std::string& name, const std::string& value) {
-  auto wanted = value_of(source_, name, value);
+  auto wanted = written(source_, name, value);
   if (!wanted) return result::forward(wanted);
   return std::move(wanted->text);
 }
 
 Result<std::string> DdsCellControl::write(const std::string& name, const std::string& value) {
-  auto wanted = value_of(source_, name, value);
+  auto wanted = written(source_, name, value);
   if (!wanted) return result::forward(wanted);
-  if (auto done = source_.client().ask(service::Write{wanted->bits}); !done) return result::forward(done);
+  if (auto done = source_.client().ask(request_of(std::move(wanted->block))); !done)
+    return result::forward(done);
   return std::move(wanted->text);
 }
 
@@ -109,9 +124,9 @@ Result<void> DdsCellControl::write_together(const std::map<std::string, std::str
   if (!names) return result::forward(names);
   host::BlockWrite block{names->digest(), {}};
   for (const auto& [name, value] : values) {
-    auto wanted = (**names).value(name, value);
+    auto wanted = (**names).written(name, value);
     if (!wanted) return result::forward(wanted);
-    block.parts.push_back(wanted->bits.bits);
+    std::ranges::move(wanted->block.parts, std::back_inserter(block.parts));
   }
   if (auto done = source_.client().ask(service::WriteBlock{std::move(block)}); !done)
     return result::forward(done);

@@ -1,8 +1,10 @@
 #include "runtime/service/program_names.h"
 
+#include <algorithm>
 #include <cstring>
 #include <utility>
 
+#include "runtime/bytecode/reader/parse_string.h"
 #include "runtime/bytecode/reader/parse_value.h"
 #include "runtime/bytecode/reader/read_value.h"
 #include "runtime/bytecode/reader/resolve_name.h"
@@ -29,6 +31,20 @@ std::vector<std::byte> image_with(std::uint32_t address, std::uint64_t value, st
   return image;
 }
 
+// Bytes from an address on, up to 8 in a part.
+std::vector<host::ImageBits> parts_of(std::uint32_t address, std::span<const std::byte> bytes) {
+  std::vector<host::ImageBits> parts;
+  while (!bytes.empty()) {
+    const std::size_t size = std::min(bytes.size(), sizeof(std::uint64_t));
+    host::ImageBits part{address, ~std::uint64_t{0} >> 8 * (sizeof(std::uint64_t) - size), 0};
+    std::memcpy(&part.value, bytes.data(), size);
+    parts.push_back(part);
+    bytes = bytes.subspan(size);
+    address += static_cast<std::uint32_t>(size);
+  }
+  return parts;
+}
+
 }  // namespace
 
 std::string ForcedValue::text() const {
@@ -45,6 +61,26 @@ result::Result<NamedBits> ProgramNames::value(std::string_view name, std::string
   std::string spelled =
       reader::read_text(variable, image_with(bits.byte_offset, bits.value, sizeof bits.value));
   return NamedBits{std::move(found->name), {digest_, bits}, std::move(spelled)};
+}
+
+result::Result<NamedWrite> ProgramNames::written(std::string_view name, std::string_view text) const {
+  auto found = reader::resolve_name(info_, name);
+  if (!found) return result::forward(found);
+  const reader::Variable& variable = found->variable;
+  if (!bytecode::is_string(variable.type)) {
+    auto one = value(name, text);
+    if (!one) return result::forward(one);
+    return NamedWrite{std::move(one->name), {digest_, {one->bits.bits}}, std::move(one->text)};
+  }
+  auto bytes = reader::parse_string(variable, text, kNoSuchValue, {found->name, 0, 0});
+  if (!bytes) return result::forward(bytes);
+  // As it will be read.
+  std::vector<std::byte> image(variable.address + std::size_t{reader::kStringLengthAt} + bytes->size());
+  std::memcpy(image.data() + variable.address, &variable.capacity, sizeof variable.capacity);
+  std::memcpy(image.data() + variable.address + reader::kStringLengthAt, bytes->data(), bytes->size());
+  return NamedWrite{std::move(found->name),
+                    {digest_, parts_of(variable.address + reader::kStringLengthAt, *bytes)},
+                    reader::read_text(variable, image)};
 }
 
 result::Result<NamedBits> ProgramNames::forceable(std::string_view name) const {

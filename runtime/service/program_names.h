@@ -7,6 +7,8 @@
 //   const ProgramNames names(digest, info);
 //   auto valve = names.value("MAIN.valve", "true");      // or R0057, R0058
 //   client.ask(Force{{valve->bits, 60'000}});            // says by itself of which program it is
+//   auto batch = names.written("MAIN.batch", "B 17");    // also of strings
+//   client.ask(WriteBlock{batch->block});
 //   print(valve->name, valve->text);                     // MAIN.valve TRUE, as the program spells them
 //
 // Pure; any thread.
@@ -30,6 +32,13 @@ struct NamedBits {
   std::string text;  // the value as the program spells it; empty: there is none
 };
 
+// A value of any length, as the parts of one write.
+struct NamedWrite {
+  std::string name;
+  host::BlockWrite block;
+  std::string text;
+};
+
 struct ForcedValue {
   std::string name;
   reader::Variable variable;
@@ -44,8 +53,10 @@ class ProgramNames {
   // Of the program with that digest; both outlive it.
   ProgramNames(const std::string& digest, const reader::ProgramInfo& info) : digest_(digest), info_(info) {}
 
-  // To be written or forced.
+  // To be forced: no string.
   [[nodiscard]] result::Result<NamedBits> value(std::string_view name, std::string_view text) const;
+  // To be written.
+  [[nodiscard]] result::Result<NamedWrite> written(std::string_view name, std::string_view text) const;
   // To be released.
   [[nodiscard]] result::Result<NamedBits> forceable(std::string_view name) const;
   // Requires an image of this program.

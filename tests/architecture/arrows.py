@@ -54,7 +54,7 @@ ARROWS = {
     "firmware/boards": ["firmware/app", "firmware/decimal"],
     "firmware/link": ["runtime/ground/result"],
     "ladder/source": ["runtime/ground/result", "runtime/base"],
-    "ladder/syntax": ["ladder/source"],
+    "ladder/syntax": ["ladder/source", "runtime/ground/naming"],
     "ladder/graphic": ["runtime/ground/result", "runtime/ground/markup", "runtime/base"],
     "ladder/print": ["ladder/graphic", "ladder/syntax"],
     "ladder/semantics": ["ladder/syntax", "runtime/bytecode"],

@@ -6,7 +6,7 @@ import { join } from 'node:path';
 
 import { startBottles } from './change_cell.mjs';
 import { leadOverPage } from './page_run.mjs';
-import { addsUsers, asks, claims, codeOf, isAccessible, logsIn } from './people.mjs';
+import { addsUsers, asks, claims, codeOf, dialog, dialogIsGone, fill, isAccessible, logsIn } from './people.mjs';
 import { DRAWN, TEXT } from './program_sources.mjs';
 import { check, drawn, fitsEachLook, options, pictures, until, waitFor } from './support.mjs';
 
@@ -39,6 +39,31 @@ async function opensByKeyboard(page) {
   await waitFor(page, 'and says that there is no earlier program', () => document.querySelector('[data-testid=no-versions]') !== null);
   await isAccessible(page, 'the panel with nothing chosen');
   await shot(page, 'empty');
+}
+
+// Longer than what a force holds: whole between two scans, or not at all.
+async function writesText(page) {
+  const search = page.getByLabel('Search tags by name or address');
+  const shows = (what, value) => waitFor(page, what, (text) =>
+    [...document.querySelectorAll('[data-panel=tags] tbody tr')].some((row) => row.innerText.startsWith('Main.label') && row.innerText.includes(text)), value);
+  await search.fill('Main.label');
+  await page.getByRole('button', { name: 'Set Main.label' }).click();
+  check((await dialog(page).getByRole('radio').count()) === 0, 'a text is not offered to be forced');
+  await fill(page, { Value: 'line 2: fill and close', Reason: 'test of texts' });
+  await page.keyboard.press('Enter');
+  await waitFor(page, 'one that is too long is refused with both lengths', () => /22 characters.* 20/.test(document.querySelector('[data-testid=problem]').innerText));
+  await isAccessible(page, 'writing a text');
+  await shot(page, 'text');
+  await fill(page, { Value: 'line 2: fill, close' });
+  await page.keyboard.press('Enter');
+  await dialogIsGone(page, 'one that fits is written');
+  await shows('and stands in the program', "'line 2: fill, close'");
+  await page.getByRole('button', { name: 'Set Main.label' }).click();
+  await fill(page, { Value: '', Reason: 'test of texts' });
+  await page.keyboard.press('Enter');
+  await dialogIsGone(page, 'nothing is a text, too');
+  await shows('and stands there', "''");
+  await search.fill('');
 }
 
 const chooses = (page, ...files) => page.getByTestId('program-file').setInputFiles(files);
@@ -270,6 +295,7 @@ await leadOverPage(given, {
     await addsUsers(page);
     await operatorMayNot(page);
     await opensByKeyboard(page);
+    await writesText(page);
     await page.getByRole('button', { name: 'All', exact: true }).click();
     await wrongFilesSayWhere(page, cell);
     await takesDrawnPrograms(page, cell);

@@ -134,7 +134,8 @@ result::Result<std::uint64_t> parse_value(const Variable& variable, std::string_
   const std::string type = bytecode::name_of(variable.type);
   if (bytecode::is_string(variable.type)) {
     return result::fail(code, where, "a " + type + " cannot be forced",
-                        "it is longer than the 8 bytes that a force can hold; force what it is made from");
+                        "it is longer than the 8 bytes that a force can hold: write it, or force what it is "
+                        "made from");
   }
   if (const auto value = parse(variable, text)) return *value;
   std::string hint = std::string("a ") + type + " is " + example_of(variable);

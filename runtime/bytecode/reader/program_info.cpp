@@ -40,6 +40,7 @@ class Flattener {
       case bytecode::TypeKind::String:
       case bytecode::TypeKind::Subrange:
         place.type = static_cast<bytecode::ElementaryType>(type.elementary);
+        if (bytecode::is_string(place.type)) place.capacity = static_cast<std::uint16_t>(type.count);
         ended_ = tags_.size() == kMaxTags;
         complete_ = complete_ && !ended_;
         if (!ended_) tags_.push_back({name, place, flags});

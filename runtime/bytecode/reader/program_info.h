@@ -35,6 +35,7 @@ struct Variable {
   std::uint8_t bit = bytecode::kNoBit;
   // Null if it is no enumeration. Shared, as variables are copied out of the ProgramInfo and outlive it.
   std::shared_ptr<const Enumerators> enumerators = nullptr;
+  std::uint16_t capacity = 0;  // of a string: characters
 };
 
 struct Tag {

@@ -41,6 +41,7 @@ export default {
   writeHow: 'Schreiben: einmalig, das Programm darf den Wert wieder ändern',
   value: 'Wert',
   valueNote: 'ein Literal: TRUE, 12, 16#FF, 3.5, T#2s',
+  textNote: 'ein {type}: der Text, wie er dasteht, oder ein Literal in Anführungszeichen mit $',
   minutes: 'Minuten',
   minutesNote: 'danach wird die Variable von selbst freigegeben',
   reason: 'Grund',

@@ -38,6 +38,7 @@ export default {
   writeHow: 'Write: once, the program may change it again',
   value: 'Value',
   valueNote: 'a literal: TRUE, 12, 16#FF, 3.5, T#2s',
+  textNote: 'a {type}: the text as it stands, or a literal in quotes with $ escapes',
   minutes: 'Minutes',
   minutesNote: 'then it is released by itself',
   reason: 'Reason',

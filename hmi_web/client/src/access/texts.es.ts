@@ -41,6 +41,7 @@ export default {
   writeHow: 'Escribir: una sola vez, el programa puede volver a cambiarlo',
   value: 'Valor',
   valueNote: 'un literal: TRUE, 12, 16#FF, 3.5, T#2s',
+  textNote: 'una {type}: el texto tal cual, o un literal entre comillas con $',
   minutes: 'Minutos',
   minutesNote: 'después se libera por sí sola',
   reason: 'Motivo',

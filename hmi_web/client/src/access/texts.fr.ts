@@ -41,6 +41,7 @@ export default {
   writeHow: 'Écrire : une seule fois, le programme peut modifier la valeur ensuite',
   value: 'Valeur',
   valueNote: 'un littéral : TRUE, 12, 16#FF, 3.5, T#2s',
+  textNote: 'une {type} : le texte tel quel, ou un littéral entre guillemets avec $',
   minutes: 'Minutes',
   minutesNote: 'ensuite la variable est libérée d’elle-même',
   reason: 'Motif',

@@ -5,7 +5,6 @@
 #include "ladder/syntax/date_literal.h"
 #include "ladder/syntax/direct_address.h"
 #include "ladder/syntax/number.h"
-#include "ladder/syntax/text_literal.h"
 
 namespace {
 
@@ -104,22 +103,6 @@ TEST(DateLiteral, Date_WhenIllFormed_ThenIsNone) {
     EXPECT_FALSE(syntax::parse_date(text)) << text;
   for (const char* text : {"24:00:00", "1:60:00", "1:00", "1:00:00.", "1:00:00:00"})
     EXPECT_FALSE(syntax::parse_time_of_day(text)) << text;
-}
-
-TEST(TextLiteral, Escapes_WhenWellFormed_ThenAreTheirCharacters) {
-  syntax::TextMistake mistake;
-  EXPECT_EQ(syntax::parse_text("a$$b$'c$41$n\"", syntax::TextWidth::Single, mistake), u"a$b'cA\n\"");
-  EXPECT_EQ(syntax::parse_text("$20AC$\"'", syntax::TextWidth::Double, mistake), u"\u20AC\"'");
-  EXPECT_EQ(syntax::parse_text("\xC3\xA4\xE4", syntax::TextWidth::Single, mistake), u"\u00E4\u00E4");
-  EXPECT_EQ(syntax::parse_text("\xF0\x9F\x98\x80", syntax::TextWidth::Double, mistake), u"\xD83D\xDE00");
-}
-
-TEST(TextLiteral, Escapes_WhenIllFormed_ThenTheirPlaceIsKnown) {
-  syntax::TextMistake mistake;
-  for (const char* text : {"ab$", "ab$4", "ab$\"", "ab$x1", "ab\xE2\x82\xAC"}) {
-    EXPECT_FALSE(syntax::parse_text(text, syntax::TextWidth::Single, mistake)) << text;
-    EXPECT_EQ(mistake.offset, 2u) << text;
-  }
 }
 
 TEST(Number, Duration_WhenWellFormed_ThenIsExact) {

@@ -7,6 +7,7 @@
 #include "runtime/bytecode/writer/container_writer.h"
 #include "runtime/image/image_bits.h"
 #include "tests/support/sample_model.h"
+#include "tests/support/test_program.h"
 
 namespace stepwright::service {
 namespace {
@@ -31,6 +32,8 @@ TEST_F(ProgramNamesTest, WhenAValueIsNamed_ThenItsBitsNameTheProgramAndBothAreSp
   EXPECT_EQ(number->name, "MAIN.history[3]");
   EXPECT_EQ(number->bits, (host::ProgramBits{digest_, {L::kMain + L::kHistory + 4, 0xFFFF, 0xFF}}));
   EXPECT_EQ(number->text, "255");
+  EXPECT_EQ(names_.written("main.HISTORY[3]", "16#FF")->block,
+            (host::BlockWrite{digest_, {number->bits.bits}}));
 }
 
 TEST_F(ProgramNamesTest, WhenNameOrValueIsWrong_ThenEachHasItsCode) {
@@ -41,6 +44,40 @@ TEST_F(ProgramNamesTest, WhenNameOrValueIsWrong_ThenEachHasItsCode) {
   ASSERT_FALSE(wrong);
   EXPECT_EQ(wrong.error().front().code, "R0058");
   EXPECT_EQ(wrong.error().front().where.file, "MAIN.count");
+}
+
+// A program with a text of up to 20 characters behind eight other bytes.
+reader::ProgramInfo program_with_a_text() {
+  constexpr std::uint32_t kCapacity = 20;
+  const std::uint32_t size = bytecode::string_bytes(bytecode::ElementaryType::String, kCapacity);
+  writer::ContainerModel model = support::one_program(8 + size, [](auto&) {});
+  const auto type = model.add_type(writer::string_type(bytecode::ElementaryType::String, kCapacity));
+  model.symbols.push_back({.name = "label", .type = type, .address = 8, .direct_address = {}});
+  return reader::ProgramInfo::read(writer::write_container(model).value()).value();
+}
+
+TEST(WrittenText, WhenItIsWritten_ThenItsPartsAreTheWholeTextAndNothingElse) {
+  const std::string digest(64, 'b');
+  const reader::ProgramInfo info = program_with_a_text();
+  const ProgramNames names(digest, info);
+  std::vector<std::byte> image(8 + 24, std::byte{0xEE});
+  image[8] = std::byte{20};
+  image[9] = std::byte{0};
+  for (const std::string text : {"line 2: fill, close", "short", ""}) {
+    const auto written = names.written("LABEL", text);
+    ASSERT_TRUE(written) << result::to_string(written.error());
+    EXPECT_EQ(written->name, "label");
+    EXPECT_EQ(written->text, text);
+    EXPECT_EQ(written->block.program_digest, digest);
+    for (const host::ImageBits& part : written->block.parts)
+      ASSERT_EQ(image::write_bits(image, part), image::BitsStatus::Done);
+    EXPECT_EQ(names.read("label", image).value(), text);
+    EXPECT_EQ(image[7], std::byte{0xEE});
+    EXPECT_EQ(image[8], std::byte{20}) << "its capacity stays";
+    EXPECT_EQ(image[31], std::byte{0xEE}) << "and what lies behind the longest of them";
+  }
+  EXPECT_EQ(names.written("label", std::string(21, 'x')).error().front().code, "R0058");
+  EXPECT_EQ(names.value("label", "short").error().front().code, "R0058") << "it is never forced";
 }
 
 // What is told of a force is what it was asked for, whoever tells it.

@@ -1,10 +1,9 @@
-#include "ladder/syntax/text_literal.h"
+#include "runtime/ground/naming/text_literal.h"
 
+#include <charconv>
 #include <cstdint>
 
-#include "ladder/syntax/number.h"
-
-namespace stepwright::syntax {
+namespace stepwright::naming {
 
 namespace {
 
@@ -76,10 +75,10 @@ bool take_escape(std::string_view& text, TextWidth width, std::u16string& out) {
   }
   const std::size_t digits = width == TextWidth::Single ? 2 : 4;
   const std::string_view code = text.substr(0, digits);
-  if (code.size() < digits || code.find('_') != std::string_view::npos) return false;
-  const auto value = parse_integer(code, 16);
-  if (!value) return false;
-  out += static_cast<char16_t>(*value);
+  std::uint16_t value = 0;
+  const auto read = std::from_chars(code.data(), code.data() + code.size(), value, 16);
+  if (code.size() < digits || read.ptr != code.data() + digits) return false;
+  out += static_cast<char16_t>(value);
   text.remove_prefix(digits);
   return true;
 }
@@ -107,4 +106,4 @@ std::optional<std::u16string> parse_text(std::string_view inside, TextWidth widt
   return out;
 }
 
-}  // namespace stepwright::syntax
+}  // namespace stepwright::naming

@@ -1,13 +1,15 @@
 #pragma once
 
-// The characters of string literals (IEC 61131-3, 6.3.3, tables 5 and 6). Private to the parser.
+// The characters of string literals (IEC 61131-3, 6.3.3, tables 5 and 6). Pure; any thread.
+//
+//   parse_text("a$N", TextWidth::Single, mistake)   // u"a\n"
 
 #include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
 
-namespace stepwright::syntax {
+namespace stepwright::naming {
 
 // Single: characters are ISO 10646 row 00 (Latin-1), $hh; Double: UTF-16 code units, $hhhh.
 enum class TextWidth : unsigned char { Single, Double };
@@ -22,4 +24,4 @@ struct TextMistake {
 // 255; `mistake` says where then.
 std::optional<std::u16string> parse_text(std::string_view inside, TextWidth width, TextMistake& mistake);
 
-}  // namespace stepwright::syntax
+}  // namespace stepwright::naming
