@@ -114,8 +114,7 @@ class Trial {
     }
     trial.runs = runs.size();
     if (!runs.empty()) {
-      const auto nominal = translate::nominal_duration(runs.front().planned, cell_.binding);
-      if (nominal) trial.nominal_s = *nominal - std::chrono::duration<double>(entry.rest).count();
+      trial.nominal_s = nominal_s(runs, entry);
       trial.duration = spread_of(runs);
       trial.problems = found.size();
       std::ranges::move(found, std::back_inserter(report_.problems));
@@ -123,6 +122,20 @@ class Trial {
     }
     report_.actions.push_back(std::move(trial));
     return {};
+  }
+
+  // The mean over the runs that the measured time is a mean of; over all of them if none was done.
+  double nominal_s(std::span<const ActionRun> runs, const ActionBinding& entry) const {
+    const bool any = std::ranges::any_of(runs, [](const ActionRun& run) { return run.end == RunEnd::Done; });
+    double sum = 0.0;
+    std::size_t count = 0;
+    for (const ActionRun& run : runs) {
+      const auto nominal = translate::nominal_duration(run.planned, cell_.binding);
+      if (!nominal || (any && run.end != RunEnd::Done)) continue;
+      sum += *nominal - std::chrono::duration<double>(entry.rest).count();
+      ++count;
+    }
+    return count > 0 ? sum / static_cast<double>(count) : 0.0;
   }
 
   result::Result<std::vector<ActionRun>> run_seeds(const Start& start, const model::GroundAction& action) {

@@ -39,7 +39,7 @@ struct ActionTrial {
   std::size_t starts = 0;  // states from which it was tried
   std::size_t runs = 0;
   Spread duration{};       // of those that ended as they should
-  double nominal_s = 0.0;  // by the binding, without its rest
+  double nominal_s = 0.0;  // by the binding, without its rest; the mean over the same runs
   std::size_t problems = 0;
 };
 

@@ -14,6 +14,7 @@ using settings::TomlTable;
 
 constexpr std::size_t kDeepest = 8;         // assemblies in assemblies
 constexpr std::size_t kMostProcesses = 64;  // of one plant
+constexpr std::size_t kMostComponents = 20'000;
 
 std::string short_text(double value) {
   std::array<char, 32> text{};
@@ -135,9 +136,20 @@ bool ComponentReader::is_name(const TomlTable& table, const std::string& name) {
   return false;
 }
 
+// Told once.
+bool ComponentReader::is_too_many(const TomlTable& table) {
+  if (read_ < kMostComponents) return false;
+  if (read_++ == kMostComponents)
+    table.report("type", "there are more than " + std::to_string(kMostComponents) +
+                             " components, those in assemblies counted");
+  table.accept_all();
+  return true;
+}
+
 // Returns whether it is there now, with all of its parts.
 bool ComponentReader::read_in(const TomlTable& table, const std::string& name, const Around& around) {
-  if (!is_name(table, name)) return false;
+  if (is_too_many(table) || !is_name(table, name)) return false;
+  ++read_;
   const std::string type = table.required_text("type");
   if (type.empty()) return false;
   if (wrong_types_.contains(type)) {
@@ -178,8 +190,13 @@ bool ComponentReader::read_assembly(const TomlTable& table, const std::string& t
   const std::size_t first = model_.components.size();
   const TomlTable parts = assembly.table("components");
   bool all_read = true;
-  for (const std::string& part : parts.keys())
+  for (const std::string& part : parts.keys()) {
     all_read = read_in(parts.table(part), part, inside) && all_read;
+    if (read_ > kMostComponents) {
+      for (const TomlTable& rest : {table, assembly, parts}) rest.accept_all();
+      return false;
+    }
+  }
   const TomlTable ports = assembly.table("ports");
   for (const std::string& port : ports.keys()) {
     const std::string target = part_port(name + "." + ports.text(port, {}));

@@ -42,6 +42,7 @@ class ComponentReader {
   void read_unused(const std::string& type);
   bool read_unused_part(const settings::TomlTable& table, const std::string& name, const Around& around);
   bool is_port_of(const settings::TomlTable& parts, const std::string& port) const;
+  bool is_too_many(const settings::TomlTable& table);
   void report_no_type(const settings::TomlTable& table, const std::string& type) const;
   static bool is_name(const settings::TomlTable& table, const std::string& name);
   std::string part_port(const std::string& name) const;
@@ -57,6 +58,7 @@ class ComponentReader {
   std::set<std::string, std::less<>> used_assemblies_;
   ModelText& model_;
   std::set<std::string, std::less<>> wrong_types_;  // of the file's own
+  std::size_t read_ = 0;                            // components and assemblies, those inside of others, too
 };
 
 }  // namespace stepwright::components

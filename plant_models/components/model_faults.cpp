@@ -62,7 +62,8 @@ result::Result<void> ModelPlant::inject_fault(std::string_view name, double valu
     return result::fail("C0312", {},
                         "fault '" + quantity.name + "' cannot have the value " + number_text(value),
                         "allowed: " + number_text(at.low) + " to " + number_text(at.high) +
-                            (quantity.unit.empty() ? "" : " ") + quantity.unit + "; " + quantity.meaning);
+                            (quantity.unit.empty() ? "" : " ") + quantity.unit +
+                            (quantity.meaning.empty() ? "" : "; ") + quantity.meaning);
   }
   set_fault(*fault, value * at.factor);
   return {};

@@ -11,8 +11,6 @@ namespace {
 
 using settings::TomlTable;
 
-constexpr std::size_t kMostComponents = 20'000;
-
 // A figure of the whole plant.
 double plant_figure(const TomlTable& table, const char* name, const char* unit, const char* fallback,
                     double low, double high) {
@@ -90,13 +88,7 @@ result::Result<ModelText> read_model(settings::TomlDocument& document, const std
   model.communication_step_s = plant_figure(plant, "communication_step", "s", "10 ms", 1e-6, 60.0);
   ComponentReader reader(catalogue, of_plant, root, options, model);
   const TomlTable components = root.table("components");
-  for (const std::string& name : components.keys()) {
-    if (model.components.size() > kMostComponents) {
-      components.report(name, "there are more than " + std::to_string(kMostComponents) + " components");
-      break;
-    }
-    reader.read(components.table(name), name);
-  }
+  for (const std::string& name : components.keys()) reader.read(components.table(name), name);
   reader.read_unused();
   if (!root.has("components"))
     root.report("components", "the plant has no components", "[components.tank1] with type = \"tank\"");

@@ -53,6 +53,7 @@ class BindingTry(unittest.TestCase):
             self.assertGreaterEqual(each["runs"], 3)
             self.assertGreater(each["mean_s"], 0)
             self.assertLess(each["spread_s"], each["mean_s"])
+            self.assertLess(abs(each["duration_s"] - each["mean_s"]), max(0.5, 0.3 * each["mean_s"]), each)  # as B0030
         self.assertRegex(done.stdout, r"(?m)^\(heat v1\) +\d+ +\d+ +\d+\.\d\d")
         self.assertIn("0 problems", done.stdout)
 

@@ -127,6 +127,18 @@ TEST(WrongModel, WhenAThousandComponentsAreUnconnected_ThenTheFirstAreNamedAndTh
   EXPECT_NE(plant.error().back().message.find("more ports are open"), std::string::npos);
 }
 
+TEST(WrongModel, WhenAssembliesHoldMoreComponentsThanAPlantMayHave_ThenItIsSaidOnceAndSoon) {
+  std::string text = "[components.all]\ntype = \"a4\"\n";
+  for (int level = 0; level < 5; ++level)
+    for (int part = 0; part < 10; ++part)
+      text += "[assemblies.a" + std::to_string(level) + ".components.p" + std::to_string(part) +
+              "]\ntype = \"" + (level == 0 ? "lamp" : "a" + std::to_string(level - 1)) + "\"\n";
+  const auto plant = ModelRig::load(text);
+  ASSERT_FALSE(plant);
+  ASSERT_EQ(plant.error().size(), 1u) << result::to_string(plant.error());
+  EXPECT_NE(plant.error().front().message.find("more than 20000 components"), std::string::npos);
+}
+
 TEST(WrongModel, WhenNoStepIsSmallEnough_ThenTheComponentIsNamed) {
   const std::string text = R"toml([types.runaway]
 inputs.feed = { unit = "1/s", default = "1 1/s" }
