@@ -9,6 +9,7 @@ import struct
 import time
 import unittest
 
+from given_time import GivenTime
 from modbus_wire import Client, Refused, frame, read_request, write_request
 from namespaces import ip, need_network_of_its_own
 from processes import PATIENCE_S, Cell, eventually, figures_of, get, stepwright
@@ -167,21 +168,22 @@ class ModbusServer(unittest.TestCase):
         slow.socket.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
         slow.socket.setblocking(False)
         flood = b"".join(frame(read_request(0, 125)) for _ in range(300))
-        worst = 0.0
-        with Client(port) as good:
+        worst = worst_given = 0.0
+        with Client(port) as good, GivenTime() as given:
             for _ in range(500):
                 try:
                     slow.socket.send(flood)
                 except (BlockingIOError, ConnectionError):
                     pass
-                begin = time.monotonic()
+                begin, begin_given = time.monotonic(), given.seconds()
                 good.read(COUNT, 10)
                 worst = max(worst, time.monotonic() - begin)
+                worst_given = max(worst_given, given.seconds() - begin_given)
             merged = b"".join(frame(read_request(COUNT, 1), number) for number in range(1, 101))
             good.socket.sendall(merged)
             for number in range(1, 101):
                 good.answer(number)
-        self.assertLess(worst, 1.0)
+        self.assertLess(worst_given, 1.0)
         for number, client in enumerate(halves[:50]):
             client.socket.sendall(frame(read_request(COUNT, 1))[1 + number % 11:])
             client.answer(1)
