@@ -23,7 +23,8 @@ bool is_never_past(const reader::TaskInfo& task) {
 }  // namespace
 
 result::Result<std::vector<reader::Variable>> find_variables(const reader::ProgramInfo& info,
-                                                             const std::vector<WantedVariable>& wanted) {
+                                                             const std::vector<WantedVariable>& wanted,
+                                                             const result::Location& program) {
   std::vector<reader::Variable> found;
   result::Diagnostics problems;
   const auto complain = [&problems](const result::Location& where, std::string message, std::string hint) {
@@ -43,7 +44,7 @@ result::Result<std::vector<reader::Variable>> find_variables(const reader::Progr
   }
   for (const reader::TaskInfo& task : info.tasks()) {
     if (!is_never_past(task)) continue;
-    complain({}, "task '" + task.name + "' of the plant's program has no interval",
+    complain(program, "task '" + task.name + "' of the plant's program has no interval",
              "TASK " + task.name + "(INTERVAL := T#10ms, PRIORITY := 1)");
   }
   if (!problems.empty()) return tl::unexpected(std::move(problems));
@@ -58,17 +59,18 @@ ProgramPlant::ProgramPlant(reader::LoadedProgram loaded)
 
 result::Result<std::unique_ptr<ProgramPlant>> ProgramPlant::create(std::vector<std::byte> container,
                                                                    const stepped::StepNames& names,
-                                                                   const Parameters& parameters) {
+                                                                   const Parameters& parameters,
+                                                                   const result::Location& program) {
   auto loaded = reader::LoadedProgram::load(std::move(container), "the plant's program");
   if (!loaded) return result::forward(loaded);
   auto info = reader::ProgramInfo::read(loaded->bytes());
   if (!info) return result::forward(info);
   std::vector<WantedVariable> wanted;
   for (const auto* list : {&names.actuators, &names.sensors, &names.values, &names.faults}) {
-    for (const std::string& name : *list) wanted.push_back({name});
+    for (const std::string& name : *list) wanted.push_back({name, program});
   }
-  for (const auto& [name, value] : parameters) wanted.push_back({name});
-  auto found = find_variables(*info, wanted);
+  for (const auto& [name, value] : parameters) wanted.push_back({name, program});
+  auto found = find_variables(*info, wanted, program);
   if (!found) return result::forward(found);
 
   std::unique_ptr<ProgramPlant> plant(new ProgramPlant(std::move(*loaded)));

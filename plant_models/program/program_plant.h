@@ -32,18 +32,20 @@ struct WantedVariable {
   result::Location where = {};
 };
 
-// Fails with C0336 for each name that is no number or BOOL of the program, and for a task that is never due.
+// Fails with C0336 for each name that is no number or BOOL of the program, and, at `program` (its file: what
+// was compiled has no lines), for a task that is never due.
 [[nodiscard]] result::Result<std::vector<reader::Variable>> find_variables(
-    const reader::ProgramInfo& info, const std::vector<WantedVariable>& wanted);
+    const reader::ProgramInfo& info, const std::vector<WantedVariable>& wanted,
+    const result::Location& program = {});
 
 class ProgramPlant {
  public:
   using Parameters = std::vector<std::pair<std::string, double>>;
 
   // Fails as find_variables, LoadedProgram::load and make_engine.
-  [[nodiscard]] static result::Result<std::unique_ptr<ProgramPlant>> create(std::vector<std::byte> container,
-                                                                            const stepped::StepNames& names,
-                                                                            const Parameters& parameters);
+  [[nodiscard]] static result::Result<std::unique_ptr<ProgramPlant>> create(
+      std::vector<std::byte> container, const stepped::StepNames& names, const Parameters& parameters,
+      const result::Location& program = {});
 
   // What the sensors and values are now.
   void sample(const stepped::StepArea& area) const;

@@ -72,7 +72,7 @@ result::Diagnostics check_st(const SteppedPlantConfig& plant) {
     for (const auto& each : *list) wanted.push_back({each.name, each.where});
   }
   for (const auto& each : plant.parameters) wanted.push_back({each.name, each.where});
-  const auto found = program_plant::find_variables(*info, wanted);
+  const auto found = program_plant::find_variables(*info, wanted, {paths.front(), 0, 0});
   return found ? result::Diagnostics{} : found.error();
 }
 

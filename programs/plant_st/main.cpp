@@ -35,7 +35,8 @@ int run(const std::vector<std::string>& paths, const program_plant::ProgramPlant
   };
   auto container = compile(paths);
   if (!container) return refuse(container.error());
-  auto plant = program_plant::ProgramPlant::create(std::move(*container), peer->area().names(), parameters);
+  auto plant = program_plant::ProgramPlant::create(std::move(*container), peer->area().names(), parameters,
+                                                   {paths.front(), 0, 0});
   if (!plant) return refuse(plant.error());
   (*plant)->sample(peer->area());
   return peer->serve(

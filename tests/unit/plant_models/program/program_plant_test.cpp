@@ -87,5 +87,15 @@ TEST(ProgramPlant, WhenNamesAreWrong_ThenEachHasItsPlaceAndAHint) {
   EXPECT_NE(found.error()[2].message.find("string"), std::string::npos);
 }
 
+TEST(ProgramPlant, WhenATaskHasNoInterval_ThenTheFileIsNamed) {
+  std::string text = kTank;
+  text.replace(text.find("INTERVAL := T#10ms, "), 20, "");
+  const auto plant = ProgramPlant::create(compiled(text), kNames, {}, {"tank.st", 0, 0});
+  ASSERT_FALSE(plant);
+  ASSERT_EQ(plant.error().size(), 1u) << result::to_string(plant.error());
+  EXPECT_EQ(plant.error()[0].code, "C0336");
+  EXPECT_EQ(plant.error()[0].where.file, "tank.st");
+}
+
 }  // namespace
 }  // namespace stepwright::program_plant
