@@ -157,6 +157,10 @@ async function operates(page, mixer) {
   check(entries()[0].user === 'olga' && entries()[0].target === 'Main.level (Mixer: p2)' && entries()[0].after === '40.5', 'the audit trail says who, where and what');
   const direct = await asks(page, 'POST', '/api/screens/Mixer/write', { part: 'p2', value: '100.1', once: 'by-the-api' });
   check(codeOf(direct) === '400 H0126', `the server looks at the range itself: ${codeOf(direct)}`);
+  await part(page, 'p7').locator('input').focus();
+  for (const key of ['ArrowRight', 'ArrowRight', 'Tab', 'Enter']) await page.keyboard.press(key);
+  await until('a slider is set with the keys', async () => (await part(page, 'p2').innerText()).includes('%') && !(await part(page, 'p2').innerText()).includes('40.5'));
+  await waitFor(page, 'which stay there', () => document.activeElement?.closest('[data-part-key=p7]') !== null && document.activeElement?.tagName === 'BUTTON');
   await fitsEachLook(page, [['light', 1440], ['dark', 1440], ['light', 360]], (look) => shot(page, look));
   await fitsFingers(page, 'a screen on a phone', '[data-testid=screen] [data-part-key]');
   await page.setViewportSize({ width: 1440, height: 900 });
