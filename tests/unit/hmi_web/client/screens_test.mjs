@@ -35,7 +35,7 @@ test('Parts_WhenTheyAreNotComplete_ThenTheyAreSavedWithoutWriting', () => {
 test('Face_WhenItIsRepeated_ThenEachCopyHasItsOwnNamesAndKeys', () => {
   const face = { name: 'Pump', width: 100, height: 50, inner: '<g data-on="{pump}.on" data-key="go"><text>{pump}</text></g>', params: ['pump'] };
   assert.equal(model.filledFace(face, { pump: 'Main.P1' }, 'p3'), '<g data-on="Main.P1.on" data-key="p3-go"><text>Main.P1</text></g>');
-  assert.equal(model.filledFace(face, {}, 'p3').includes('{pump}'), true, 'what nobody has named stays to be seen');
+  for (const params of [{}, { pump: ' ' }]) assert.equal(model.filledFace(face, params, 'p3').includes('{pump}'), true, 'what nobody has named stays to be seen');
   assert.equal(model.filledFace(face, { pump: '"><script>' }, 'p3').includes('<script>'), false);
   const drawn = model.innerOf(item('p3', { symbol: 'face', w: 200, h: 50, params: { face: 'Pump', pump: 'a' } }), new Map([['Pump', face]]));
   assert.ok(drawn.startsWith('<g transform="scale(2 1)">'));

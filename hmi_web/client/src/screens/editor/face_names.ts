@@ -15,7 +15,7 @@ export function patternsOf(inner: string, param: string): string[] {
 
 // What they are with all parameters of a copy; those in which one is still open are none yet.
 export const namesBy = (patterns: readonly string[], params: Params): string[] =>
-  patterns.map((pattern) => pattern.replace(/\{(\w+)\}/g, (whole, name: string) => params[name] || whole)).filter((name) => !name.includes('{'));
+  patterns.map((pattern) => pattern.replace(/\{(\w+)\}/g, (whole, name: string) => params[name]?.trim() || whole)).filter((name) => !name.includes('{'));
 
 // What can stand for a parameter so that every name that it alone makes is one of `known`.
 export function offersOf(patterns: readonly string[], param: string, known: readonly string[]): string[] {

@@ -57,7 +57,7 @@ const PLACEHOLDER = /\{(\w+)\}/g;
 export function filledFace(face: Face, params: Params, key: string, called: Called = byName): string {
   const filled = face.inner
     .replace(/data-key="([^"]*)"/g, (_, own: string) => `data-key="${key}-${own}"`)
-    .replace(PLACEHOLDER, (whole, name: string) => (params[name] ? escaped(params[name]) : whole));
+    .replace(PLACEHOLDER, (whole, name: string) => escaped(params[name]?.trim() ?? '') || whole);
   return relabelled(filled, called);
 }
 
