@@ -61,6 +61,14 @@ bool is_embedded_picture(std::string_view value) {
   return false;
 }
 
+std::string copy_around(pugi::xml_node element) {
+  for (; element; element = element.parent()) {
+    if (element.attribute("data-symbol").value() == std::string_view("face"))
+      return element.attribute("data-params").value();
+  }
+  return {};
+}
+
 class Reader {
  public:
   Reader(const std::string& name, std::string_view text) : name_(name), text_(text) {}
@@ -163,7 +171,8 @@ class Reader {
     auto names = check_bindings(from, wrong);
     if (auto part = read_part(from, names, wrong)) take(std::move(*part), from, wrong);
     for (std::string& name : names) {
-      names_.push_back({std::move(name), {}});
+      std::string copy = name.find('{') == std::string::npos ? std::string() : copy_around(from);
+      names_.push_back({std::move(name), {}, std::move(copy)});
       offsets_.push_back(from.offset_debug());
     }
     for (auto& [message, hint] : wrong)

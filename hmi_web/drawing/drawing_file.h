@@ -39,6 +39,9 @@ inline constexpr int kDeepest = 64;
 struct BoundName {
   std::string name;  // of a variable of the program or of a point of the plant
   result::Location where;
+  // Of a name with a brace, in a copy of a face: what the editor keeps of the copy, an object of JSON with
+  // `face`, `key` and the fields. Written by whoever has drawn it.
+  std::string copy = {};
 };
 
 struct Drawing {

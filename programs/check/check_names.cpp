@@ -1,9 +1,11 @@
 #include "programs/check/check_names.h"
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -26,6 +28,36 @@ constexpr std::string_view kOfTheCell = "cell.";
 // Of a point in the history.
 constexpr std::string_view kPointPrefix = "points/";
 constexpr std::size_t kLargestKept = 4 << 20;  // bytes
+
+std::string text_of(const nlohmann::json& object, const char* key) {
+  if (!object.is_object()) return {};
+  const auto found = object.find(key);
+  return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+// The same of a name; what is too long or has other signs than ASCII is none.
+std::string plain_text_of(const nlohmann::json& object, const char* key) {
+  constexpr std::size_t kLongest = 64;
+  std::string text = text_of(object, key);
+  const bool is_plain = text.size() <= kLongest &&
+                        std::ranges::all_of(text, [](unsigned char c) { return c >= ' ' && c < 0x7f; });
+  return is_plain ? text : std::string();
+}
+
+// "pump" of "{pump}.running".
+std::vector<std::string> fields_in(std::string_view name) {
+  std::vector<std::string> fields;
+  for (std::size_t at = name.find('{'); at != std::string_view::npos; at = name.find('{', at + 1)) {
+    const std::size_t end = name.find('}', at);
+    if (end == std::string_view::npos) break;
+    const std::string_view field = name.substr(at + 1, end - at - 1);
+    const bool is_word = !field.empty() && std::ranges::all_of(field, [](unsigned char c) {
+      return std::isalnum(c) != 0 || c == '_';
+    });
+    if (is_word) fields.emplace_back(field);
+  }
+  return fields;
+}
 
 class NameCheck {
  public:
@@ -55,6 +87,26 @@ class NameCheck {
                                        : "did you mean '" + meant + "'?"});
   }
 
+  // A field of a face stays in the names of a copy that does not fill it in: "{pump}.running". It is told
+  // once for each copy, and not as a variable that is missing.
+  void check_bound(const drawing::BoundName& bound, const std::string& what,
+                   result::Severity severity = result::Severity::Error) {
+    const std::vector<std::string> fields = fields_in(bound.name);
+    if (fields.empty()) return check(bound.name, bound.where, what, true, severity);
+    const nlohmann::json copy = nlohmann::json::parse(bound.copy, nullptr, /*allow_exceptions=*/false);
+    const std::string face = plain_text_of(copy, "face");
+    const std::string key = plain_text_of(copy, "key");
+    for (const std::string& field : fields) {
+      std::string message = what + ": the field '" + field + "'";
+      if (!key.empty()) message += " of the copy " + key;
+      if (!face.empty()) message += " of the face '" + face + "'";
+      message += " is empty";
+      if (!unfilled_.insert(bound.where.file + '\n' + message).second) continue;
+      problems_.push_back({"C0532", severity, bound.where, std::move(message),
+                           "fill it in where the screen is drawn: '" + bound.name + "' names nothing"});
+    }
+  }
+
   result::Diagnostics take() { return std::move(problems_); }
 
  private:
@@ -72,6 +124,7 @@ class NameCheck {
   }
 
   const reader::ProgramInfo& info_;
+  std::set<std::string> unfilled_;  // that are told, with their files
   std::vector<std::string> names_;
   std::vector<std::string> points_;  // of the plant
   result::Diagnostics problems_;
@@ -102,7 +155,7 @@ void check_drawing(const config::CellConfig& config, NameCheck& names) {
   if (config.hmi.drawing.empty()) return;
   const auto drawn = drawing::load_drawing(config.hmi.drawing);
   if (!drawn) return;
-  for (const drawing::BoundName& each : drawn->names) names.check(each.name, each.where, "the drawing", true);
+  for (const drawing::BoundName& each : drawn->names) names.check_bound(each, "the drawing");
 }
 
 // What a server keeps is its own: a file that cannot be read or is damaged is told by the server.
@@ -112,12 +165,6 @@ nlohmann::json kept(const std::filesystem::path& file, const char* list) {
   nlohmann::json document = nlohmann::json::parse(*text, nullptr, /*allow_exceptions=*/false);
   const bool right = document.is_object() && document.contains(list) && document[list].is_array();
   return right ? document[list] : nlohmann::json::array();
-}
-
-std::string text_of(const nlohmann::json& object, const char* key) {
-  if (!object.is_object()) return {};
-  const auto found = object.find(key);
-  return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
 void check_forces(const config::CellConfig& config, NameCheck& names) {
@@ -186,7 +233,7 @@ void check_screens(const config::CellConfig& config, NameCheck& names, result::D
     const auto drawn = (*store)->read(screen.name, now->number);
     if (!drawn) continue;
     for (const drawing::BoundName& each : drawn->names)
-      names.check(each.name, each.where, "the screen '" + screen.name + "'", true, result::Severity::Warning);
+      names.check_bound(each, "the screen '" + screen.name + "'", result::Severity::Warning);
   }
 }
 

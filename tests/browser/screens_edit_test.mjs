@@ -131,6 +131,33 @@ async function copiesWithKeys(page) {
   await until('and goes again', async () => (await page.locator('[data-item]').count()) === 3);
 }
 
+// What stays marked in a field that was left is not what is meant.
+async function copiesFromAnywhere(page) {
+  const count = () => page.locator('[data-item]').count();
+  await item(page, 'p1').focus();
+  await field(page, 'x').focus();
+  await page.keyboard.press('Tab');
+  await waitFor(page, 'a field that is reached by Tab has its text marked', () => String(getSelection()) !== '');
+  await button(page, 'Save').focus();
+  await page.keyboard.press('Control+c');
+  await page.keyboard.press('Control+v');
+  await until('what is chosen in the drawing is copied all the same', async () => (await count()) === 4);
+  await button(page, 'Cut').click();
+  await until('and cut', async () => (await count()) === 3);
+  check((await button(page, 'Copy').getAttribute('aria-disabled')) === 'true', 'nothing is chosen then');
+  await button(page, 'Copy').focus();
+  await page.keyboard.press('Enter');
+  await button(page, 'Paste').click();
+  await until('what is not there to be copied leaves what was', async () => (await count()) === 4);
+  await page.keyboard.press('Control+z');
+  await item(page, 'p3').focus();
+  await button(page, 'Copy').click();
+  await button(page, 'Paste').click();
+  await until('the button copies as the keys do', async () => (await count()) === 4);
+  for (let k = 0; k < 3; k++) await button(page, 'Undo').click();
+  await until('and all goes again', async () => (await count()) === 3 && !(await page.getByTestId('editor-told').innerText()).includes('changed'));
+}
+
 // What one may see and another may not, and where each begins.
 async function choosesStarts(page) {
   const put = async (name, svg) => check((await asks(page, 'PUT', `/api/screens/${name}`, { svg, version: 0 })).status === 200, `${name} is drawn`);
@@ -260,16 +287,49 @@ async function smallPartsAreWhole(page) {
   await shot(page, 'small-parts');
 }
 
+const LONG = 'As long as the soaking of the whole of the batch in the mixer takes';
+const chosen = (page, what, wanted) =>
+  waitFor(page, `${what}: ${wanted}`, (words) => [...document.querySelectorAll('[data-part-key] [aria-pressed=true]')].map((one) => one.innerText).join(', ') === words, wanted);
+
+// Values are what their type says, not how they are written.
+async function choicesSayWhatHolds(page) {
+  await chosen(page, 'each choice marks its value', 'Waits, Rests, Short');
+  const said = (key) => page.locator(`[data-part-key=${key}]`).innerText();
+  check((await said('turned')).includes('runs') && (await said('pair')).includes('stands'), 'a feedback may be turned round');
+  check((await said('named')).includes('batches in a row'), 'a part without a label is called by the comment of the declaration');
+  await page.locator('[data-part-key=stir]').getByRole('button', { name: 'Stirs' }).click();
+  await page.locator('[data-part-key=soak]').getByRole('button', { name: LONG }).click();
+  await chosen(page, 'and the new ones', `Mixes, Stirs, ${LONG}`);
+  await page.locator('[data-part-key=stir]').getByRole('button', { name: 'Rests' }).click();
+  await page.locator('[data-part-key=soak]').getByRole('button', { name: 'Short' }).click();
+  await chosen(page, 'and those before', 'Waits, Rests, Short');
+}
+
+async function longWordsAreCut(page) {
+  const cut = await page.locator('[data-part-key=long]').evaluate((part) => {
+    const [button, words] = [part.querySelector('button'), part.querySelector('.clamped')];
+    return { inside: words.getBoundingClientRect().bottom <= button.getBoundingClientRect().bottom, isCut: words.scrollHeight > words.clientHeight, title: part.title };
+  });
+  check(cut.inside && cut.isCut && cut.title === LONG, `long words end within their button, and are whole in its title (${JSON.stringify(cut)})`);
+}
+
 async function losesAnAnswer(page) {
   const setPoint = (key, more, place) => `<g data-part="setpoint" data-key="${key}" ${more} data-from="0" data-to="100"><rect ${place}/></g>`;
+  const choice = (key, variable, values, y) => `<g data-part="choice" data-key="${key}" data-write="${variable}" data-values="${values}"><rect x="200" y="${y}" width="300" height="44"/></g>`;
   const parts = setPoint('level', 'data-label="Level" data-write="Main.level"', 'width="160" height="44"')
     + setPoint('small', 'data-write="Main.batches_before" data-unit="pieces"', 'x="200" width="120" height="44"')
-    + '<g data-part="startstop" data-key="pair" data-write="Main.stir" data-on="Main.stir"><rect x="400" width="130" height="44"/></g>';
+    + '<g data-part="startstop" data-key="pair" data-write="Main.stir" data-on="Main.stir"><rect x="400" width="130" height="44"/></g>'
+    + setPoint('named', 'data-write="Main.batches"', 'y="80" width="160" height="44"')
+    + choice('phase', 'Main.phase', 'Waiting=Waits;Phase#Mixing=Mixes', 80) + choice('stir', 'Main.stir', 'FALSE=Rests;TRUE=Stirs', 140) + choice('soak', 'Main.soak', `T#30000ms=Short;T#2m=${LONG}`, 200)
+    + '<g data-part="startstop" data-key="turned" data-write="Main.stir" data-on="!Main.stir"><rect y="260" width="260" height="44"/></g>'
+    + `<g data-part="button" data-key="long" data-label="${LONG}" data-write="Main.stir" data-value="FALSE"><rect x="300" y="260" width="120" height="44"/></g>`;
   const svg = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 800 450">${parts}</svg>`;
   check((await asks(page, 'PUT', '/api/screens/Set', { svg, version: 0 })).status === 200, 'a set point is drawn');
   await goes(page, 'Set');
   await isShown(page, 'Set');
   await smallPartsAreWhole(page);
+  await choicesSayWhatHolds(page);
+  await longWordsAreCut(page);
   await page.route('**/write', (route) => route.abort('connectionreset'));
   await page.locator('[data-part-key=level] button').first().click();
   await dialog(page).getByLabel('New value').fill('33');
@@ -299,6 +359,7 @@ await leadOverPage(given, {
     await choosesSeveral(page);
     await namesIt(page);
     await copiesWithKeys(page);
+    await copiesFromAnywhere(page);
     await choosesStarts(page);
     await eachBeginsElsewhere(page);
     await restsWhileNothingChanges(page);

@@ -6,7 +6,7 @@ import { readFileSync } from 'node:fs';
 import { leadOverPage } from './page_run.mjs';
 import { addsUsers, asks, claims, codeOf, dialog, dialogIsGone, isAccessible, logsIn, PASSWORD } from './people.mjs';
 import { KEEPS_RECORDS, LEVEL_ALARM, startMixer } from './recipe_cell.mjs';
-import { adds, editor, field, item, places, says } from './screen_editor.mjs';
+import { adds, editor, field, fitsFingers, item, places, says } from './screen_editor.mjs';
 import { check, drawn, fitsEachLook, options, pictures, until, waitFor } from './support.mjs';
 
 const TAGS = '[tags."Main.level"]\nunit = "%"\ndescription = "level of the mixer"\ndecimals = 1\n[tags."Main.batches"]\ndescription = "batches in a row"\n';
@@ -58,6 +58,10 @@ async function draws(page) {
   await places(page, { x: 420, y: 60 });
   await adds(page, 'alarms');
   await places(page, { x: 440, y: 260 });
+  await adds(page, 'slider');
+  await binds(page, 'Writes', 'main.lev', 'Main.level');
+  await places(page, { x: 20, y: 300 });
+  check((await item(page, 'p7').textContent()).includes('level of the mixer'), 'a part without a label is called as the cell says of its variable');
 }
 
 // With the keys: what has the focus is chosen, arrows move it, and there is a way back.
@@ -75,14 +79,14 @@ async function movesWithKeys(page) {
   await until('and forth', async () => (await place()) === 'translate(270 199)');
   const count = () => page.locator('[data-item]').count();
   await page.keyboard.press('Control+d');
-  await until('Ctrl+D doubles it', async () => (await count()) === 7);
+  await until('Ctrl+D doubles it', async () => (await count()) === 8);
   await page.keyboard.press('Delete');
-  await until('Delete removes the copy', async () => (await count()) === 6);
+  await until('Delete removes the copy', async () => (await count()) === 7);
   await item(page, 'p4').focus();
   await page.keyboard.press('Control+a');
   await page.keyboard.press('Control+g');
   await page.keyboard.press('Control+g');
-  check((await page.locator('[data-item][data-chosen=true]').count()) === 6, 'all are chosen, grouped and set apart again');
+  check((await page.locator('[data-item][data-chosen=true]').count()) === 7, 'all are chosen, grouped and set apart again');
 }
 
 // By the pointer: dragged onto the grid, several in a frame, aligned.
@@ -103,6 +107,7 @@ async function movesWithPointer(page) {
 
 async function saves(page) {
   await isAccessible(page, 'the editor');
+  await fitsFingers(page, 'the editor', '[data-testid=screen-editor] .body');
   await shot(page, 'editor');
   await page.getByRole('button', { name: 'Preview' }).click();
   await waitFor(page, 'the preview has live values', () => document.querySelector('[data-testid=screen-drawing][data-bound=true]')?.innerHTML.includes('12.5'));
@@ -119,6 +124,7 @@ async function lives(page, mixer) {
   await waitFor(page, 'the screen is there', () => document.querySelector('[data-testid=screen][data-screen=Mixer] [data-bound=true] svg') !== null);
   await waitFor(page, 'the tank is full by an eighth', () => document.querySelector('[data-testid=screen] [data-fill]').getAttribute('transform')?.includes('scale(1 0.125)'));
   await has(page, 'the set point has its value and unit', 'p2', '12.5 %');
+  await has(page, 'the slider is called as the cell says', 'p7', 'level of the mixer');
   mixer.force('Main.stir', 'TRUE');
   await waitFor(page, 'the pump runs', () => document.querySelector('[data-testid=screen] [data-on]').classList.contains('on'));
   mixer.run('unforce', '--config', mixer.config, 'Main.stir');
@@ -133,6 +139,7 @@ async function operates(page, mixer) {
   await page.keyboard.press('Enter');
   await waitFor(page, 'what is out of range is told at once', () => document.querySelector('[data-testid=problem]').innerText.includes('0 to 100 %'));
   await isAccessible(page, 'the dialog of a set point');
+  await fitsFingers(page, 'the dialog of a set point', '[data-testid=dialog]');
   await shot(page, 'set-point');
   for (const key of ['Clear', '4', '0', '.', '5']) await dialog(page).getByRole('button', { name: key, exact: true }).click();
   await dialog(page).getByRole('button', { name: 'Write' }).click();
@@ -141,6 +148,7 @@ async function operates(page, mixer) {
   await waitFor(page, 'and the tank shows it', () => document.querySelector('[data-testid=screen] [data-fill]').getAttribute('transform')?.includes('scale(1 0.405)'));
   await part(page, 'p3').getByRole('switch').click();
   check((await dialog(page).innerText()).includes('Is everybody clear?'), 'a part that asks, asks');
+  await fitsFingers(page, 'its question', '[data-testid=dialog]');
   await dialog(page).getByRole('button', { name: 'Stirrer' }).dblclick();
   await dialogIsGone(page, 'and is answered with yes');
   await waitFor(page, 'the stirrer stands', () => document.querySelector('[data-part-key=p3] [role=switch]').getAttribute('aria-checked') === 'false');
@@ -149,9 +157,12 @@ async function operates(page, mixer) {
   check(entries()[0].user === 'olga' && entries()[0].target === 'Main.level (Mixer: p2)' && entries()[0].after === '40.5', 'the audit trail says who, where and what');
   const direct = await asks(page, 'POST', '/api/screens/Mixer/write', { part: 'p2', value: '100.1', once: 'by-the-api' });
   check(codeOf(direct) === '400 H0126', `the server looks at the range itself: ${codeOf(direct)}`);
+  await part(page, 'p7').locator('input').focus();
+  for (const key of ['ArrowRight', 'ArrowRight', 'Tab', 'Enter']) await page.keyboard.press(key);
+  await until('a slider is set with the keys', async () => (await part(page, 'p2').innerText()).includes('%') && !(await part(page, 'p2').innerText()).includes('40.5'));
+  await waitFor(page, 'which stay there', () => document.activeElement?.closest('[data-part-key=p7]') !== null && document.activeElement?.tagName === 'BUTTON');
   await fitsEachLook(page, [['light', 1440], ['dark', 1440], ['light', 360]], (look) => shot(page, look));
-  const small = await page.evaluate(() => [...document.querySelectorAll('[data-testid=screen] [data-part-key] button:not(.told)')].map((one) => one.getBoundingClientRect()).filter(({ width, height }) => width < 40 || height < 40).length);
-  check(small === 0, 'on a phone every button has 40 px');
+  await fitsFingers(page, 'a screen on a phone', '[data-testid=screen] [data-part-key]');
   await page.setViewportSize({ width: 1440, height: 900 });
   await isAccessible(page, 'the page with a screen');
 }
@@ -163,6 +174,7 @@ async function hangsOnTheWall(page) {
     document.querySelectorAll('[data-testid=screen] [data-part-key] button').length > 1 &&
     [...document.querySelectorAll('[data-testid=wall] [data-panel]')].map(({ dataset }) => dataset.panel).join() === 'screen-0,tags,synoptic,trend,history');
   await has(display, 'with its values', 'p2', '%');
+  await has(display, 'and the words of the page', 'p7', 'level of the mixer');
   const said = (panel) => display.locator(`[data-panel=${panel}]`).innerText();
   check((await said('synoptic')).includes('There is no picture of the plant.'), 'a panel that has nothing says so');
   await until('a cell without a plant has a trend of its tags, by their descriptions', async () => (await said('trend')).includes('level of the mixer'));
@@ -175,9 +187,12 @@ async function hangsOnTheWall(page) {
   });
   check((await display.getByRole('button', { name: 'Whole' }).count()) === 0, 'without a button for it');
   check(
-    await display.evaluate(() => [...document.querySelectorAll('[data-testid=screen] [data-part-key] button')].every((one) => one.disabled)),
+    await display.evaluate(() => [...document.querySelectorAll('[data-testid=screen] [data-part-key] :is(button, input)')].every((one) => one.disabled)),
     'and nothing that acts, although somebody has logged in with this browser',
   );
+  const frames = await display.evaluate(() => [...document.querySelectorAll('[data-part-key] :is(.main, .slider)')].map((one) => getComputedStyle(one).borderTopStyle));
+  check(frames.length === 3 && frames.every((style) => style === 'dashed'), `and nothing looks as if it did (${frames.join(' ')})`);
+  check((await part(display, 'p2').getAttribute('title')).endsWith('A display on the wall only shows.'), 'which it says');
   await isAccessible(display, 'a screen on the wall');
   await shot(display, 'wall');
   await display.close();
@@ -207,6 +222,7 @@ async function twoPeopleSave(page) {
   });
   await waitFor(page, 'and sees both', () => document.querySelectorAll('dialog svg').length === 2);
   await isAccessible(page, 'the choice');
+  await fitsFingers(page, 'the choice', '[data-testid=dialog] > :not(header)');
   await shot(page, 'conflict');
   await dialog(page).getByRole('button', { name: 'Go on with theirs' }).click();
   await dialogIsGone(page, 'goes on with theirs');
@@ -258,6 +274,10 @@ async function repeatsAFace(page) {
   await editor(page).getByLabel('Name', { exact: true }).fill('Many');
   for (const [at, name] of ['batches', 'torn'].entries()) {
     await page.locator('[data-face=Face]').click();
+    const unfilled = page.locator(`[data-unfilled=p${at + 1}]`);
+    await until('a new copy says where which of its fields are empty', async () => /^Face at \d+, \d+: its fields title, what are empty\./.test(await unfilled.innerText()));
+    await unfilled.getByRole('button').click();
+    await waitFor(page, 'and leads there', () => document.activeElement?.labels?.[0]?.innerText === 'title');
     await field(page, 'title').fill(`T${at}`);
     await field(page, 'what').fill(`no_${name}`);
     await field(page, 'title').focus();
@@ -266,6 +286,7 @@ async function repeatsAFace(page) {
     await field(page, 'title').focus();
     await until('one that is right is not marked, and neither is its text', async () => (await page.locator('[data-testid=properties] [aria-invalid=true]').count()) === 0);
     await places(page, { x: 20, y: 20 + 180 * at });
+    check((await unfilled.count()) === 0, 'until they are filled in');
   }
   await page.getByRole('button', { name: 'Save', exact: true }).click();
   await says(page, 'Saved as version 1.');

@@ -99,6 +99,18 @@ class CheckNames(unittest.TestCase):
         self.assertEqual((done.returncode, done.stderr.count("C0532")), (0, 1), done.stderr)
         self.assertIn("[hmi.wall] shows the screen 'Secret', which is for the role operator and above", done.stderr)
 
+    def test_an_empty_field_of_a_copy_of_a_face_is_told_once_with_its_place(self):
+        screens = self.folder / "state/screens"
+        screens.mkdir(parents=True)
+        copy = '<g data-symbol="face" data-params="{}"><text data-text="{{pump}}.speed"/><rect data-on="!{{pump}}.on"/></g>\n'
+        said = "{&quot;face&quot;:&quot;PumpFace&quot;,&quot;key&quot;:&quot;p3&quot;}"
+        (screens / "Forty.svg").write_text('<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 10 10">\n' + copy.format(said) + copy.format("[") + "</svg>\n", encoding="utf-8")
+        done = self.check()
+        self.assertEqual((done.returncode, done.stderr.count("C0532")), (0, 2), done.stderr)
+        self.assertRegex(done.stderr, r"Forty\.svg:2:\d+: warning: C0532: the screen 'Forty': the field 'pump' of the copy p3 of the face 'PumpFace' is empty")
+        self.assertRegex(done.stderr, r"Forty\.svg:3:\d+: warning: C0532: the screen 'Forty': the field 'pump' is empty")
+        self.assertNotIn("names '{pump}", done.stderr)
+
     def test_a_source_that_is_no_utf8_is_a_warning_with_its_place(self):
         (self.folder / "main.st").write_bytes(PROGRAM.replace("temp : REAL;", "temp : REAL; // °C").replace("limit :", "\n limit :", 1).encode("latin-1"))
         done = self.check()

@@ -58,6 +58,9 @@ const RANGES: Range[] = ['fill', 'move', 'turn'];
 // The attributes, without `data-`, that name a value.
 export const NAMING: readonly string[] = ['text', ...SWITCHES, ...RANGES, 'pose-x', 'pose-y', 'pose-heading'];
 
+// Of a face, which stands for many: what each copy fills in. Where somebody has not, it stays in the names: "{pump}.running".
+export const fieldsIn = (text: string): string[] => [...new Set([...text.matchAll(/\{(\w+)\}/g)].map(([, name = '']) => name))];
+
 // All values that a binding is made of.
 export const namesOf = (binding: Binding): string[] =>
   binding.kind === 'pose' ? [binding.name, binding.y, binding.heading].filter((name) => name !== '') : [binding.name];

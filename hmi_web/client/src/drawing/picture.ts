@@ -12,6 +12,8 @@ export interface Source {
   value: (name: string) => TagValue;
   // The same with what is said of it; null if there is no such thing.
   found: (name: string) => Found | null;
+  // What people call it; words that are no name stay as they are.
+  called: (name: string) => string;
 }
 
 interface Bound {
@@ -86,7 +88,7 @@ export class DrawnPicture {
       if (written >= most) return false;
       this.waiting.delete(one);
       const { binding } = one;
-      const isNew = binding.kind === 'pose' ? place(one, binding, namesOf(binding).map((name) => numberOr(source.value(name)))) : show(one, binding, source.found(binding.name));
+      const isNew = binding.kind === 'pose' ? place(one, binding, namesOf(binding).map((name) => numberOr(source.value(name))), source) : show(one, binding, source);
       written += isNew ? 1 : 0;
     }
     return true;
@@ -107,34 +109,36 @@ function boundOf(element: SVGGraphicsElement): Bound[] {
 }
 
 // Whether there was something to write.
-function show(one: Bound, binding: Exclude<Binding, PoseBinding>, found: Found | null): boolean {
+function show(one: Bound, binding: Exclude<Binding, PoseBinding>, source: Source): boolean {
+  const found = source.found(binding.name);
   const value = found?.value ?? null;
   const words = binding.kind === 'text' ? textOf(found, binding.digits, binding.unit) : one.title === '' ? '' : spokenOf(found);
+  const name = one.title === '' ? '' : source.called(one.title);
   // More digits move an element than stand in its words.
-  const shown = binding.kind === 'text' ? words : `${String(value)} ${words}`;
+  const shown = binding.kind === 'text' ? `${name}${words}` : `${name}${String(value)} ${words}`;
   if (shown === one.shown) return false;
   one.shown = shown;
+  if (name !== '') one.element.setAttribute('aria-label', `${name}: ${words}`);
   write(one, binding.kind === 'text' && typeof value === 'string', drawnNumber(value, found?.type ?? ''), words);
   return true;
 }
 
 // Where it is not known any more it stays where it was, pale.
-function place(one: Bound, binding: PoseBinding, values: readonly Value[]): boolean {
+function place(one: Bound, binding: PoseBinding, values: readonly Value[], source: Source): boolean {
   const words = values.map((value) => fixed(value, 2)).join(', ');
   if (words === one.shown) return false;
   one.shown = words;
   const { element, title, ownTransform } = one;
   const transform = poseTransform(binding, values);
   element.classList.toggle('unknown', transform === null);
-  if (title !== '') element.setAttribute('aria-label', `${title}: ${words}`);
+  if (title !== '') element.setAttribute('aria-label', `${source.called(title)}: ${words}`);
   if (transform !== null) element.setAttribute('transform', `${transform} ${ownTransform}`.trim());
   return true;
 }
 
-function write({ element, binding, words: text, ownTransform, box, title }: Bound, isText: boolean, value: Value, words: string): void {
+function write({ element, binding, words: text, ownTransform, box }: Bound, isText: boolean, value: Value, words: string): void {
   element.classList.toggle('unknown', value === null && !isText);
   if (binding.kind === 'fill') element.classList.toggle('no-level', value === null);
-  if (title !== '') element.setAttribute('aria-label', `${title}: ${words}`);
   if (binding.kind === 'text') {
     if (text) text.data = words;
   } else if (binding.kind === 'show') element.classList.toggle('hidden', !isTrue(binding, value));

@@ -6,5 +6,6 @@ export default {
   forced: 'Geforct: {names}.',
   cannot: 'Die Zeichnung konnte nicht geladen werden.',
   unbound: 'In dieser Zelle an nichts gebunden: {names}',
+  unfilled: { one: 'Nicht ausgefüllt: das Feld {names} eines Symbols.', other: 'Nicht ausgefüllt: die Felder {names} von Symbolen.' },
   unread: 'Kein Wert der Anlage: {reasons}.',
 } satisfies Translation<typeof english>;

@@ -6,5 +6,6 @@ export default {
   forced: 'Variables forzadas: {names}.',
   cannot: 'No se pudo cargar el dibujo.',
   unbound: 'Sin enlace en esta celda: {names}',
+  unfilled: { one: 'Sin rellenar: el campo {names} de un símbolo.', other: 'Sin rellenar: los campos {names} de símbolos.' },
   unread: 'Ningún valor de la instalación: {reasons}.',
 } satisfies Translation<typeof english>;

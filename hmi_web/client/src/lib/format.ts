@@ -71,10 +71,10 @@ export function micros(value: Value | undefined): string {
   return value >= 1_000 ? `${fixedText(value / 1_000, 2)} ms` : `${short(value)} µs`;
 }
 
-// A tag's value by its IEC type, as a literal of IEC 61131-3: the same in every language.
+// A tag's value by its IEC type, as a literal of IEC 61131-3: the same in every language. A text is shown as it is, without quotes.
 export function tagValue(value: TagValue | undefined, type: string): string {
   if (value === null || value === undefined) return UNKNOWN;
-  if (typeof value === 'string') return type === 'STRING' ? `'${value}'` : type === 'WSTRING' ? `"${value}"` : value;
+  if (typeof value === 'string') return value;
   if (type === 'BOOL') return value > 0 ? 'TRUE' : 'FALSE';
   if (type === 'TIME' || type === 'LTIME') return `${seconds(value / 1e9)} s`;
   if (type === 'REAL' || type === 'LREAL') return realText(value);

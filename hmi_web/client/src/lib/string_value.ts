@@ -15,6 +15,17 @@ function literal(text: string, type: string): string {
   return quote + text.replace(/[$'"\u0000-\u001f\u007f]/g, (each) => (each === quote || !/['"]/.test(each) ? escaped(each) : each)) + quote;
 }
 
+const CONTROLS: Readonly<Record<string, string>> = { L: '\n', N: '\n', R: '\r', T: '\t', P: '\f' };
+
+// The text that a literal, or a text without quotes, stands for.
+export function meantText(typed: string, type: string): string {
+  const quote = quoteOf(type);
+  if (typed.length < 2 || !typed.startsWith(quote) || !typed.endsWith(quote)) return typed;
+  const code = type === 'WSTRING' ? /\$([\da-f]{4}|.)/gis : /\$([\da-f]{2}|.)/gis;
+  return typed.slice(1, -1).replace(code, (_, escape: string) =>
+    escape.length > 1 ? String.fromCharCode(parseInt(escape, 16)) : (CONTROLS[escape.toUpperCase()] ?? escape));
+}
+
 // What an input of one line begins with.
 export function typedText(text: string, type: string): string {
   const quote = quoteOf(type);

@@ -1,6 +1,8 @@
 // The parts of a screen that the page draws itself, over the drawing: what people act with, trends and lists. The server has
 // checked their attributes, and decides what is written.
 
+import type { Value } from '../lib/value';
+
 export type WritingKind = 'button' | 'switch' | 'setpoint' | 'slider' | 'choice' | 'startstop';
 export type PartKind = WritingKind | 'navigate' | 'trend' | 'alarms' | 'tags';
 
@@ -19,6 +21,7 @@ export interface Part {
   confirm: string; // the question before it writes; empty: none
   engineer: boolean;
   feedback: string; // the value that says that it runs
+  negated: boolean; // it runs while that is FALSE
   go: string;
   tags: string[];
   minutes: number;
@@ -71,6 +74,7 @@ export function partOf(read: (attribute: string) => string | null): Part | null 
     confirm: text('confirm'),
     engineer: text('least') === 'engineer',
     feedback: text('on').replace(/^!/, ''),
+    negated: text('on').startsWith('!'),
     go: text('go'),
     tags: list(text('tags')),
     minutes: number('minutes', 5),
@@ -80,8 +84,20 @@ export function partOf(read: (attribute: string) => string | null): Part | null 
 // A trend that stands in no drawing.
 export const trendPart = (tags: readonly string[], minutes: number): Part => ({
   kind: 'trend', key: '', label: '', write: '', stop: '', value: '', from: 0, to: 0, step: 0, unit: '', values: [], confirm: '',
-  engineer: false, feedback: '', go: '', tags: [...tags], minutes,
+  engineer: false, feedback: '', negated: false, go: '', tags: [...tags], minutes,
 });
+
+// What people read at it: its label, the screen that it leads to, or what the cell calls what it writes (`called`).
+export const labelOf = ({ label, go, write }: Partial<Record<'label' | 'go' | 'write', string>>, called: (name: string) => string): string =>
+  label || go || (write ? called(write) : '');
+
+// What the feedback says; null: nobody knows, or there is none.
+export const runsBy = ({ feedback, negated }: Part, value: Value): boolean | null => (feedback === '' || value === null ? null : value > 0.5 !== negated);
+
+// How many lines of words have room in so much of a drawing.
+const LINE = 17;
+const EDGES = 8;
+export const linesIn = (height: number): number => Math.max(1, Math.floor((height - EDGES) / LINE));
 
 // The names of all values that a part reads.
 export const namesOf = (part: Part): string[] => [part.write, part.feedback, ...part.tags].filter((name) => name !== '');

@@ -12,6 +12,8 @@ export default {
   preview: 'Vorschau: nichts wird geschrieben.',
   onlyOperators: 'Hier handeln Bediener: als solcher anmelden.',
   onlyEngineers: 'Hier handeln Ingenieure: als solcher anmelden.',
+  unfilled: 'Das Feld {names} dieses Symbols ist nicht ausgefüllt.',
+  onWall: 'Eine Anzeige an der Wand zeigt nur.',
   noVariable: 'Das Programm hat keine Variable {name}.',
   setOne: '{name} {value}: setzen',
   set: 'Setzen',

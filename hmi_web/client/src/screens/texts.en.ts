@@ -9,6 +9,8 @@ export default {
   preview: 'Preview: nothing is written.',
   onlyOperators: 'Operators act here: log in as one.',
   onlyEngineers: 'Engineers act here: log in as one.',
+  unfilled: 'The field {names} of this symbol is not filled in.',
+  onWall: 'A display on the wall only shows.',
   noVariable: 'The program has no variable {name}.',
   setOne: '{name} {value}: set it',
   set: 'Set',

@@ -12,6 +12,8 @@ export default {
   preview: 'Vista previa: no se escribe nada.',
   onlyOperators: 'Aquí actúan los operadores: inicie sesión.',
   onlyEngineers: 'Aquí actúan los ingenieros: inicie sesión.',
+  unfilled: 'El campo {names} de este símbolo no está rellenado.',
+  onWall: 'Un panel en la pared solo muestra.',
   noVariable: 'El programa no tiene la variable {name}.',
   setOne: '{name} {value}: fijar',
   set: 'Fijar',

@@ -12,6 +12,8 @@ export default {
   preview: 'Aperçu : rien n’est écrit.',
   onlyOperators: 'Ici agissent les opérateurs : connectez-vous.',
   onlyEngineers: 'Ici agissent les ingénieurs : connectez-vous.',
+  unfilled: 'Le champ {names} de ce symbole n’est pas rempli.',
+  onWall: 'Un affichage mural ne fait que montrer.',
   noVariable: 'Le programme n’a pas de variable {name}.',
   setOne: '{name} {value} : régler',
   set: 'Régler',

@@ -61,9 +61,9 @@ test('Forced_WhenAPointOfThePlantShowsAForcedVariable_ThenThePictureIsToldSo', (
 });
 
 test('Text_WhenAVariableHasOne_ThenItIsShownAndIsNoNumber', () => {
-  assert.equal(tagValue('ready', 'STRING'), "'ready'");
-  assert.equal(tagValue('', 'STRING'), "''", 'an empty text is one');
-  assert.equal(tagValue('ready', 'WSTRING'), '"ready"');
+  assert.equal(tagValue('ready', 'STRING'), 'ready');
+  assert.equal(tagValue('', 'STRING'), '', 'an empty text is empty, and no dash');
+  assert.equal(tagValue('ready', 'WSTRING'), 'ready');
   assert.equal(tagValue('D#2026-11-26', 'DATE'), 'D#2026-11-26');
   assert.equal(tagValue(null, 'STRING'), '–');
   assert.ok(!isTrue('1') && isTrue(1) && !isTrue(0) && !isTrue(null));

@@ -8,7 +8,7 @@ import { test } from 'node:test';
 import { load } from './load_modules.mjs';
 
 const arrange = await load(process.env.CLIENT, ['screens/editor/arrange']);
-const model = await load(process.env.CLIENT, ['screens/editor/model', 'screens/editor/symbols', 'screens/editor/part_symbols']);
+const model = await load(process.env.CLIENT, ['screens/editor/model', 'screens/editor/symbols', 'screens/editor/part_symbols', 'screens/editor/part_label']);
 const sizes = await load(process.env.CLIENT, ['screens/editor/sizing', 'screens/editor/points']);
 const view = await load(process.env.CLIENT, ['screens/parts', 'screens/screens', 'screens/overview', 'screens/trend_lines', 'screens/editor/tag_search', 'screens/editor/face_names', 'lib/tag_notes']);
 
@@ -35,7 +35,7 @@ test('Parts_WhenTheyAreNotComplete_ThenTheyAreSavedWithoutWriting', () => {
 test('Face_WhenItIsRepeated_ThenEachCopyHasItsOwnNamesAndKeys', () => {
   const face = { name: 'Pump', width: 100, height: 50, inner: '<g data-on="{pump}.on" data-key="go"><text>{pump}</text></g>', params: ['pump'] };
   assert.equal(model.filledFace(face, { pump: 'Main.P1' }, 'p3'), '<g data-on="Main.P1.on" data-key="p3-go"><text>Main.P1</text></g>');
-  assert.equal(model.filledFace(face, {}, 'p3').includes('{pump}'), true, 'what nobody has named stays to be seen');
+  for (const params of [{}, { pump: ' ' }]) assert.equal(model.filledFace(face, params, 'p3').includes('{pump}'), true, 'what nobody has named stays to be seen');
   assert.equal(model.filledFace(face, { pump: '"><script>' }, 'p3').includes('<script>'), false);
   const drawn = model.innerOf(item('p3', { symbol: 'face', w: 200, h: 50, params: { face: 'Pump', pump: 'a' } }), new Map([['Pump', face]]));
   assert.ok(drawn.startsWith('<g transform="scale(2 1)">'));
@@ -50,6 +50,39 @@ test('Face_WhenItsParametersArePartsOfNames_ThenThoseNamesAreLookedForAndATextIs
   const known = ['Main.pump[1].running', 'Main.pump[1].real_speed', 'MAIN.PUMP[2].RUNNING', 'Main.pump[2].real_speed', 'Main.fan.running', 'Main.level'];
   assert.deepEqual(view.offersOf(patterns, 'pump', known), ['Main.pump[1]', 'MAIN.PUMP[2]'], 'those that have both names');
   assert.deepEqual(view.offersOf(['{value}'], 'value', known), known);
+});
+
+test('Face_WhenACopyLeavesFieldsEmpty_ThenTheyAreNamed', () => {
+  const faces = new Map([['Pump', { name: 'Pump', width: 100, height: 50, inner: '<text data-text="{pump}.speed">{title}</text>', params: ['pump', 'title'] }]]);
+  const copy = (key, params) => item(key, { symbol: 'face', params: { face: 'Pump', ...params } });
+  const found = view.unfilledIn([copy('p1', {}), copy('p2', { pump: 'Main.p', title: 'P' }), copy('p3', { pump: ' ', title: 'P' }), item('p4'), copy('p5', { face: 'Gone' })], faces);
+  assert.deepEqual(found.map(({ item: { key }, face, fields }) => [key, face, ...fields]), [['p1', 'Pump', 'pump', 'title'], ['p3', 'Pump', 'pump']]);
+});
+
+test('Part_WhenItHasNoLabel_ThenItIsCalledAsTheDeclarationOfItsVariableSays', () => {
+  const called = (name) => (name === 'Main.pump[1].speed' ? 'wanted speed [1]' : name);
+  const setPoint = (params) => item('p1', { symbol: 'setpoint', w: 180, h: 44, params });
+  assert.match(model.innerOf(setPoint({ write: 'Main.pump[1].speed' }), new Map(), called), />wanted speed \[1\]<\/text>/);
+  assert.match(model.innerOf(setPoint({ write: 'Main.pump[1].speed', label: 'Speed' }), new Map(), called), />Speed<\/text>/, 'a label of its own wins');
+  assert.match(model.innerOf(setPoint({ write: 'Main.pump[1].speed' }), new Map()), />Main.pump\[1\].speed<\/text>/, 'a file has the name');
+  const part = svgOf(setPoint({ write: '{pump}.speed', from: '0', to: '9' })).match(/<g data-symbol.*<\/g>/s)[0];
+  const face = { name: 'Face', width: 180, height: 44, inner: part, params: ['pump'] };
+  assert.match(model.filledFace(face, { pump: 'Main.pump[1]' }, 'p3', called), />wanted speed \[1\]<\/text>/, 'in a copy of a face, too');
+  assert.equal(view.labelOf({ label: '', go: 'Mixer', write: '' }, called), 'Mixer');
+});
+
+test('Part_WhenItsWordsAreLong_ThenTheyAreCutWithinItsEdgesAndWholeInItsTitle', () => {
+  assert.deepEqual(model.fitted('Level', 160, 2), ['Level']);
+  assert.deepEqual(model.fitted('Start the conveyor', 108, 2), ['Start the', 'conveyor'], 'words are broken between lines first');
+  const long = 'Main.sorting_line.conveyor_of_the_infeed[12].speed_that_is_wanted';
+  const lines = model.fitted(long, 168, 2);
+  assert.equal(lines.length, 2);
+  assert.ok(lines[1].endsWith('…') && long.startsWith(lines[0] + lines[1].slice(0, -1)), lines.join('|'));
+  const drawn = model.partLabel(long, 180, 44);
+  assert.ok(drawn.includes(`<title>${long}</title>`), drawn);
+  assert.ok(!model.partLabel('Level', 180, 44).includes('<title>'));
+  assert.deepEqual(model.fitted('🙂🙂🙂', 20, 1).length, 1, 'no sign is cut in two');
+  assert.deepEqual([44, 20, 100].map(view.linesIn), [2, 1, 5]);
 });
 
 test('Items_WhenTheyAreAlignedSpreadAndGrouped_ThenOnlyTheChosenOnesMove', () => {
@@ -148,6 +181,8 @@ test('Part_WhenItIsRead_ThenItHasWhatTheServerChecked', () => {
   const choice = read({ part: 'choice', key: 'a', write: 'Main.mode', values: '0 = Off; 2=By = hand;3', on: '!Main.ok' });
   assert.deepEqual(choice.values, [{ literal: '0', name: 'Off' }, { literal: '2', name: 'By = hand' }, { literal: '3', name: '3' }]);
   assert.deepEqual(view.namesOf(choice), ['Main.mode', 'Main.ok']);
+  assert.deepEqual([1, 0, null].map((value) => view.runsBy(choice, value)), [false, true, null], 'its feedback is turned round');
+  assert.equal(view.runsBy(read({ part: 'startstop' }), 1), null, 'without a feedback nobody knows');
   assert.deepEqual([view.literalOf(20, 'REAL'), view.literalOf(20.5, 'REAL'), view.literalOf(20, 'INT'), view.literalOf(1.5, 'TIME')], ['20.0', '20.5', '20', 'T#1.5s']);
 });
 

@@ -48,7 +48,7 @@ test('Value_WhenItHasAUnitAndDecimals_ThenBothAreShown', () => {
   assert.equal(told(7, 'INT', { name: 'n', unit: 'pcs' }), '7 pcs');
   assert.equal(told(2.5e9, 'TIME', { name: 't', decimals: 3 }), '2.50 s', 'a time has its own form');
   assert.equal(told(null, 'REAL', level), '–', 'what is not known has no unit');
-  assert.equal(told('ready', 'STRING', { name: 's', unit: 'l' }), "'ready'");
+  assert.deepEqual([told('ready', 'STRING', { name: 's', unit: 'l' }), told('ready', 'WSTRING')], ['ready', 'ready'], 'a text has no quotes, as in a drawing');
   assert.equal(told(1, 'BOOL', { name: 'b' }), 'TRUE');
   assert.equal(told(2e38, 'REAL', level), '2.0E38 l');
 });
@@ -135,7 +135,7 @@ test('Value_WhenAnIntegerHasMoreDigitsThanANumber_ThenAllOfThemAreShown', () => 
   const digits = '9007199254740993';
   assert.equal(told(digits, 'LINT'), digits);
   assert.equal(told(digits, 'ULINT', { name: 'x', unit: 'pcs', decimals: 1 }), `${digits} pcs`);
-  assert.equal(told(digits, 'STRING'), `'${digits}'`);
+  assert.equal(told(digits, 'STRING'), digits);
   assert.equal(drawnNumber(digits, 'LINT'), 9007199254740992);
   assert.equal(drawnNumber('12', 'STRING'), null);
   assert.equal(exactInteger(` -${digits} `), `-${digits}`);

@@ -64,6 +64,17 @@ TEST(Parts, WhenSomethingIsMissing_ThenItIsToldWithItsPlaceAndAWay) {
   EXPECT_THAT(twice.error()[0].message, HasSubstr("two parts have the data-key a"));
 }
 
+TEST(Parts, WhenACopyOfAFaceLeavesAFieldEmpty_ThenItsNamesSayOfWhichCopyTheyAre) {
+  const auto drawn = with_parts(
+      R"(<g data-symbol="face" data-params='{"face":"Pump","key":"p3"}'><g><text data-text="{pump}.speed"/>)"
+      R"(<text data-text="Main.level"/></g></g><text data-text="{pump}.speed"/>)");
+  ASSERT_TRUE(drawn) << result::to_string(drawn.error());
+  ASSERT_EQ(drawn->names.size(), 3u);
+  EXPECT_EQ(drawn->names[0].copy, R"({"face":"Pump","key":"p3"})");
+  EXPECT_EQ(drawn->names[1].copy, "");
+  EXPECT_EQ(drawn->names[2].copy, "") << "it stands in no copy";
+}
+
 TEST(Parts, WhenADrawingIsReadAgain_ThenItIsTheSame) {
   const auto once = with_parts(
       "<defs><linearGradient id='g'/></defs><rect fill='url(#g)'/><text> a  b </text>"

@@ -11,7 +11,7 @@ const COMMANDS: Record<string, (board: DrawingBoard) => void> = {
   z: (board) => board.undo(),
   y: (board) => board.redo(),
   c: (board) => board.copy(),
-  x: (board) => (board.copy(), board.remove()),
+  x: (board) => board.cut(),
   v: (board) => board.paste(),
   d: (board) => board.double(),
   a: (board) => board.choose(board.content.items.map(({ key }) => key)),

@@ -166,13 +166,18 @@ export class DrawingBoard {
     this.setItems(this.content.items.map((item) => (item.key === key && isByPoints(item) ? through(item, points) : item)), deed);
   }
   remove(): void {
+    if (this.chosen.size === 0) return;
     this.setItems(this.content.items.filter(({ key }) => !this.chosen.has(key)));
     this.chosen = new Set();
   }
 
   // From one screen into another, too: this browser keeps it.
   copy(): void {
-    remember(CLIPBOARD, JSON.stringify(this.selection));
+    if (this.chosen.size > 0) remember(CLIPBOARD, JSON.stringify(this.selection));
+  }
+  cut(): void {
+    this.copy();
+    this.remove();
   }
   paste(): void {
     try {

@@ -1,5 +1,6 @@
 // A screen as it is drawn: its settings, and its symbols from back to front. Plain values that never change.
 
+import { byName, relabelled, type Called } from './part_label';
 import { attribute, escaped, type Params } from './template';
 import { templateOf } from './symbols';
 
@@ -51,25 +52,25 @@ export const EMPTY: Content = {
 };
 
 const PLACEHOLDER = /\{(\w+)\}/g;
-export const placeholdersIn = (text: string): string[] => [...new Set([...text.matchAll(PLACEHOLDER)].map(([, name = '']) => name))];
 
 // The face with its parameters put in. Parts in it have keys of their own wherever it stands.
-export function filledFace(face: Face, params: Params, key: string): string {
-  return face.inner
+export function filledFace(face: Face, params: Params, key: string, called: Called = byName): string {
+  const filled = face.inner
     .replace(/data-key="([^"]*)"/g, (_, own: string) => `data-key="${key}-${own}"`)
-    .replace(PLACEHOLDER, (whole, name: string) => (params[name] ? escaped(params[name]) : whole));
+    .replace(PLACEHOLDER, (whole, name: string) => escaped(params[name]?.trim() ?? '') || whole);
+  return relabelled(filled, called);
 }
 
-// What stands inside of the element of an item.
-export function innerOf(item: Item, faces: Faces): string {
+// What stands inside of the element of an item. `called`: what people call a variable; in a file it has its name.
+export function innerOf(item: Item, faces: Faces, called: Called = byName): string {
   if (item.symbol === 'drawn') return item.markup;
   if (item.symbol === 'face') {
     const face = faces.get(item.params.face ?? '');
-    return face ? `<g transform="scale(${round(item.w / face.width)} ${round(item.h / face.height)})">${filledFace(face, item.params, item.key)}</g>` : item.markup;
+    return face ? `<g transform="scale(${round(item.w / face.width)} ${round(item.h / face.height)})">${filledFace(face, item.params, item.key, called)}</g>` : item.markup;
   }
   const template = templateOf(item.symbol);
   if (!template) return item.markup;
-  return turnedInto(item, template.draw) + (template.beside?.(item.params, item.w, item.h) ?? '');
+  return turnedInto(item, (params, width, height) => template.draw(params, width, height, called)) + (template.beside?.(item.params, item.w, item.h) ?? '');
 }
 
 // What is turned by a quarter fills the same box: it is drawn as long as the box is high.

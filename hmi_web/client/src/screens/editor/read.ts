@@ -1,7 +1,8 @@
 // A file as the screen that it was drawn as; what other programs have drawn stays as it is, each element a symbol of its own.
 // Needs the browser's parser.
 
-import { EMPTY, nextKey, placeholdersIn, type Content, type Face, type Item, type Least, type Settings } from './model';
+import { fieldsIn } from '../../drawing/bindings';
+import { EMPTY, nextKey, type Content, type Face, type Item, type Least, type Settings } from './model';
 import { templateOf } from './symbols';
 
 const OWN = ['xmlns', 'viewBox', 'data-least', 'data-kind', 'width', 'height'];
@@ -97,5 +98,5 @@ export function faceOf(name: string, svg: string): Face {
   const inner = innerOf(root);
   // What its own symbols remember of themselves stays with the face.
   const bare = inner.replace(/ data-(symbol|params)="[^"]*"/g, '');
-  return { name, width, height, inner: bare, params: placeholdersIn(bare) };
+  return { name, width, height, inner: bare, params: fieldsIn(bare) };
 }

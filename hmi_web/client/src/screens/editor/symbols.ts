@@ -1,7 +1,9 @@
 // The symbols that screens are put together from: templates with parameters, drawn after ISA-101 in the colours of the page. Each
 // makes plain SVG with the bindings of drawings (hmi_web/doc/drawings.md), so that any program shows it. Pure.
 
+import { labelOf } from '../parts';
 import { LINE_SYMBOLS } from './line_symbols';
+import { byName, partLabel } from './part_label';
 import { partAttributes } from './part_symbols';
 import { alive, attribute, escaped, states, titled, type Params, type SymbolTemplate } from './template';
 
@@ -107,9 +109,8 @@ const part = (kind: string, family: SymbolTemplate['family'], width: number, hei
   width,
   height,
   fields,
-  draw: (p, w, h) =>
-    `<rect width="${w}" height="${h}" rx="6" fill="var(--panel)" stroke="var(--line-strong)" stroke-width="2"/>` +
-    `<text x="${w / 2}" y="${h / 2 + 5}" text-anchor="middle" font-size="14">${escaped(p.label || p.go || p.write || kind)}</text>`,
+  draw: (p, w, h, called = byName) =>
+    `<rect width="${w}" height="${h}" rx="6" fill="var(--panel)" stroke="var(--line-strong)" stroke-width="2"/>` + partLabel(labelOf(p, called) || kind, w, h),
   attributes: (p, key) => partAttributes(kind, p, key),
 });
 

@@ -20,7 +20,7 @@ export interface SymbolTemplate {
   fields: readonly FieldName[];
   turns?: boolean; // it can be turned
   byPoints?: boolean; // it is drawn point by point, and turned with its points
-  draw: (params: Params, width: number, height: number) => string;
+  draw: (params: Params, width: number, height: number, called?: (name: string) => string) => string; // `called`: what people call a variable
   beside?: (params: Params, width: number, height: number) => string; // what is not turned with it
   attributes?: (params: Params, key: string) => string; // of the element around it
 }
