@@ -7,7 +7,7 @@ import { test } from 'node:test';
 
 import { load } from './load_modules.mjs';
 
-const { isValue } = await load(process.env.CLIENT, ['lib/literals']);
+const { isValue, meantText, sentText, typedText } = await load(process.env.CLIENT, ['lib/literals', 'lib/string_value']);
 
 // Those of `literals` that mean the value.
 const meaning = (value, type, literals, names) => literals.filter((literal) => isValue(literal, value, type, names));
@@ -47,5 +47,17 @@ test('Literal_WhenTheVariableIsANumber_ThenTheNumberCountsAndNotItsDigits', () =
 
 test('Literal_WhenTheVariableIsATextOrACharacter_ThenItsQuotesDoNotCount', () => {
   assert.deepEqual(meaning('ready', 'STRING', ["'ready'", 'ready', "'Ready'"]), ["'ready'", 'ready']);
+  assert.deepEqual(meaning('two\nlines', 'STRING', ["'two$Nlines'", "'two$0alines'", 'two$Nlines', '"two$Nlines"']), ["'two$Nlines'", "'two$0alines'"]);
+  assert.deepEqual(meaning('5 \u20AC', 'WSTRING', ['"5 $20AC"', '5 \u20AC', "'5 \u20AC'"]), ['"5 $20AC"', '5 \u20AC']);
   assert.deepEqual(meaning(97, 'CHAR', ["'a'", '97', "'b'"]), ["'a'", '97']);
+});
+
+test('Text_WhenAnInputBeginsWithIt_ThenWhatIsSentMeansTheSameText', () => {
+  for (const type of ['STRING', 'WSTRING'])
+    for (const text of ['', 'B 17', "'", "''", '""', "'quoted'", '"quoted"', 'US$ 5', "'US$ 5'", 'two\nlines\t$\u0001', "$'\r"]) {
+      const typed = typedText(text, type);
+      assert.doesNotMatch(typed, /[\u0000-\u001f]/, 'an input of one line drops them');
+      assert.equal(meantText(sentText(typed, type), type), text, `${type} ${JSON.stringify(text)}`);
+    }
+  assert.equal(typedText('B 17', 'STRING'), 'B 17', 'what needs no quotes has none');
 });
