@@ -25,7 +25,7 @@ namespace stepwright::hmi {
 
 class RemovedVariables {
  public:
-  // Outlived by what it is given; null: there are none.
+  // What it is given outlives it; null: there are none.
   RemovedVariables(const std::vector<recipes::RecipeTag>* tags, const screens::ScreenStore* screens,
                    log::Logger& log)
       : tags_(tags), screens_(screens), log_(log) {}
