@@ -261,9 +261,12 @@ CellReading read_cell_config(const std::filesystem::path& file, const std::vecto
   if (!document) return unread(file, overrides, std::move(document.error()));
   for (const std::string& entry : overrides) {
     const std::size_t equals = entry.find('=');
-    const std::string key = entry.substr(0, equals);
-    auto applied =
-        (*document)->override_value(key, equals == std::string::npos ? "" : entry.substr(equals + 1));
+    if (equals == std::string::npos)
+      return unread(file, overrides,
+                    result::fail("C0001", {"--set " + entry, 0, 0}, "this is not KEY=VALUE: there is no '='",
+                                 "for example --set plant.seed=7")
+                        .value());
+    auto applied = (*document)->override_value(entry.substr(0, equals), entry.substr(equals + 1));
     if (!applied) return unread(file, overrides, std::move(applied.error()));
   }
   CellReading reading = read_cell_document(**document, file);

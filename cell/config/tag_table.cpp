@@ -57,23 +57,35 @@ class TagTable {
   void tell_no_names() {
     const std::string& head = columns_.begin()->first;
     const std::size_t other = columns_.size() == 1 ? head.find_first_of(";\t|") : std::string::npos;
-    if (other == std::string::npos)
-      return report(rows_.where(0), kNoTable, "no column is called 'name'",
-                    "name,unit,description,group,decimals,least,greatest,values");
+    if (other == std::string::npos) return tell_head();
     const std::string what = head[other] == '\t' ? "tabs" : std::string("'") + head[other] + "'";
     report(rows_.where(0), kNoTable, "this table is separated by " + what + " and not by commas",
            "save it with commas between the fields, and points in numbers");
   }
 
+  // "Name", "nmae": at its place, with what is meant.
+  void tell_head() {
+    for (const auto& [column, index] : columns_) {
+      if (settings::closest(small(column), {"name"}).empty()) continue;
+      return report(rows_.where(index), kNoTable, "the column '" + column + "' is not read",
+                    "did you mean 'name'? Heads are in small letters: name,unit,description,...");
+    }
+    report(rows_.where(0), kNoTable, "no column is called 'name'",
+           "name,unit,description,group,decimals,least,greatest,values");
+  }
+
+  static std::string small(std::string text) {
+    for (char& c : text) c = naming::to_lower(c);
+    return text;
+  }
+
   // Other columns are for people, but for a slip.
   void tell_unread(const std::string& column, std::size_t index) {
     if (std::ranges::find(kColumns, column) != kColumns.end()) return;
-    std::string small = column;
-    for (char& c : small) c = naming::to_lower(c);
     std::vector<std::string> absent;
     std::ranges::copy_if(kColumns, std::back_inserter(absent),
                          [&](const std::string& each) { return !columns_.contains(each); });
-    const std::string meant = settings::closest(small, absent);
+    const std::string meant = settings::closest(small(column), absent);
     if (meant.empty()) return;
     problems_.push_back({kNoTable, result::Severity::Warning, rows_.where(index),
                          "the column '" + column + "' is not read", "did you mean '" + meant + "'?"});

@@ -1,4 +1,5 @@
 #include "cell/gateway/follow_plan.h"
+#include "runtime/ground/result/counted.h"
 
 #include <poll.h>
 
@@ -14,8 +15,8 @@ ExitCode follow_plan(const config::CellConfig& config, const HandPlan& plan, rem
                      log::Logger& log, const process::StopSignal& stop,
                      const std::function<void(const FollowStatus&)>& meanwhile) {
   remote::HandLoaded follower(line, plan.registers, plan.actions);
-  log.info("follows",
-           "follows the plan of " + std::to_string(plan.actions.size()) + " actions on " + line.name());
+  log.info("follows", "follows the plan of " + result::counted(plan.actions.size(), "action", "actions") +
+                          " on " + line.name());
   static_cast<void>(line.reopen());
   bool answers = true;
   while (!stop.came() && follower.state() == HandState::UnderWay) {
@@ -36,8 +37,8 @@ ExitCode follow_plan(const config::CellConfig& config, const HandPlan& plan, rem
   if (follower.state() == HandState::UnderWay) {
     if (auto withdrawn = follower.withdraw(); !withdrawn)
       log.warning("controller", result::to_string(withdrawn.error()));
-    log.info("ends",
-             "nothing is granted any more; " + std::to_string(follower.started()) + " actions were started");
+    log.info("ends", "nothing is granted any more; " +
+                         result::counted(follower.started(), "action was", "actions were") + " started");
     return ExitCode::Done;
   }
   return follower.state() == HandState::Done ? ExitCode::Done : ExitCode::RuntimeFault;

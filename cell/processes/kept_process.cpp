@@ -2,6 +2,7 @@
 
 #include <cstring>
 
+#include "runtime/ground/result/counted.h"
 #include "runtime/ground/result/exit_code.h"
 
 namespace stepwright::processes {
@@ -85,7 +86,8 @@ std::string KeptProcess::ended(Time now) {
   const auto rest = policy_.ended(now);
   if (!rest) {
     phase_ = Phase::Failed;
-    return what + ", " + std::to_string(policy_.failures()) + " times before it was ready: it is left alone";
+    return what + ", " + result::counted(static_cast<std::uint64_t>(policy_.failures()), "time", "times") +
+           " before it was ready: it is left alone";
   }
   phase_ = Phase::Resting;
   start_at_ = now + *rest;

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "cell/runtime/guard_process.h"
+#include "runtime/ground/result/counted.h"
 #include "runtime/io_memory/process_mark.h"
 
 namespace stepwright::cell_runtime {
@@ -41,7 +42,7 @@ void GuardWatch::turn(Clock::time_point now) {
   if (!guard.there) return replace(now);
   if (missing_) {
     missing_ = false;
-    note_ = "the guard was lost " + std::to_string(lost_) + " times, another one watches";
+    note_ = "the guard was lost " + result::counted(lost_, "time", "times") + ", another one watches";
     log_.warning("guard", "another guard watches the outputs", {{"lost", lost_}});
   }
   end_silent(guard, now);

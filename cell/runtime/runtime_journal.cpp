@@ -3,6 +3,7 @@
 #include <optional>
 #include <variant>
 
+#include "runtime/ground/result/counted.h"
 #include "runtime/service/digest.h"
 
 namespace stepwright::cell_runtime {
@@ -57,15 +58,16 @@ void RuntimeJournal::status(const host::RuntimeStatus& status) {
   if (status.overruns > overruns_) {
     const std::uint64_t late = status.overruns - overruns_;
     overruns_ = status.overruns;
-    log_.warning(
-        "overrun",
-        std::to_string(late) + " scans came too late, " + std::to_string(overruns_) + " since the start",
-        {{"late", late}, {"overruns", overruns_}, {"scan_max_us", status.scan_max_us}});
+    log_.warning("overrun",
+                 result::counted(late, "scan", "scans") + " came too late, " + std::to_string(overruns_) +
+                     " since the start",
+                 {{"late", late}, {"overruns", overruns_}, {"scan_max_us", status.scan_max_us}});
   }
   if (status.process.lost_events > lost_events_) {
     const std::uint64_t lost = status.process.lost_events - lost_events_;
     lost_events_ = status.process.lost_events;
-    log_.warning("lost_events", std::to_string(lost) + " events were lost: nobody took them in time",
+    log_.warning("lost_events",
+                 result::counted(lost, "event was", "events were") + " lost: nobody took them in time",
                  {{"lost", lost}, {"lost_events", lost_events_}});
   }
   log_.tick();

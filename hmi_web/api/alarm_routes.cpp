@@ -2,6 +2,7 @@
 
 #include "hmi_web/api/cell_records.h"
 #include "hmi_web/api/routes.h"
+#include "runtime/ground/result/counted.h"
 
 namespace stepwright::api {
 namespace {
@@ -147,7 +148,7 @@ Answer acknowledge_all(CellRecords& records, access::AuditLog& audit, const Call
                      "is the disk full? Nothing was done to the others");
   }
   Answer answer;
-  answer.target = std::to_string(done.size() + refusals.size()) + " alarms";
+  answer.target = result::counted(done.size() + refusals.size(), "alarm", "alarms");
   answer.after = std::to_string(done.size()) + " acknowledged";
   answer.text = nlohmann::json{{"done", std::move(done)}, {"refused", std::move(refusals)}}.dump(
       -1, ' ', false, nlohmann::json::error_handler_t::replace);

@@ -9,10 +9,12 @@
 
 #include <chrono>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "runtime/bytecode/reader/program_info.h"
 #include "runtime/ground/result/result.h"
 #include "runtime/host/plant_fault.h"
 
@@ -44,6 +46,8 @@ class CellControl {
   // Variables of the running program by their paths or addresses; values are literals of IEC 61131-3. What is
   // returned is the value as the program spells it.
   [[nodiscard]] virtual result::Result<std::string> read(const std::string& name) = 0;
+  // The program that runs, as far as it is known here; null: none is.
+  virtual std::shared_ptr<const reader::ProgramInfo> program() = 0;
   // The value as `write` would return it; nothing is written.
   [[nodiscard]] virtual result::Result<std::string> spell(const std::string& name,
                                                           const std::string& value) = 0;

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "hmi_web/api/internal/problems_json.h"
 #include "hmi_web/api/internal/refusal_status.h"
 
 namespace stepwright::api {
@@ -45,20 +46,11 @@ Route stopping(Route route) {
 }
 
 Answer refused(unsigned status, const result::Diagnostics& problems) {
-  json list = json::array();
-  for (const auto& problem : problems) {
-    json entry = {{"code", problem.code}, {"message", problem.message}};
-    if (!problem.hint.empty()) entry["hint"] = problem.hint;
-    if (problem.where.line > 0) {
-      entry["line"] = problem.where.line;
-      entry["column"] = problem.where.column;
-    }
-    list.push_back(std::move(entry));
-  }
   Answer answer;
   answer.status = status;
   if (!problems.empty()) answer.refusal = problems.front().code + ": " + problems.front().message;
-  answer.text = json{{"problems", std::move(list)}}.dump(-1, ' ', false, json::error_handler_t::replace);
+  answer.text =
+      json{{"problems", problems_json(problems)}}.dump(-1, ' ', false, json::error_handler_t::replace);
   return answer;
 }
 

@@ -1,6 +1,7 @@
 #include <charconv>
 #include <nlohmann/json.hpp>
 
+#include "hmi_web/api/internal/problems_json.h"
 #include "hmi_web/api/internal/service_row.h"
 #include "hmi_web/api/routes.h"
 #include "hmi_web/api/screen_service.h"
@@ -57,7 +58,8 @@ constexpr const char* kHistory = R"({"type": "object", "required": ["name", "cur
   "properties": {"name": {"type": "string"}, "current": {"type": "integer"},
     "versions": {"type": "array", "items": {"type": "object"}}}})";
 constexpr const char* kSaved = R"({"type": "object", "required": ["name", "version"], "properties": {
-  "name": {"type": "string"}, "version": {"type": "integer"}}})";
+  "name": {"type": "string"}, "version": {"type": "integer"},
+  "warnings": {"type": "array", "items": {"type": "object", "required": ["code", "message"]}}}})";
 constexpr const char* kWritten = R"({"type": "object", "required": ["name", "value"], "properties": {
   "name": {"type": "string"}, "value": {"type": "string"}}})";
 
@@ -180,7 +182,9 @@ Answer save(ScreenService& service, const Call& call) {
   else if (saved->aside)
     answer = conflict(*service.store().find(name), *saved);
   else
-    answer = answer_of({{"name", name}, {"version", saved->number}});
+    answer = answer_of({{"name", name},
+                        {"version", saved->number},
+                        {"warnings", problems_json(service.doubts_of(name, call.body.text("svg")))}});
   answer.target = name;
   if (before && before->current() != nullptr) answer.before = told(*before->current());
   if (saved) answer.after = told(*saved) + (saved->aside ? " aside" : "");

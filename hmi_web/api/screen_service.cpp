@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "hmi_web/screens/codes.h"
+#include "hmi_web/screens/part_check.h"
 
 namespace stepwright::api {
 namespace {
@@ -106,6 +107,18 @@ std::string ScreenService::start_of(Role role) const {
     if (screen && screen->shown() != nullptr) return name;
   }
   return {};
+}
+
+result::Diagnostics ScreenService::doubts_of(const std::string& name, std::string_view svg) const {
+  auto drawn = drawing::read_drawing(name + ".svg", svg);
+  if (!drawn) return {};
+  result::Diagnostics doubts = std::move(drawn->warnings);
+  const auto program = cell_.program();
+  // A face has words in braces in place of names.
+  if (!program || drawn->is_symbol) return doubts;
+  for (result::Diagnostic& each : screens::check_parts(drawn->parts, *program))
+    doubts.push_back(std::move(each));
+  return doubts;
 }
 
 Result<PartWritten> ScreenService::write(const PartWrite& deed) {

@@ -18,6 +18,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -67,6 +68,10 @@ class ScreenService {
   // The screen that a page of the role opens with: its own, else that of everybody, of those that it may see.
   // Empty: the first of all.
   std::string start_of(access::Role role) const;
+
+  // What whoever saves the drawing ought to know, as warnings with its lines: what is not drawn as it stands
+  // there, and parts that the program that runs now takes nothing from. Nothing of what cannot be read.
+  result::Diagnostics doubts_of(const std::string& name, std::string_view svg) const;
 
   [[nodiscard]] result::Result<PartWritten> write(const PartWrite& deed);
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "hmi_web/drawing/parts.h"
+#include "runtime/ground/result/closest.h"
 
 namespace stepwright::drawing {
 namespace {
@@ -61,6 +62,10 @@ std::optional<double> number_of(std::string_view text) {
   return value;
 }
 
+bool is_more(std::string_view name) {
+  return std::find(kMore.begin(), kMore.end(), name) != kMore.end();
+}
+
 class Check {
  public:
   Check(pugi::xml_node element, std::vector<BindingMistake>& mistakes)
@@ -74,11 +79,7 @@ class Check {
         take(*kind, attribute.value());
       else if (is_part_attribute(name))
         continue;  // read_part looks at it
-      else if (std::find(kMore.begin(), kMore.end(), name) == kMore.end())
-        tell("there is no binding " + std::string(name),
-             "data-text, data-on, data-warn, data-alarm, data-show, data-fill, data-move, data-turn, "
-             "data-pose-x");
-      else
+      else if (is_more(name))
         check_more(name, attribute.value());
     }
     if (ranges_ > 1)
@@ -153,6 +154,21 @@ class Check {
 };
 
 }  // namespace
+
+bool is_known_data(std::string_view name) {
+  return kind_of(name) != nullptr || is_more(name) || is_part_attribute(name);
+}
+
+std::string nearest_data(std::string_view name) {
+  constexpr std::size_t kPrefix = std::string_view("data-").size();
+  if (name.size() > kLongestName) return {};
+  std::vector<std::string> known;
+  for (const Kind& each : kKinds) known.emplace_back(each.name);
+  for (const std::string_view each : kMore) known.emplace_back(each);
+  for (const std::string_view each : part_attributes()) known.emplace_back(each);
+  const std::string* const found = result::closest(name, known, (name.size() - kPrefix + 2) / 3);
+  return found == nullptr ? std::string() : *found;
+}
 
 std::vector<std::string> check_bindings(pugi::xml_node element, std::vector<BindingMistake>& mistakes) {
   return Check(element, mistakes).run();

@@ -1,10 +1,10 @@
 #include "hmi_web/drawing/drawing_file.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <map>
 #include <pugixml.hpp>
 #include <set>
 #include <sstream>
@@ -12,7 +12,10 @@
 
 #include "hmi_web/drawing/bindings.h"
 #include "hmi_web/drawing/parts.h"
+#include "hmi_web/drawing/pictures.h"
 #include "hmi_web/drawing/references.h"
+#include "hmi_web/drawing/style_sheet.h"
+#include "hmi_web/drawing/trimmed.h"
 #include "hmi_web/drawing/vocabulary.h"
 #include "runtime/ground/result/utf8_place.h"
 
@@ -25,12 +28,6 @@ constexpr unsigned kParse = pugi::parse_cdata | pugi::parse_escapes | pugi::pars
 constexpr const char* kPrefix = "drawing-";
 constexpr std::size_t kPrefixLength = 8;
 constexpr std::size_t kMostMistakes = 50;
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && static_cast<unsigned char>(text.front()) <= ' ') text.remove_prefix(1);
-  while (!text.empty() && static_cast<unsigned char>(text.back()) <= ' ') text.remove_suffix(1);
-  return text;
-}
 
 // Once: what is read again has them already.
 std::string own_id(std::string_view id) {
@@ -47,18 +44,12 @@ std::string with_own_ids(std::string value) {
   return value;
 }
 
-// A picture that is in the file itself, of pixels: nothing is loaded, and nothing in it can run.
-bool is_embedded_picture(std::string_view value) {
-  for (const std::string_view head :
-       {"data:image/png;base64,", "data:image/jpeg;base64,", "data:image/webp;base64,"}) {
-    if (!value.starts_with(head)) continue;
-    value.remove_prefix(head.size());
-    return std::all_of(value.begin(), value.end(), [](char c) {
-      return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '+' || c == '/' || c == '=' ||
-             c == '\n' || c == ' ';
-    });
-  }
-  return false;
+// "#FFF !important" as "#FFF": nothing here says otherwise.
+std::string_view without_importance(std::string_view value) {
+  constexpr std::string_view kMark = "important";
+  if (!value.ends_with(kMark)) return value;
+  const std::string_view before = trimmed(value.substr(0, value.size() - kMark.size()));
+  return before.ends_with('!') ? trimmed(before.substr(0, before.size() - 1)) : value;
 }
 
 std::string copy_around(pugi::xml_node element) {
@@ -91,9 +82,13 @@ class Reader {
            "a drawing is an SVG file");
       return tl::unexpected(mistakes_);
     }
+    style(root);
     pugi::xml_node drawn = out_.append_child("svg");
     drawn.append_attribute("xmlns") = "http://www.w3.org/2000/svg";
     copy(root, drawn, 1);
+    if (!seen_)
+      miss("C0646", "nothing", root.offset_debug(), "nothing is drawn in it",
+           "is this the file that was meant? A drawing has shapes, text or pictures");
     give_view_box(root, drawn);
     // What is nested too deep is told already, and whoever follows references goes as deep.
     if (auto excess = mistakes_.empty() ? excess_of_references(root) : std::nullopt)
@@ -104,8 +99,8 @@ class Reader {
     place_names();
     const std::string_view least = root.attribute("data-least").as_string("viewer");
     const bool is_symbol = root.attribute("data-kind").value() == std::string_view("symbol");
-    return Drawing{std::move(text).str(), names_.size(),      std::move(names_),
-                   std::move(parts_),     std::string(least), is_symbol};
+    return Drawing{std::move(text).str(), names_.size(), std::move(names_), std::move(parts_),
+                   std::string(least),    is_symbol,     warnings()};
   }
 
  private:
@@ -113,6 +108,41 @@ class Reader {
     if (mistakes_.size() >= kMostMistakes) return;
     mistakes_.push_back(
         {code, result::Severity::Error, place_of(offset), std::move(message), std::move(hint)});
+  }
+
+  // What is left out and is missed: once for each `what`, at its first place.
+  void miss(const char* code, const std::string& what, std::ptrdiff_t offset, std::string message,
+            std::string hint) {
+    if (const auto at = missed_.find(what); at != missed_.end())
+      ++at->second.count;
+    else if (missed_.size() < kMostMistakes)
+      missed_.emplace(what, Remark{code, offset, std::move(message), std::move(hint)});
+  }
+
+  // In the order of the file.
+  result::Diagnostics warnings() const {
+    std::vector<const Remark*> remarks;
+    for (const auto& [what, remark] : missed_) remarks.push_back(&remark);
+    std::ranges::stable_sort(remarks, {}, &Remark::offset);
+    result::Diagnostics all;
+    for (const Remark* each : remarks)
+      all.push_back({each->code, result::Severity::Warning, place_of(each->offset),
+                     each->message + (each->count > 1 ? " (" + std::to_string(each->count) + " times)" : ""),
+                     each->hint});
+    return all;
+  }
+
+  // Rules of style sheets become styles of the elements.
+  void style(pugi::xml_node root) {
+    const StyleNews news = apply_styles(root);
+    for (const auto& [offset, what] : news.loading)
+      tell("C0642", offset, "the style sheet loads another one: " + what, "put its rules into the drawing");
+    for (const auto& [offset, what] : news.left_out)
+      miss("C0646", "rule " + what, offset, "the style sheet's rule '" + what + "' is left out",
+           "rules for classes, ids and elements are followed, such as .pipe, #valve, path.thin");
+    if (news.excess)
+      tell("C0644", root.offset_debug(), "the style sheets have too many rules, or rules for too much",
+           "give shapes their style as attributes: drawing programs offer it when they save");
   }
 
   // In one go: elements come in the order of the file.
@@ -181,12 +211,39 @@ class Reader {
       tell("C0644", from.offset_debug(),
            "the drawing has more than " + std::to_string(kMostBindings) + " bindings",
            "divide it between several cells");
+    const std::string_view name = plain_name(from.name());
+    seen_ = seen_ || is_seen(name) || from.attribute("data-part");
+    if (name == "switch") return copy_choice(from, to, depth);
     for (const pugi::xml_node child : from.children()) {
       if (child.type() == pugi::node_element)
         copy_element(child, to, depth);
       else if (child.type() == pugi::node_pcdata || child.type() == pugi::node_cdata)
         to.append_child(pugi::node_pcdata).set_value(child.value());
     }
+  }
+
+  // Of a <switch> a program draws the first that it can: here never HTML, and what is for everybody before
+  // what is for one language.
+  void copy_choice(pugi::xml_node from, pugi::xml_node to, int depth) {
+    pugi::xml_node chosen;
+    bool is_html = false;
+    for (const pugi::xml_node child : from.children()) {
+      const std::string_view name = plain_name(child.name());
+      const bool is_wanted = !child.attribute("requiredExtensions");
+      is_html = is_html || (!chosen && is_wanted && name == "foreignObject");
+      if (name == "script") copy_element(child, to, depth);  // refused
+      if (child.type() != pugi::node_element || standing_of_element(name) != Standing::Drawn || !is_wanted)
+        continue;
+      const bool is_better =
+          chosen && chosen.attribute("systemLanguage") && !child.attribute("systemLanguage");
+      if (!chosen || is_better) chosen = child;
+    }
+    if (is_html)
+      miss("C0646", "html", from.offset_debug(),
+           chosen ? "formatted text (HTML) is left out: the plain text beside it is drawn"
+                  : "formatted text (HTML) is left out, and no plain text stands beside it",
+           "draw.io: switch off 'Formatted Text' and 'Word Wrap' of the labels before the export");
+    if (chosen) copy_element(chosen, to, depth);
   }
 
   void take(Part part, pugi::xml_node from, std::vector<BindingMistake>& wrong) {
@@ -200,17 +257,18 @@ class Reader {
     const std::string name(plain_name(child.name()));
     switch (standing_of_element(name)) {
       case Standing::Drawn:
-        return copy(child, to.append_child(name.c_str()), depth + 1);
+        return copy(child, to.append_child(name == "switch" ? "g" : name.c_str()), depth + 1);
       case Standing::LeftOut:
         return;
+      case Standing::Missed: {
+        const Missed missed = *missed_element(name);
+        return miss("C0646", name, child.offset_debug(), "<" + name + "> is left out: " + missed.what,
+                    missed.hint);
+      }
       case Standing::Refused:
         break;
     }
     const char* hint = "only shapes, text and gradients are drawn";
-    if (name == "style")
-      hint =
-          "give shapes their style as attributes; drawing programs do so when they save a plain or optimized "
-          "SVG";
     if (name == "foreignObject") hint = "HTML is not shown; draw with shapes and text";
     tell("C0641", child.offset_debug(), "the element <" + name.substr(0, 40) + "> is refused", hint);
   }
@@ -232,12 +290,12 @@ class Reader {
             reference_of(from);  // of an element that has both: the one that counts
         set(to, "href", "#" + own_id(target.substr(std::min<std::size_t>(1, target.size()))));
       } else if (name.starts_with("data-")) {
-        set(to, name, value);
+        copy_data(from, name, value, to);
       } else if (name == "viewBox" && !is_view_box(value)) {
         tell("C0640", from.offset_debug(), "viewBox=\"" + value.substr(0, 60) + "\" says no place and size",
              "four numbers, the width and the height above 0: viewBox=\"0 0 800 400\"");
       } else if (standing_of_attribute(name) == Standing::Drawn) {
-        copy_value(from, name, value, to);
+        copy_drawn(from, name, value, to);
       } else if (standing_of_attribute(name) == Standing::Refused) {
         refuse(from, name, value, "a drawing runs nothing; bind it with data-on, data-text and so on");
       } else if (name != "style" && name.find(':') == std::string_view::npos) {  // of a drawing program
@@ -247,8 +305,36 @@ class Reader {
     copy_style(from, from.attribute("style").value(), to);
   }
 
+  // Other programs have such attributes, too: the names of layers are the most usual ones.
+  void copy_data(pugi::xml_node from, std::string_view name, const std::string& value, pugi::xml_node to) {
+    if (is_known_data(name)) return set(to, name, value);
+    if (name == "data-name" || name == "data-cell-id") return;
+    const bool is_told = missed_.contains(std::string(name)) || missed_.size() >= kMostMistakes;
+    const std::string meant = is_told ? std::string() : nearest_data(name);
+    miss("C0643", std::string(name), from.offset_debug(),
+         "there is no binding " + std::string(name.substr(0, 60)) + ": it is left out",
+         meant.empty() ? "data-text, data-on, data-warn, data-alarm, data-show, data-fill, data-move, "
+                         "data-turn, data-pose-x"
+                       : "did you mean " + meant + "?");
+  }
+
+  void copy_drawn(pugi::xml_node from, std::string_view name, const std::string& value, pugi::xml_node to) {
+    if (is_drawable(name, value) || !is_harmless(value)) return copy_value(from, name, value, to);
+    const std::string element(plain_name(from.name()));
+    miss("C0646", element + " " + std::string(name), from.offset_debug(),
+         std::string(name) + "=\"" + value.substr(0, 60) + "\" of <" + element +
+             "> has a number that cannot be drawn: it is left out",
+         "plain numbers, such as 12.5 or 3mm");
+  }
+
   void copy_picture(pugi::xml_node from, std::string_view name, const std::string& value, pugi::xml_node to) {
-    if (is_embedded_picture(value)) return set(to, "href", value);
+    if (is_embedded_picture(value)) {
+      if (!is_whole_picture(value))
+        miss("C0646", "picture", from.offset_debug(),
+             "the data of a picture is none: a browser shows it as broken",
+             "png, jpeg or webp, whole and in base64");
+      return set(to, "href", value);
+    }
     refuse(from, name, value,
            "a picture stands in the file itself, as \"data:image/png;base64,...\" (png, jpeg or webp)");
   }
@@ -265,7 +351,8 @@ class Reader {
       if (!is_presentation(property)) {
         refuse_harmful(from, property, trimmed(declaration.substr(std::min(colon + 1, declaration.size()))));
       } else {
-        copy_value(from, property, std::string(trimmed(declaration.substr(colon + 1))), to);
+        copy_value(from, property, std::string(without_importance(trimmed(declaration.substr(colon + 1)))),
+                   to);
       }
     }
   }
@@ -273,7 +360,10 @@ class Reader {
   // What is left out in silence says how something looks; what loads something is told.
   void refuse_harmful(pugi::xml_node from, std::string_view name, std::string_view value) {
     if (!is_harmless(value))
-      refuse(from, name, std::string(value), "only plain values, and url(#id) of the drawing itself");
+      return refuse(from, name, std::string(value), "only plain values, and url(#id) of the drawing itself");
+    if (const auto missed = missed_property(name, value))
+      miss("C0646", missed->what, from.offset_debug(), std::string(name) + " is left out: " + missed->what,
+           missed->hint);
   }
 
   void copy_value(pugi::xml_node from, std::string_view name, const std::string& value, pugi::xml_node to) {
@@ -313,12 +403,22 @@ class Reader {
     set(drawn, "viewBox", box.str());
   }
 
+  struct Remark {
+    const char* code;
+    std::ptrdiff_t offset;
+    std::string message;
+    std::string hint;
+    std::size_t count = 1;
+  };
+
   const std::string& name_;
   std::string_view text_;
   pugi::xml_document in_;
   pugi::xml_document out_;
   result::Diagnostics mistakes_;
   std::size_t elements_ = 0;
+  std::map<std::string, Remark> missed_;  // by what is missed
+  bool seen_ = false;                     // something is drawn
   std::vector<Part> parts_;
   std::set<std::string> keys_;
   std::vector<BoundName> names_;

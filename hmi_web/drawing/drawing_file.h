@@ -9,13 +9,14 @@
 //
 // Invariant: the result holds only shapes, text, gradients and bindings from lists of known names, with ids
 // of their own: no script, no style sheet, no outside address. Pictures stand in the file itself. Data of
-// drawing programs (other namespaces, metadata, classes) are left out; an element that would be missed or
-// could do harm is reported.
+// drawing programs (other namespaces, metadata, classes) are left out; what would be missed is told by
+// warnings; what could do harm is refused.
 //
 // What is read again is the same: `read_drawing(name, drawing->svg)->svg == drawing->svg`.
 //
 // Codes: C0640 the file cannot be read as a drawing, C0641 an element that is not drawn, C0642 an attribute
-// that is refused, C0643 a binding that is wrong, C0644 too much of something.
+// that is refused, C0643 a binding that is wrong, C0644 too much of something. Warnings: C0643 an attribute
+// `data-...` of somebody else's, C0646 what is left out and is missed.
 //
 // Pure but for the file; any thread.
 
@@ -51,6 +52,7 @@ struct Drawing {
   std::vector<Part> parts = {};       // that people act with; each that writes has a key of its own
   std::string least = "viewer";       // the role from which it is shown: viewer, operator or engineer
   bool is_symbol = false;             // a face for others to repeat, no screen
+  result::Diagnostics warnings = {};  // C0643, C0646: what is drawn otherwise than it stands there
 };
 
 [[nodiscard]] result::Result<Drawing> load_drawing(const std::filesystem::path& file);

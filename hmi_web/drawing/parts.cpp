@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "hmi_web/drawing/trimmed.h"
+
 namespace stepwright::drawing {
 namespace {
 
@@ -40,12 +42,6 @@ bool is_key(std::string_view text) {
 bool is_variable(std::string_view name) {
   return !name.empty() && name.size() <= 200 &&
          std::none_of(name.begin(), name.end(), [](char c) { return static_cast<unsigned char>(c) <= ' '; });
-}
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
-  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
-  return text;
 }
 
 std::vector<std::string> split(std::string_view text) {
@@ -178,6 +174,10 @@ bool writes(PartKind kind) {
 
 bool is_part_attribute(std::string_view name) {
   return std::find(kAttributes.begin(), kAttributes.end(), name) != kAttributes.end();
+}
+
+std::span<const std::string_view> part_attributes() {
+  return kAttributes;
 }
 
 std::optional<Part> read_part(pugi::xml_node element, std::vector<std::string>& names,

@@ -3,6 +3,7 @@
 // Reads the operator parts of a drawing. Pure. Internal to this folder.
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,6 +17,7 @@ namespace stepwright::drawing {
 
 // One of the attributes that parts, symbols and screens have beside the bindings of drawings.
 bool is_part_attribute(std::string_view name);
+std::span<const std::string_view> part_attributes();
 
 // The part that the element is; says what is wrong with its attributes. Names of variables that it shows are
 // appended to `names`.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <charconv>
 #include <cmath>
 #include <locale>
 #include <sstream>
@@ -11,14 +12,42 @@
 namespace stepwright::drawing {
 namespace {
 
-constexpr std::array<std::string_view, 23> kElements = {
-    "svg",    "g",     "defs",           "symbol",         "use",  "title",    "desc",
-    "path",   "rect",  "circle",         "ellipse",        "line", "polyline", "polygon",
-    "text",   "tspan", "linearGradient", "radialGradient", "stop", "clipPath", "pattern",
-    "marker", "image"};
-constexpr std::array<std::string_view, 2> kSilent = {"metadata", "view"};
+constexpr std::array<std::string_view, 26> kElements = {
+    "svg",      "g",     "defs",           "symbol",         "use",   "title",    "desc",
+    "path",     "rect",  "circle",         "ellipse",        "line",  "polyline", "polygon",
+    "text",     "tspan", "linearGradient", "radialGradient", "stop",  "clipPath", "pattern",
+    "textPath", "image", "marker",         "mask",           "switch"};
+// A style sheet is taken apart before (style_sheet.h); what a filter would do is missed where it is used.
+constexpr std::array<std::string_view, 4> kSilent = {"metadata", "view", "style", "filter"};
+constexpr std::array<std::string_view, 7> kShapes = {"path", "rect",    "circle",  "ellipse",
+                                                     "line", "polygon", "polyline"};
+// That show something without being shapes.
+constexpr std::array<std::string_view, 3> kShown = {"text", "image", "use"};
 
-constexpr std::array<std::string_view, 41> kGeometry = {"viewBox",
+struct Miss {
+  std::string_view name;
+  const char* what;
+  const char* hint;
+};
+constexpr std::array kMissedElements = {
+    Miss{"flowRoot", "text that flows in a frame is not drawn", "Inkscape: Text, Convert to Text"},
+    Miss{"font", "fonts of the file are not used", "text is drawn with the fonts of the browser's machine"},
+    Miss{"font-face", "fonts of the file are not used",
+         "text is drawn with the fonts of the browser's machine"},
+    Miss{"mesh", "a gradient mesh is not drawn", "a linear or radial gradient is"},
+    Miss{"meshgradient", "a gradient mesh is not drawn", "a linear or radial gradient is"},
+    Miss{"hatch", "a hatching is not drawn", "a <pattern> is"},
+    Miss{"solidcolor", "a named colour is not used", "give shapes their colour themselves"}};
+constexpr std::array kMissedProperties = {
+    Miss{"filter", "shadows, blurs and other filters are not drawn", "draw a shadow as a shape of its own"},
+    Miss{"backdrop-filter", "shadows, blurs and other filters are not drawn",
+         "draw a shadow as a shape of its own"},
+    Miss{"mix-blend-mode", "colours lie on each other and are not blended", "use opacity"},
+    Miss{"transform", "what a style moves or turns stays where it is drawn", "use the attribute transform"},
+    Miss{"animation", "nothing moves by itself", "bind it with data-move or data-turn"},
+    Miss{"mask-image", "what it hides is seen", "use a <mask>"}};
+
+constexpr std::array<std::string_view, 44> kGeometry = {"viewBox",
                                                         "preserveAspectRatio",
                                                         "x",
                                                         "y",
@@ -58,8 +87,22 @@ constexpr std::array<std::string_view, 41> kGeometry = {"viewBox",
                                                         "lengthAdjust",
                                                         "rotate",
                                                         "pathLength",
+                                                        "startOffset",
+                                                        "maskUnits",
+                                                        "maskContentUnits",
                                                         "role"};
-constexpr std::array<std::string_view, 38> kPresentation = {"fill",
+// Those that are one or several lengths.
+constexpr std::array<std::string_view, 26> kLengths = {
+    "x",      "y",      "x1",          "y1",     "x2",          "y2",           "cx",         "cy",
+    "r",      "rx",     "ry",          "fx",     "fy",          "dx",           "dy",         "width",
+    "height", "offset", "startOffset", "rotate", "markerWidth", "markerHeight", "textLength", "pathLength",
+    "refX",   "refY"};
+constexpr std::array<std::string_view, 12> kUnits = {"",   "px", "mm", "cm", "in", "pt",
+                                                     "pc", "em", "ex", "%",  "Q",  "rem"};
+// In place of a length.
+constexpr std::array<std::string_view, 7> kWords = {"auto", "center", "left",   "right",
+                                                    "top",  "bottom", "inherit"};
+constexpr std::array<std::string_view, 40> kPresentation = {"fill",
                                                             "fill-opacity",
                                                             "fill-rule",
                                                             "stroke",
@@ -90,6 +133,8 @@ constexpr std::array<std::string_view, 38> kPresentation = {"fill",
                                                             "baseline-shift",
                                                             "clip-path",
                                                             "clip-rule",
+                                                            "mask",
+                                                            "mask-type",
                                                             "marker-start",
                                                             "marker-mid",
                                                             "marker-end",
@@ -100,6 +145,8 @@ constexpr std::array<std::string_view, 38> kPresentation = {"fill",
 
 // Of a drawing's own units: beyond it a browser computes with what is left of a float.
 constexpr double kFarthest = 1e6;
+// Of what stands in it, also far outside: the largest number that a browser takes for a length.
+constexpr double kLongest = 1e9;
 
 template <std::size_t N>
 bool is_among(const std::array<std::string_view, N>& names, std::string_view name) {
@@ -112,6 +159,48 @@ std::string lower_without_space(std::string_view text) {
     if (static_cast<unsigned char>(c) > ' ')
       result += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return result;
+}
+
+template <std::size_t N>
+const Miss* miss_of(const std::array<Miss, N>& misses, std::string_view name) {
+  const auto found = std::ranges::find(misses, name, &Miss::name);
+  return found == misses.end() ? nullptr : &*found;
+}
+
+std::optional<Missed> told(const Miss* miss) {
+  if (miss == nullptr) return std::nullopt;
+  return Missed{miss->what, miss->hint};
+}
+
+// "12.5" and what stands behind it; nothing: no number that a browser could draw with.
+std::optional<std::string_view> behind_number(std::string_view text) {
+  if (text.starts_with('+')) text.remove_prefix(1);
+  double number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const std::string_view digits(text.data(), static_cast<std::size_t>(end - text.data()));
+  const bool is_tiny =
+      error == std::errc::result_out_of_range && digits.find('-', 1) != std::string_view::npos;
+  if ((error != std::errc{} && !is_tiny) || !std::isfinite(number) || std::abs(number) > kLongest)
+    return std::nullopt;
+  return text.substr(digits.size());
+}
+
+bool is_length(std::string_view text) {
+  if (is_among(kWords, text)) return true;
+  const auto unit = behind_number(text);
+  return unit && is_among(kUnits, *unit);
+}
+
+// Whether all numbers in "M 0 0 L 5 1e999" are such. What is none of a number is somebody else's.
+bool has_plain_numbers(std::string_view text) {
+  constexpr std::string_view kBegin = "0123456789.";
+  for (std::size_t at = text.find_first_of(kBegin); at != std::string_view::npos;
+       at = text.find_first_of(kBegin)) {
+    const auto rest = behind_number(text.substr(at));
+    if (!rest) return false;
+    text = *rest;
+  }
+  return true;
 }
 
 // "amp", "#176", "#xB0".
@@ -142,6 +231,7 @@ std::size_t end_of_plain(std::string_view text, std::size_t at) {
 
 Standing standing_of_element(std::string_view name) {
   if (is_among(kElements, name)) return Standing::Drawn;
+  if (missed_element(name)) return Standing::Missed;
   return is_among(kSilent, name) || name.find(':') != std::string_view::npos ? Standing::LeftOut
                                                                              : Standing::Refused;
 }
@@ -162,6 +252,36 @@ bool is_view_box(std::string_view value) {
   if (!in || !(in >> std::ws).eof()) return false;
   return std::ranges::all_of(numbers, [](double number) { return std::abs(number) <= kFarthest; }) &&
          numbers[2] > 0 && numbers[3] > 0;
+}
+
+std::optional<Missed> missed_element(std::string_view name) {
+  return told(miss_of(kMissedElements, name));
+}
+
+std::optional<Missed> missed_property(std::string_view property, std::string_view value) {
+  if (value == "none" || value == "normal" || value == "pass-through" || value == "passthrough")
+    return std::nullopt;
+  return told(miss_of(kMissedProperties, property));
+}
+
+bool is_seen(std::string_view name) {
+  return is_among(kShapes, name) || is_among(kShown, name);
+}
+
+bool is_drawable(std::string_view name, std::string_view value) {
+  if (value.find('{') != std::string_view::npos) return true;  // of a face: each copy has its own
+  // Neither a path nor points have an "n", and nan, infinity and undefined do; nor do they refer to anything.
+  if ((name == "d" || name == "points") && value.find_first_of("nN(") != std::string_view::npos) return false;
+  if (name == "d" || name == "points" || name == "transform") return has_plain_numbers(value);
+  if (!is_among(kLengths, name)) return true;
+  constexpr std::string_view kBetween = " ,\t\r\n";
+  while (true) {
+    value.remove_prefix(std::min(value.find_first_not_of(kBetween), value.size()));
+    if (value.empty()) return true;
+    const std::size_t end = std::min(value.find_first_of(kBetween), value.size());
+    if (!is_length(value.substr(0, end))) return false;
+    value.remove_prefix(end);
+  }
 }
 
 bool is_presentation(std::string_view property) {

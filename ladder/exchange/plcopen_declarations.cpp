@@ -31,7 +31,7 @@ std::string enumeration_type(ReadContext& context, pugi::xml_node enumeration) {
   std::string values;
   for (const pugi::xml_node each : child(enumeration, "values").children()) {
     if (local_name(each) != "value") continue;
-    values += (values.empty() ? "" : ", ") + context.required(each, "name");
+    values += (values.empty() ? "" : ", ") + context.required_name(each, "name");
     if (const pugi::xml_attribute value = each.attribute("value"))
       values += std::string(" := ") + value.value();
   }
@@ -43,7 +43,7 @@ std::string structure_type(ReadContext& context, pugi::xml_node structure) {
   std::vector<graphic::StructureMember> members;
   for (const pugi::xml_node each : structure.children()) {
     if (local_name(each) != "variable") continue;
-    members.push_back({context.required(each, "name"), each.attribute("address").value(),
+    members.push_back({context.required_name(each, "name"), each.attribute("address").value(),
                        read_type(context, child(each, "type")),
                        read_value(context, child(each, "initialValue"))});
   }
@@ -118,7 +118,7 @@ void read_variables(ReadContext& context, pugi::xml_node list, graphic::Variable
   for (const pugi::xml_node node : list.children()) {
     if (local_name(node) != "variable") continue;
     graphic::Variable variable;
-    variable.name = context.required(node, "name");
+    variable.name = context.required_name(node, "name");
     variable.type = read_type(context, child(node, "type"));
     variable.section = section;
     variable.address = node.attribute("address").value();

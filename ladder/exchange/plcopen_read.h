@@ -27,6 +27,8 @@ class ReadContext {
 
   // An attribute that must not be empty: reported if it is. That it is there, the schema says.
   std::string required(pugi::xml_node node, const char* attribute);
+  // The same, where a name stands: E0802 for one that would be read as several words.
+  std::string required_name(pugi::xml_node node, const char* attribute);
   bool boolean(pugi::xml_node node, const char* attribute);
   std::optional<double> decimal(pugi::xml_node node, const char* attribute);
   std::optional<std::uint64_t> number(pugi::xml_node node, const char* attribute);

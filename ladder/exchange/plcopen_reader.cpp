@@ -1,6 +1,7 @@
 #include "ladder/exchange/plcopen_reader.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdlib>
 
 #include "ladder/exchange/duration.h"
@@ -32,6 +33,17 @@ std::string ReadContext::required(pugi::xml_node node, const char* attribute) {
         std::string("the attribute '") + attribute + "' of <" + std::string(local_name(node)) + "> is empty",
         "give it a value");
   return value;
+}
+
+std::string ReadContext::required_name(pugi::xml_node node, const char* attribute) {
+  std::string name = required(node, attribute);
+  // Whether it is a name in the dialect is seen where it is used; this ends one there.
+  const bool is_word = std::ranges::none_of(
+      name, [](unsigned char c) { return c < 0x80 && c != '_' && c != '.' && std::isalnum(c) == 0; });
+  if (!is_word)
+    error(node, code::kNotPlcopen, "'" + name + "' of <" + std::string(local_name(node)) + "> is no name",
+          "letters, digits and underscores, without blanks: " + graphic::make_identifier(name));
+  return name;
 }
 
 bool ReadContext::boolean(pugi::xml_node node, const char* attribute) {
@@ -125,7 +137,7 @@ class ProjectReader {
  private:
   void data_type(pugi::xml_node node) {
     graphic::DataType type;
-    type.name = context_.required(node, "name");
+    type.name = context_.required_name(node, "name");
     type.type = read_type(context_, child(node, "baseType"));
     type.initial = read_value(context_, child(node, "initialValue"));
     type.comment = context_.documentation(node);
@@ -136,7 +148,7 @@ class ProjectReader {
 
   void pou(pugi::xml_node node) {
     Pou pou;
-    pou.name = context_.required(node, "name");
+    pou.name = context_.required_name(node, "name");
     pou.where = context_.file().offset(node);
     const std::string kind = context_.required(node, "pouType");
     if (kind == "function") pou.kind = graphic::PouKind::Function;
@@ -251,7 +263,7 @@ class ProjectReader {
 
   void task(pugi::xml_node node, std::uint32_t resource) {
     graphic::Task task;
-    task.name = context_.required(node, "name");
+    task.name = context_.required_name(node, "name");
     task.priority = static_cast<int>(context_.number(node, "priority").value_or(0) & 0xFFFFU);
     task.single = node.attribute("single").value();
     task.resource = resource;
@@ -285,8 +297,7 @@ class ProjectReader {
 
   // The type of a program instance: where the dialect says so, that of its name, or an older attribute.
   std::string type_of(pugi::xml_node node, const std::string& name) {
-    const std::string type = node.attribute("typeName").value();
-    if (!type.empty()) return type;
+    if (*node.attribute("typeName").value() != '\0') return context_.required_name(node, "typeName");
     if (context_.dialect().old_exchange && !node.attribute("typeName"))
       return context_.required(node, "type");
     if (context_.dialect().exported_tasks) return name;
@@ -298,7 +309,7 @@ class ProjectReader {
 
   void instance(pugi::xml_node node, const std::string& task, std::uint32_t resource) {
     graphic::ProgramInstance instance;
-    instance.name = context_.required(node, "name");
+    instance.name = context_.required_name(node, "name");
     instance.program = type_of(node, instance.name);
     instance.task = task;
     instance.resource = resource;

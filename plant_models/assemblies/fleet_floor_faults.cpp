@@ -1,6 +1,7 @@
 #include <string>
 
 #include "plant_models/assemblies/fleet_floor.h"
+#include "runtime/ground/result/counted.h"
 
 namespace stepwright::assemblies {
 namespace {
@@ -11,9 +12,9 @@ constexpr std::string_view kFleetPlant = "the fleet";
 
 std::string FleetFloor::violation() const {
   if (const auto met = overlap_monitor_.overlaps(); met > 0)
-    return "vehicles overlapped in " + std::to_string(met) + " steps";
+    return "vehicles overlapped in " + result::counted(met, "step", "steps");
   if (const auto met = overlap_monitor_.obstacle_overlaps(); met > 0)
-    return "a vehicle overlapped what stands there in " + std::to_string(met) + " steps";
+    return "a vehicle overlapped what stands there in " + result::counted(met, "step", "steps");
   return {};
 }
 

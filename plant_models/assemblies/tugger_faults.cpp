@@ -1,4 +1,5 @@
 #include "plant_models/assemblies/tugger.h"
+#include "runtime/ground/result/counted.h"
 
 #include <cmath>
 #include <string>
@@ -13,7 +14,7 @@ constexpr double kAtRest_m_s = 0.005;
 
 std::string Tugger::violation() const {
   if (contacts_ == 0) return {};
-  return "the train ran into something " + std::to_string(contacts_) + " times";
+  return "the train ran into something " + result::counted(contacts_, "time", "times");
 }
 
 result::Result<void> Tugger::inject_fault(std::string_view name, double value) {

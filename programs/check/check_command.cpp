@@ -14,6 +14,7 @@
 #include "hmi_web/alarms/definition_file.h"
 #include "hmi_web/drawing/drawing_file.h"
 #include "hmi_web/recipes/definition_file.h"
+#include "hmi_web/screens/codes.h"
 #include "hmi_web/screens/screen_store.h"
 #include "programs/check/check_plant.h"
 #include "programs/check/check_processes.h"
@@ -79,6 +80,34 @@ void check_image(const config::CellConfig& config, const std::filesystem::path& 
   add(report.problems, check_program(config, **program));
 }
 
+// The plant's own picture only shows.
+void note_idle_parts(const std::vector<drawing::Part>& parts, result::Diagnostics& problems) {
+  const auto part =
+      std::ranges::find_if(parts, [](const drawing::Part& each) { return drawing::writes(each.kind); });
+  if (part == parts.end()) return;
+  problems.push_back({screens::kPartNeverWrites, result::Severity::Warning, part->where,
+                      "the operator part '" + part->key + "' of [hmi] drawing does nothing: only screens act",
+                      "put the file into [hmi] screens_dir as NAME.svg"});
+}
+
+// What is wrong in them, or drawn otherwise than it stands there.
+void check_drawings(const config::HmiConfig& hmi, result::Diagnostics& problems) {
+  if (!hmi.drawing.empty()) {
+    const auto drawn = drawing::load_drawing(hmi.drawing);
+    add(problems, drawn ? drawn->warnings : drawn.error());
+    if (drawn) note_idle_parts(drawn->parts, problems);
+  }
+  if (!std::filesystem::is_directory(hmi.screens_dir)) return;
+  const auto store = screens::ScreenStore::open(hmi.screens_dir);
+  if (!store) return;
+  add(problems, (*store)->damaged());
+  for (const screens::Screen& screen : (*store)->list()) {
+    const screens::Version* const now = screen.current();
+    if (now == nullptr || now->removed) continue;
+    if (const auto drawn = (*store)->read(screen.name, now->number)) add(problems, drawn->warnings);
+  }
+}
+
 // In the order of the file.
 void sort(result::Diagnostics& problems) {
   std::stable_sort(problems.begin(), problems.end(), [](const auto& a, const auto& b) {
@@ -87,6 +116,11 @@ void sort(result::Diagnostics& problems) {
 }
 
 }  // namespace
+
+std::size_t CheckReport::warnings() const {
+  return static_cast<std::size_t>(
+      std::ranges::count(problems, result::Severity::Warning, &result::Diagnostic::severity));
+}
 
 result::ExitCode CheckReport::exit() const {
   return result::has_errors(problems) ? result::ExitCode::BadInput : plan_exit;
@@ -115,14 +149,7 @@ CheckReport check_cell(const std::filesystem::path& file, const std::vector<std:
     if (const auto tags = recipes::load_definitions(cell.config.hmi.recipes); !tags)
       add(report.problems, tags.error());
   }
-  if (!cell.config.hmi.drawing.empty()) {
-    if (const auto drawn = drawing::load_drawing(cell.config.hmi.drawing); !drawn)
-      add(report.problems, drawn.error());
-  }
-  if (std::filesystem::is_directory(cell.config.hmi.screens_dir)) {
-    if (const auto drawn = screens::ScreenStore::open(cell.config.hmi.screens_dir); drawn)
-      add(report.problems, (*drawn)->damaged());
-  }
+  check_drawings(cell.config.hmi, report.problems);
   check_image(cell.config, image, report);
   // Planning costs seconds: not for a file that has to be changed anyway.
   if (cell.config.mission.table && !result::has_errors(report.problems)) check_mission(cell.config, report);
@@ -133,6 +160,7 @@ CheckReport check_cell(const std::filesystem::path& file, const std::vector<std:
 std::string to_json(const CheckReport& report) {
   nlohmann::json json = {{"file", report.file.string()},
                          {"sound", report.sound()},
+                         {"warnings", report.warnings()},
                          {"diagnostics", process::diagnostics_json(report.problems)}};
   if (!report.program.empty()) json["program"] = report.program;
   if (report.plan) {

@@ -35,7 +35,9 @@ struct CheckReport {
   std::string no_plan;              // why there is none, although nothing is wrong with the files
   result::ExitCode plan_exit = result::ExitCode::Done;
 
+  // Nothing is wrong with it; there may be warnings.
   bool sound() const { return !result::has_errors(problems) && no_plan.empty(); }
+  std::size_t warnings() const;
   result::ExitCode exit() const;
 };
 
@@ -43,8 +45,8 @@ struct CheckReport {
 CheckReport check_cell(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                        const std::filesystem::path& image = {});
 
-// One object: file, sound, diagnostics, program, and of the plan plan_steps, plan_cost, program_bytes or
-// no_plan.
+// One object: file, sound, warnings (how many), diagnostics, program, and of the plan plan_steps, plan_cost,
+// program_bytes or no_plan.
 std::string to_json(const CheckReport& report);
 
 }  // namespace stepwright::check

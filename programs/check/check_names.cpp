@@ -14,6 +14,7 @@
 #include "hmi_web/alarms/definition_file.h"
 #include "hmi_web/drawing/drawing_file.h"
 #include "hmi_web/recipes/definition_file.h"
+#include "hmi_web/screens/part_check.h"
 #include "hmi_web/screens/screen_store.h"
 #include "runtime/ground/naming/ascii_names.h"
 #include "runtime/ground/settings/toml_document.h"
@@ -222,7 +223,8 @@ void check_wall(const config::CellConfig& config, const std::vector<screens::Scr
 }
 
 // People draw them while the cell runs: a warning, as the page shows by itself what is bound to nothing.
-void check_screens(const config::CellConfig& config, NameCheck& names, result::Diagnostics& problems) {
+void check_screens(const config::CellConfig& config, const reader::ProgramInfo& info, NameCheck& names,
+                   result::Diagnostics& problems) {
   if (!std::filesystem::is_directory(config.hmi.screens_dir)) return check_wall(config, {}, problems);
   const auto store = screens::ScreenStore::open(config.hmi.screens_dir);
   if (!store) return;
@@ -234,6 +236,7 @@ void check_screens(const config::CellConfig& config, NameCheck& names, result::D
     if (!drawn) continue;
     for (const drawing::BoundName& each : drawn->names)
       names.check_bound(each, "the screen '" + screen.name + "'", result::Severity::Warning);
+    std::ranges::move(screens::check_parts(drawn->parts, info), std::back_inserter(problems));
   }
 }
 
@@ -255,7 +258,7 @@ result::Diagnostics check_names(const config::CellConfig& config, const reader::
   check_forces(config, names);
   check_trends(config, names);
   result::Diagnostics problems;
-  check_screens(config, names, problems);
+  check_screens(config, info, names, problems);
   std::ranges::move(names.take(), std::back_inserter(problems));
   return problems;
 }

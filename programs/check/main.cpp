@@ -8,6 +8,7 @@
 #include "programs/check/check_command.h"
 #include "runtime/ground/process/command_line.h"
 #include "runtime/ground/process/files.h"
+#include "runtime/ground/result/counted.h"
 
 namespace stepwright::check {
 namespace {
@@ -17,10 +18,14 @@ int run(const config::CellOptions& options, const std::string& image, const std:
   if (!report.problems.empty()) std::fprintf(stderr, "%s\n", result::to_string(report.problems).c_str());
   if (!report.no_plan.empty()) std::fprintf(stderr, "there is no plan: %s\n", report.no_plan.c_str());
   if (report.plan) {
-    std::printf("plan: %zu actions, cost %g; program: %zu bytes\n", report.plan->actions, report.plan->cost,
+    std::printf("plan: %s, cost %g; program: %zu bytes\n",
+                result::counted(report.plan->actions, "action", "actions").c_str(), report.plan->cost,
                 report.plan->program_bytes);
   }
-  if (report.sound()) std::printf("%s: sound\n", report.file.c_str());
+  const std::size_t warnings = report.warnings();
+  if (report.sound() && warnings == 0) std::printf("%s: sound\n", report.file.c_str());
+  if (report.sound() && warnings != 0)
+    std::printf("%s: %s\n", report.file.c_str(), result::counted(warnings, "warning", "warnings").c_str());
   if (!json.empty()) {
     const result::Diagnostics failed = process::write_file(json, to_json(report) + "\n");
     if (!failed.empty()) return process::fail(failed, result::ExitCode::BadInput);

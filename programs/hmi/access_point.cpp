@@ -12,6 +12,7 @@
 #include "hmi_web/storage/codes.h"
 #include "runtime/ground/process/command_line.h"
 #include "runtime/ground/process/files.h"
+#include "runtime/ground/result/counted.h"
 #include "runtime/ground/result/exit_code.h"
 
 namespace stepwright::hmi {
@@ -67,6 +68,8 @@ result::Result<std::unique_ptr<AccessPoint>> AccessPoint::open(const config::Hmi
   }
   if (auto opened = point->open_versions(config, what.change, log); !opened) return result::forward(opened);
   if (auto opened = point->open_screens(config, what.cell, log); !opened) return result::forward(opened);
+  point->cell_ = &what.cell;
+  point->removed_.emplace(point->recipes_ ? &point->recipes_->tags() : nullptr, point->drawn_.get(), log);
   point->table_ = std::make_unique<api::RouteTable>(api::all_routes(
       {point->control_.get(), point->audit_.get(), point->forces_.get(), &what.cell, what.records,
        point->recipes_.get(), what.figures, what.drawing, what.program, point->changes_.get(), what.monitor,
@@ -136,6 +139,7 @@ result::Result<void> AccessPoint::open_screens(const config::HmiConfig& config, 
 
 void AccessPoint::turn() {
   if (changes_) changes_->turn();
+  removed_->turn(cell_->program());
 }
 
 result::Result<Listening> listening_of(const config::HmiConfig& config) {
@@ -155,11 +159,11 @@ int verify_audit(const std::string& file) {
     const auto line = static_cast<std::uint32_t>(trail->line);
     const auto broken =
         result::fail("H0050", {trail->file.string(), line, 1}, "this line is wrong: " + check.why,
-                     std::to_string(right) + " entries before it are right");
+                     result::counted(right, "entry before it is", "entries before it are") + " right");
     return process::fail(broken.value(), result::ExitCode::BadInput);
   }
   const std::string begin = trail->first > 1 ? " from number " + std::to_string(trail->first) + " on" : "";
-  std::printf("%llu entries%s, head %s\n", static_cast<unsigned long long>(right), begin.c_str(),
+  std::printf("%s%s, head %s\n", result::counted(right, "entry", "entries").c_str(), begin.c_str(),
               check.head.c_str());
   return to_int(result::ExitCode::Done);
 }

@@ -11,6 +11,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,7 @@
 #include "hmi_web/api/screen_service.h"
 #include "hmi_web/storage/file_lock.h"
 #include "hmi_web/trends/trend_store.h"
+#include "programs/hmi/removed_variables.h"
 #include "runtime/ground/log/logger.h"
 #include "runtime/ground/result/result.h"
 
@@ -58,7 +60,7 @@ class AccessPoint {
       api::ForceService::OnChange on_forces);
 
   const api::RequestGuard& guard() const { return *guard_; }
-  // Now and then: what became of a program that was changed.
+  // Now and then: what became of a program that was changed, and of what named its variables.
   void turn();
 
  private:
@@ -73,6 +75,7 @@ class AccessPoint {
   // Users, trail, recipes, programs and screens have one server at a time.
   [[nodiscard]] result::Result<void> lock_folders(const config::HmiConfig& config);
 
+  api::CellControl* cell_ = nullptr;
   std::vector<storage::FileLock> locks_;
   std::unique_ptr<access::AccessControl> control_;
   std::unique_ptr<access::AuditLog> audit_;
@@ -84,6 +87,7 @@ class AccessPoint {
   std::unique_ptr<api::OnlineChangeService> changes_;
   std::unique_ptr<screens::ScreenStore> drawn_;
   std::unique_ptr<api::ScreenService> screens_;
+  std::optional<RemovedVariables> removed_;
   std::unique_ptr<api::RouteTable> table_;
   std::unique_ptr<api::RequestGuard> guard_;
 };

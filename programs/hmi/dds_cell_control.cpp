@@ -86,6 +86,13 @@ Result<std::string> DdsCellControl::read(const std::string& name) {
   return (**names).read(name, snapshot->image);
 }
 
+std::shared_ptr<const reader::ProgramInfo> DdsCellControl::program() {
+  auto known = source_.running().get();
+  if (!known) return nullptr;
+  const reader::ProgramInfo* const info = &known->info;
+  return {std::move(known), info};
+}
+
 Result<std::string> DdsCellControl::spell(const std::string& name, const std::string& value) {
   auto wanted = written(source_, name, value);
   if (!wanted) return result::forward(wanted);

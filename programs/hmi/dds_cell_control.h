@@ -20,6 +20,7 @@ class DdsCellControl : public api::CellControl {
   std::string outlook() override;
   result::Result<void> stop_runtime(const std::string& reason) override;
   result::Result<std::string> read(const std::string& name) override;
+  std::shared_ptr<const reader::ProgramInfo> program() override;
   result::Result<std::string> spell(const std::string& name, const std::string& value) override;
   result::Result<std::string> write(const std::string& name, const std::string& value) override;
   result::Result<std::string> force(const std::string& name, const std::string& value,

@@ -58,6 +58,7 @@ int run(const config::CellConfig& config) {
     auto read = drawing::load_drawing(file);
     if (!read) return fail(read.error(), ExitCode::BadInput);
     drawn = std::move(*read);
+    for (const result::Diagnostic& each : drawn.warnings) (*log)->warning("setup", result::to_string(each));
   } else if (!picture->drawing.empty()) {
     // A hall with more corners than a page can draw is shown without a picture.
     auto made = drawing::read_drawing("picture of the plant", picture->drawing);

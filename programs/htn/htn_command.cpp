@@ -9,6 +9,7 @@
 
 #include "runtime/ground/process/files.h"
 #include "runtime/ground/process/interruption.h"
+#include "runtime/ground/result/counted.h"
 #include "supervisor/htn/plan/plan_json.h"
 #include "supervisor/htn/plan/validate.h"
 #include "supervisor/htn/search/search.h"
@@ -76,10 +77,10 @@ void print(const Answer& answer) {
   }
   const htn::Plan& plan = *answer.outcome.plan;
   for (const std::size_t step : plan.steps) std::printf("%s\n", to_string(plan.nodes[step]).c_str());
-  std::printf("; %zu steps, cost %.12g; found in %.2f ms, %llu decompositions, %llu actions applied\n",
-              plan.steps.size(), plan.cost, answer.wall_ms,
-              static_cast<unsigned long long>(answer.statistics.decompositions),
-              static_cast<unsigned long long>(answer.statistics.actions));
+  std::printf("; %s, cost %.12g; found in %.2f ms, %s, %s applied\n",
+              result::counted(plan.steps.size(), "step", "steps").c_str(), plan.cost, answer.wall_ms,
+              result::counted(answer.statistics.decompositions, "decomposition", "decompositions").c_str(),
+              result::counted(answer.statistics.actions, "action", "actions").c_str());
   std::fflush(stdout);  // before what --json writes, which may go the same way
 }
 

@@ -6,6 +6,7 @@
 
 #include "programs/ltl/formula_input.h"
 #include "runtime/ground/process/files.h"
+#include "runtime/ground/result/counted.h"
 #include "supervisor/ltl/trace/judge.h"
 
 namespace stepwright::ltl_program {
@@ -106,9 +107,11 @@ void print(const Answer& answer) {
   if (whole.decided_at) {
     std::printf(": %s", holding(answer, answer.trace.changes[*whole.decided_at].letter).c_str());
   } else if (whole.verdict == Verdict::Undecided) {
-    std::printf(" after %llu rows, in which what holds changes %zu times",
-                static_cast<unsigned long long>(answer.trace.rows),
-                answer.trace.changes.empty() ? 0 : answer.trace.changes.size() - 1);
+    std::printf(
+        " after %s, in which what holds changes %s",
+        result::counted(answer.trace.rows, "row", "rows").c_str(),
+        result::counted(answer.trace.changes.empty() ? 0 : answer.trace.changes.size() - 1, "time", "times")
+            .c_str());
   }
   std::puts("");
   for (const ltl::JudgedPart& part : answer.judgement.parts) {

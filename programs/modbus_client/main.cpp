@@ -27,6 +27,7 @@
 #include "runtime/ground/process/notify_socket.h"
 #include "runtime/ground/process/reload_signal.h"
 #include "runtime/ground/process/stop_signal.h"
+#include "runtime/ground/result/counted.h"
 #include "runtime/ground/result/exit_code.h"
 #include "runtime/io_memory/plant_side.h"
 #include "runtime/modbus/client/poll/io_client.h"
@@ -147,9 +148,10 @@ int run(const config::CellConfig& config) {
                      config.modbus_client.holder_timeout);
   std::vector<std::byte> inputs(config.image.input_bytes);
   (*plant)->announce(std::chrono::nanoseconds(config.modbus_client.silence).count(), false);
-  const std::string begins = "Modbus client of '" + config.name +
-                             "': " + std::to_string(config.modbus_client.devices.size()) + " devices on " +
-                             std::to_string((*client)->connections()) + " connections";
+  const std::string begins =
+      "Modbus client of '" + config.name +
+      "': " + result::counted(config.modbus_client.devices.size(), "device", "devices") + " on " +
+      result::counted((*client)->connections(), "connection", "connections");
   log.info("begins", begins, {{"cell", config.name}, {"devices", config.modbus_client.devices.size()}});
   if (!(*figures)->address().empty()) log.info("metrics", "figures at " + (*figures)->address());
   init.ready(begins);

@@ -8,6 +8,7 @@
 #include "programs/monitor/report.h"
 #include "runtime/bytecode/reader/read_value.h"
 #include "runtime/ground/process/command_line.h"
+#include "runtime/ground/result/counted.h"
 #include "runtime/ground/result/exit_code.h"
 #include "runtime/service/monitor_answers.h"
 #include "runtime/service/program_names.h"
@@ -77,7 +78,8 @@ result::Result<void> unforce_once(Attached& runtime, const ForceArguments& argum
     auto reply = runtime.ask(service::Unforce{{runtime.digest(), image::bits_of(force)}});
     if (!reply) return result::forward(reply);
   }
-  std::printf("%zu variables are no longer forced\n", forces->size());
+  std::printf("%s no longer forced\n",
+              result::counted(forces->size(), "variable is", "variables are").c_str());
   return {};
 }
 

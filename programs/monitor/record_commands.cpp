@@ -14,6 +14,7 @@
 #include "programs/monitor/report.h"
 #include "runtime/ground/process/command_line.h"
 #include "runtime/ground/process/stop_signal.h"
+#include "runtime/ground/result/counted.h"
 #include "runtime/ground/result/exit_code.h"
 #include "runtime/replay/replay_run.h"
 #include "runtime/service/monitor_answers.h"
@@ -67,7 +68,7 @@ const char* name_of(RecordingState state) {
 int report(const RecordingStatus& status, const std::string& json_file) {
   std::printf("%s", name_of(status.state));
   if (status.state != RecordingState::Off) {
-    std::printf(": %llu scans, %llu bytes in %s", static_cast<unsigned long long>(status.scans),
+    std::printf(": %s, %llu bytes in %s", result::counted(status.scans, "scan", "scans").c_str(),
                 static_cast<unsigned long long>(status.bytes), status.file.c_str());
   }
   std::printf("\n");
@@ -177,7 +178,7 @@ int trace_to_csv(const config::CellConfig& config, const TraceArguments& argumen
   if (!status) return fail(status.error(), ExitCode::RuntimeFault);
   if (!replayed) return fail(replayed.error(), ExitCode::BadInput);
   const record::ReplayReport& report = replayed->report;
-  std::printf("%llu scans in %s\n", static_cast<unsigned long long>(replayed->rows),
+  std::printf("%s in %s\n", result::counted(replayed->rows, "scan", "scans").c_str(),
               arguments.csv_file.c_str());
   if (report.difference) {
     const auto differs = result::fail("R0055", {arguments.csv_file, 0, 0},

@@ -10,6 +10,7 @@
 #include "programs/plan/progress_line.h"
 #include "runtime/ground/process/files.h"
 #include "runtime/ground/process/interruption.h"
+#include "runtime/ground/result/counted.h"
 #include "supervisor/model/outcome_name.h"
 #include "supervisor/pddl/plan/plan_file.h"
 #include "supervisor/pddl/plan/validate.h"
@@ -99,9 +100,10 @@ void print(const model::Outcome& outcome) {
   if (!plan.proved_optimal) {
     proof = std::isfinite(plan.bound) ? "bound " + pddl::number_text(plan.bound) : "no bound known";
   }
-  std::printf("; %zu steps, %s; first plan after %.2f ms, done after %.2f ms, %llu states expanded\n",
-              plan.actions.size(), proof.c_str(), outcome.first_plan_ms, outcome.wall_ms,
-              static_cast<unsigned long long>(outcome.expanded));
+  std::printf("; %s, %s; first plan after %.2f ms, done after %.2f ms, %s expanded\n",
+              result::counted(plan.actions.size(), "step", "steps").c_str(), proof.c_str(),
+              outcome.first_plan_ms, outcome.wall_ms,
+              result::counted(outcome.expanded, "state", "states").c_str());
   std::fflush(stdout);  // before what --json writes, which may go the same way
   if (!outcome.reason.empty()) std::fprintf(stderr, "%s\n", outcome.reason.c_str());
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "runtime/ground/result/counted.h"
 #include "supervisor/pddl/definition/state.h"
 
 namespace stepwright::plan {
@@ -22,7 +23,7 @@ std::string progress_text(const pddl::Progress& progress) {
     line += "no plan yet";
   } else {
     line += "best " + pddl::number_text(progress.best->cost) + " in " +
-            std::to_string(progress.best->actions.size()) + " steps";
+            result::counted(progress.best->actions.size(), "step", "steps");
   }
   if (std::isfinite(progress.bound)) line += ", bound " + pddl::number_text(progress.bound);
   std::snprintf(text, sizeof(text), ", %llu states, %.0f MB",

@@ -6,6 +6,7 @@
 
 #include "programs/plan/output.h"
 #include "runtime/ground/process/diagnostics_json.h"
+#include "runtime/ground/result/counted.h"
 #include "supervisor/pddl/plan/validate.h"
 
 namespace stepwright::plan {
@@ -59,7 +60,8 @@ ExitCode run_validate(const ValidateArguments& arguments) {
       pddl::validate(*task, *plan, short_answer ? pddl::KeepStates::Last : pddl::KeepStates::All);
   if (!arguments.quiet) std::fputs(pddl::table(*plan, validation).c_str(), stdout);
   print_diagnostics(validation.diagnostics);
-  std::printf("plan %s: %zu steps, cost %s%s\n", validation.valid ? "valid" : "invalid", plan->actions.size(),
+  std::printf("plan %s: %s, cost %s%s\n", validation.valid ? "valid" : "invalid",
+              result::counted(plan->actions.size(), "step", "steps").c_str(),
               pddl::number_text(validation.cost()).c_str(),
               validation.failed_step == 0
                   ? ""

@@ -10,6 +10,7 @@
 #include "runtime/ground/process/command_line.h"
 #include "runtime/ground/process/diagnostics_json.h"
 #include "runtime/ground/process/files.h"
+#include "runtime/ground/result/counted.h"
 #include "runtime/ground/result/exit_code.h"
 #include "runtime/replay/replay_run.h"
 #include "runtime/trace/value_json.h"
@@ -81,13 +82,14 @@ nlohmann::json to_json(const Outcome& outcome) {
 void print(const Outcome& outcome) {
   const record::ReplayReport& report = outcome.report();
   std::printf(
-      "%s: %llu scans (%llu to %llu), %llu hashes and %llu images %s, trace %s; %g s in %.3f s, "
+      "%s: %s (%llu to %llu), %s and %s %s, trace %s; %g s in %.3f s, "
       "%.0f times real time\n",
-      outcome.engine.c_str(), static_cast<unsigned long long>(report.scans),
+      outcome.engine.c_str(), result::counted(report.scans, "scan", "scans").c_str(),
       static_cast<unsigned long long>(report.first_scan), static_cast<unsigned long long>(report.last_scan),
-      static_cast<unsigned long long>(report.hashes), static_cast<unsigned long long>(report.keyframes),
-      report.difference ? "compared" : "equal", hex(report.trace_hash).c_str(),
-      static_cast<double>(report.simulated_ns) / 1e9, outcome.result.wall_s, outcome.ratio());
+      result::counted(report.hashes, "hash", "hashes").c_str(),
+      result::counted(report.keyframes, "image", "images").c_str(), report.difference ? "compared" : "equal",
+      hex(report.trace_hash).c_str(), static_cast<double>(report.simulated_ns) / 1e9, outcome.result.wall_s,
+      outcome.ratio());
   if (!report.difference) return;
   const record::Difference& difference = *report.difference;
   std::printf("  R0055: scan %llu differs: %s %s was recorded, %s came out\n",

@@ -11,6 +11,7 @@
 #include "runtime/ground/process/command_line.h"
 #include "runtime/ground/process/files.h"
 #include "runtime/ground/process/interruption.h"
+#include "runtime/ground/result/counted.h"
 #include "supervisor/htn/plan/validate.h"
 #include "supervisor/htn/task/read_task.h"
 #include "supervisor/model/outcome_name.h"
@@ -70,9 +71,10 @@ void print(const tamp::scene::RobotCell& cell, const TampOutcome& outcome) {
   for (const tamp::scene::PlannedAction& each : outcome.plan->actions)
     std::printf("%s\n", text_of(cell, each.what).c_str());
   const tamp::planner::TampFigures& figures = outcome.figures;
-  std::printf("; %zu actions; planned in %.2f ms, certified in %.2f ms; %llu configurations, %llu failed\n",
-              outcome.plan->actions.size(), figures.plan_ms, figures.certify_ms,
-              static_cast<unsigned long long>(figures.configurations),
+  std::printf("; %s; planned in %.2f ms, certified in %.2f ms; %s, %llu failed\n",
+              result::counted(outcome.plan->actions.size(), "action", "actions").c_str(), figures.plan_ms,
+              figures.certify_ms,
+              result::counted(figures.configurations, "configuration", "configurations").c_str(),
               static_cast<unsigned long long>(figures.failed));
   std::fflush(stdout);  // before what --json writes, which may go the same way
 }

@@ -13,6 +13,7 @@
 #include "ladder/lowering/sfc_to_ladder.h"
 #include "ladder/lowering/step_timers.h"
 #include "programs/translate/handshake_table.h"
+#include "runtime/ground/result/counted.h"
 #include "supervisor/pddl/plan/describe_run.h"
 #include "supervisor/pddl/plan/partial_order.h"
 #include "supervisor/pddl/plan/plan_file.h"
@@ -121,9 +122,11 @@ Result<std::string> summary_of(const model::PlannedRun& run, const translate::Tr
   if (!strict) return result::forward(strict);
   char line[200];
   std::snprintf(line, sizeof line,
-                "%zu actions, %zu steps, %zu transitions\n"
+                "%s, %s, %s\n"
                 "makespan %.1f s with parallel branches, %.1f s strictly sequential (%.0f %%)\n",
-                run.actions.size(), translation.chart().steps.size(), translation.chart().transitions.size(),
+                result::counted(run.actions.size(), "action", "actions").c_str(),
+                result::counted(translation.chart().steps.size(), "step", "steps").c_str(),
+                result::counted(translation.chart().transitions.size(), "transition", "transitions").c_str(),
                 parallel->makespan_s, strict->makespan_s, 100.0 * parallel->makespan_s / strict->makespan_s);
   std::string summary = line;
   std::set<std::string> assumed;

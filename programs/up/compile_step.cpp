@@ -7,12 +7,14 @@
 namespace stepwright::up {
 
 process::ChildOptions compile_command(const config::CellConfig& config, const std::filesystem::path& programs,
-                                      const std::filesystem::path& image) {
+                                      const MemoryFile& image) {
   process::ChildOptions options;
+  options.descriptors = {image.descriptor()};
   options.arguments = {(programs / "stepwright-compile").string(), "compile"};
   for (const std::filesystem::path& source : config.boot.sources)
     options.arguments.push_back(source.string());
-  options.arguments.insert(options.arguments.end(), {"-o", image.string(), "--dialect", config.boot.dialect});
+  options.arguments.insert(options.arguments.end(),
+                           {"-o", MemoryFile::kInChild, "--dialect", config.boot.dialect});
   if (!config.monitors.empty())
     options.arguments.insert(options.arguments.end(), {"--config", config.file.string()});
   return options;
@@ -38,21 +40,24 @@ std::filesystem::path fresh_image(const config::CellConfig& config) {
   return config.boot.program.string() + ".part";
 }
 
+result::Diagnostics keep_program(const std::filesystem::path& file, const std::string& bytes) {
+  result::Diagnostics unwritten = process::write_file(file.string(), bytes);
+  for (result::Diagnostic& each : unwritten)
+    each.message = "the sources compile, and their program cannot be kept: " + each.message;
+  return unwritten;
+}
+
 namespace {
 
-// What was made of the sources, in place of what was made of them before. Sources that say something else win
-// over a program that was downloaded since.
-void take_in(const config::CellConfig& config) {
-  const std::filesystem::path made = fresh_image(config);
-  const auto now = process::read_file(made.string());
+// What was made of the sources, in place of what was made of them before; a disk that is full is in nobody's
+// way where that is the same. Sources that say something else win over a program that was downloaded since.
+result::Diagnostics take_in(const config::CellConfig& config, const std::string& made) {
   const auto before = process::read_file(config.boot.program.string());
+  if (before && made == *before) return {};
+  result::Diagnostics unwritten = keep_program(config.boot.program, made);
   std::error_code ignored;  // then the runtime says what it misses
-  if (now && before && *now == *before) {
-    std::filesystem::remove(made, ignored);
-    return;
-  }
-  std::filesystem::rename(made, config.boot.program, ignored);
-  if (!config.boot.keep.empty()) std::filesystem::remove(config.boot.keep, ignored);
+  if (unwritten.empty() && !config.boot.keep.empty()) std::filesystem::remove(config.boot.keep, ignored);
+  return unwritten;
 }
 
 }  // namespace
@@ -61,13 +66,18 @@ result::Result<result::ExitCode> compile(const config::CellConfig& config,
                                          const std::filesystem::path& programs,
                                          const process::StopSignal& stop) {
   if (config.boot.sources.empty()) return result::ExitCode::Done;
-  auto child = process::ChildProcess::start(compile_command(config, programs, fresh_image(config)));
+  auto image = MemoryFile::make();
+  if (!image) return result::forward(image);
+  auto child = process::ChildProcess::start(compile_command(config, programs, *image));
   if (!child) return result::forward(child);
   constexpr std::chrono::milliseconds kSoon{5};
   while (!child->poll())
     if (stop.wait_for(kSoon)) child->end(std::chrono::seconds(1));
   const process::ExitStatus exit = *child->poll();
-  if (!exit.killed && exit.code == 0) take_in(config);
+  if (!exit.killed && exit.code == 0) {
+    if (auto unwritten = take_in(config, image->bytes()); !unwritten.empty())
+      return tl::unexpected(std::move(unwritten));
+  }
   return exit.killed ? result::ExitCode::RuntimeFault : static_cast<result::ExitCode>(exit.code);
 }
 

@@ -39,7 +39,13 @@ void Console::line(std::string_view name, std::string_view text) {
     head.insert(0, "\x1b[" + std::to_string(colour->second) + "m");
     head += "\x1b[0m";
   }
-  const std::string whole = head + " " + harmless(text) + "\n";
+  // A diagnostic's hint stands in a line of its own.
+  std::string whole;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    whole += head + " " + harmless(text.substr(begin, end - begin)) + "\n";
+    begin = end + 1;
+  }
   if (file_) return static_cast<void>(file_->append(whole));
   std::fwrite(whole.data(), 1, whole.size(), stdout);
   std::fflush(stdout);

@@ -23,6 +23,7 @@ class Console {
   // To standard output, in colour if that is a terminal and NO_COLOR is not set; or to `file`.
   explicit Console(const std::vector<std::string>& names, std::unique_ptr<log::RotatingFile> file = nullptr);
 
+  // Each line of the text in one of its own.
   void line(std::string_view name, std::string_view text);
   // What `stepwright up` itself has to say.
   void say(std::string_view text) { line(kOwn, text); }

@@ -4,6 +4,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdio>
@@ -15,11 +16,33 @@
 namespace stepwright::up {
 namespace {
 
-// What a cell says until it is ready, and more.
-constexpr off_t kRoomBytes = 256 * 1'024;
+// What a cell says until it is ready, and more; less of it on a disk that has no more. What was kept for the
+// log of before counts as free.
+constexpr std::array<off_t, 5> kRoomBytes = {256 * 1'024, 240 * 1'024, 192 * 1'024, 128 * 1'024, 64 * 1'024};
+// Of the record of the cell, which is written next.
+constexpr off_t kRecordBytes = 16 * 1'024;
 
 tl::unexpected<result::Diagnostics> failure(const std::string& what) {
   return result::fail("M0014", {}, what + ": " + std::strerror(errno));
+}
+
+// A disk that is full fails here, where somebody hears of it. Not every file system can keep room.
+bool keep_room(int file, off_t bytes) {
+  return fallocate(file, FALLOC_FL_KEEP_SIZE, 0, bytes) == 0 || (errno != ENOSPC && errno != EDQUOT);
+}
+
+// So that the log leaves it to the record. False with errno.
+bool keep_room_beside_record(int file, const std::filesystem::path& log) {
+  const std::filesystem::path record = log.string() + ".room";
+  const int held = open(record.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0600);
+  if (held < 0) return errno != ENOSPC && errno != EDQUOT;
+  const bool kept = keep_room(held, kRecordBytes) &&
+                    std::ranges::any_of(kRoomBytes, [file](off_t bytes) { return keep_room(file, bytes); });
+  const int reason = errno;
+  close(held);
+  unlink(record.c_str());
+  errno = reason;
+  return kept;
 }
 
 void print(const std::filesystem::path& log, std::FILE* out) {
@@ -45,8 +68,7 @@ Detached::~Detached() {
 result::Result<std::optional<int>> Detached::leave(const std::filesystem::path& log) {
   const int file = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC | O_NOFOLLOW, 0600);
   if (file < 0) return failure("the log " + log.string() + " cannot be opened");
-  // A disk that is full fails here, where somebody hears of it. Not every file system can keep room.
-  if (fallocate(file, FALLOC_FL_KEEP_SIZE, 0, kRoomBytes) != 0 && (errno == ENOSPC || errno == EDQUOT)) {
+  if (!keep_room_beside_record(file, log)) {
     const int reason = errno;
     close(file);
     return result::fail("M0022", {log.string(), 0, 0},

@@ -25,8 +25,8 @@ class Detached {
 
   // In a process of its own, with `log` for its streams, it returns nothing. In the process that was started
   // it waits until the other one is ready or has ended, prints what stands in the log, and returns the exit
-  // code to end with. The log has room for what is to be told before that. Fails with M0014; M0022: the file
-  // system has no such room.
+  // code to end with. The log has room for what is to be told before that, and the file system for the cell's
+  // record. Fails with M0014; M0022: the file system has no such room.
   [[nodiscard]] result::Result<std::optional<int>> leave(const std::filesystem::path& log);
   // Does nothing where nobody waits.
   void ready();

@@ -8,43 +8,38 @@ namespace stepwright::up {
 namespace {
 
 constexpr const char* kName = "watch";
-// A file that did not change from one look to the next is written.
-constexpr std::chrono::milliseconds kBetweenLooks{200};
+
+// What the processes read at their start and never again.
+std::vector<std::filesystem::path> settings_of(const config::CellConfig& config) {
+  std::vector<std::filesystem::path> files = {
+      config.file,        config.history.alarms, config.hmi.recipes,       config.hmi.tags,
+      config.hmi.drawing, config.plant.file,     config.plant.stepped.file};
+  files.insert(files.end(), config.plant.stepped.sources.begin(), config.plant.stepped.sources.end());
+  for (const config::MonitorConfig& each : config.monitors) files.push_back(each.formula_file);
+  std::erase_if(files, [](const std::filesystem::path& each) { return each.empty(); });
+  return files;
+}
 
 }  // namespace
 
 SourceWatch::SourceWatch(const config::CellConfig& config, std::vector<std::string> overrides,
                          std::filesystem::path programs)
-    : config_(config), overrides_(std::move(overrides)), programs_(std::move(programs)), seen_(times()) {
-  newest_ = seen_;
-}
-
-// A file that is being replaced may be missing for a moment: then it is as it was.
-SourceWatch::Times SourceWatch::times() const {
-  Times found;
-  for (const std::filesystem::path& source : config_.boot.sources) {
-    std::error_code error;
-    const auto time = std::filesystem::last_write_time(source, error);
-    const auto before = seen_.find(source);
-    if (!error) found[source] = time;
-    if (error && before != seen_.end()) found[source] = before->second;
-  }
-  return found;
-}
-
-void SourceWatch::look() {
-  if (Clock::now() < look_at_) return;
-  look_at_ = Clock::now() + kBetweenLooks;
-  Times now = times();
-  due_ = now != seen_ && now == newest_;
-  newest_ = std::move(now);
-}
+    : config_(config),
+      overrides_(std::move(overrides)),
+      programs_(std::move(programs)),
+      sources_(config.boot.sources),
+      settings_(settings_of(config)) {}
 
 void SourceWatch::begin(Work work, Console& console) {
   auto pipe = processes::LinePipe::open();
   if (!pipe) return console.line(kName, result::to_string(pipe.error()));
+  if (work == Work::Compile) {
+    auto image = MemoryFile::make();
+    if (!image) return console.line(kName, result::to_string(image.error()));
+    image_ = std::move(*image);
+  }
   process::ChildOptions options = work == Work::Compile
-                                      ? compile_command(config_, programs_, fresh_image(config_))
+                                      ? compile_command(config_, programs_, *image_)
                                       : change_command(config_, overrides_, programs_, fresh_image(config_));
   options.output = pipe->writing_end();
   auto child = process::ChildProcess::start(options);
@@ -64,7 +59,13 @@ void SourceWatch::finish(int exit, Console& console) {
                             : "not brought in: the program before goes on");
     return;
   }
-  if (done == Work::Compile) return begin(Work::Download, console);
+  if (done == Work::Compile) {
+    const auto unwritten = keep_program(fresh_image(config_), image_->bytes());
+    image_.reset();
+    if (unwritten.empty()) return begin(Work::Download, console);
+    console.line(kName, result::to_string(unwritten));
+    return console.line(kName, "not brought in: the program before goes on");
+  }
   std::error_code error;
   std::filesystem::rename(fresh_image(config_), config_.boot.program, error);
   console.line(kName, error ? "brought in, but not kept for the next start: " + error.message()
@@ -77,12 +78,29 @@ void SourceWatch::turn(Console& console) {
     if (const auto exit = child_->poll()) finish(exit->code, console);
     return;
   }
-  look();
-  if (!due_) return;
-  due_ = false;
-  seen_ = newest_;
+  look_at_settings(console);
+  const FileTimes::News news = sources_.look();
+  for (const std::filesystem::path& file : news.gone)
+    console.line(kName, file.filename().string() +
+                            " is gone: the program before goes on, and the cell does not start again without "
+                            "it. Put it back, or take it out of [runtime] sources");
+  if (news.saved.empty()) return;
   console.line(kName, "a source was saved: compiles");
   begin(Work::Compile, console);
+}
+
+void SourceWatch::look_at_settings(Console& console) {
+  const FileTimes::News news = settings_.look();
+  const std::string file = config_.file.string();
+  for (const std::filesystem::path& each : news.saved)
+    console.line(kName, each.filename().string() +
+                            " was saved: it counts from the next start on. `stepwright check " + file +
+                            "` looks at it, `stepwright down " + file + "` and `stepwright up " + file +
+                            "` bring it in");
+  for (const std::filesystem::path& each : news.gone)
+    console.line(kName, each.filename().string() +
+                            " is gone: the cell goes on without reading it, and does "
+                            "not start again before it is back");
 }
 
 }  // namespace stepwright::up

@@ -7,6 +7,7 @@
 #include "cell/processes/kept_process.h"
 #include "programs/up/cell_lock.h"
 #include "runtime/ground/process/command_line.h"
+#include "runtime/ground/result/counted.h"
 #include "runtime/host/state_name.h"
 #include "runtime/service/connection.h"
 
@@ -63,7 +64,9 @@ void print(const CellRecord& record) {
   for (const ProcessRecord& each : record.processes) {
     std::printf("  %-14s %-10s", each.name.c_str(), each.phase.c_str());
     if (each.pid != 0) std::printf(" process %d", static_cast<int>(each.pid));
-    if (each.restarts != 0) std::printf(", started again %d times", each.restarts);
+    if (each.restarts != 0)
+      std::printf(", started again %s",
+                  result::counted(static_cast<std::uint64_t>(each.restarts), "time", "times").c_str());
     if (!each.reason.empty())
       std::printf("%s it %s", each.restarts != 0 ? ", the last time because" : ":", each.reason.c_str());
     std::printf("\n");

@@ -59,9 +59,17 @@ int keep_up(const config::CellConfig& config, const Options& options, Detached& 
                                   .terminal = !options.detach,
                                   .on_ready = [&detached] { detached.ready(); }},
                                  console);
-  if (!keeper) return fail(keeper.error(), ExitCode::RuntimeFault);
+  if (!keeper) {
+    const int exit = fail(keeper.error(), ExitCode::RuntimeFault);
+    console.say("the cell '" + config.name + "' is not up");
+    return exit;
+  }
   const auto compiled = compile(config, programs, stop);
-  if (!compiled) return fail(compiled.error(), ExitCode::RuntimeFault);
+  if (!compiled) {
+    const int exit = fail(compiled.error(), ExitCode::RuntimeFault);
+    console.say("the cell '" + config.name + "' is not up");
+    return exit;
+  }
   if (*compiled != ExitCode::Done) {
     console.say("the cell '" + config.name + "' is not up: its program does not compile");
     return to_int(*compiled);

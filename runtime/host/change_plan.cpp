@@ -8,6 +8,7 @@
 
 #include "runtime/bytecode/reader/loaded_program.h"
 #include "runtime/ground/naming/ascii_names.h"
+#include "runtime/ground/result/counted.h"
 #include "runtime/host/change_codes.h"
 #include "runtime/host/change_problems.h"
 #include "runtime/host/chart_memory.h"
@@ -170,7 +171,7 @@ result::Diagnostics ChangePlan::notes() const {
     if (names.empty()) return;
     note(kNotCarried, std::to_string(names.size()) + " " + what + ": " + first_names(names));
   };
-  note(kCarried, std::to_string(report.carried) + " variables keep their values");
+  note(kCarried, result::counted(report.carried, "variable keeps its value", "variables keep their values"));
   list("new, with their initial values", report.initialised);
   list("gone with the old program", report.dropped);
   list("of another type, with their initial values", report.retyped);

@@ -6,6 +6,7 @@
 #include <system_error>
 #include <utility>
 
+#include "runtime/ground/result/counted.h"
 #include "runtime/host/busy.h"
 #include "runtime/host/named_values.h"
 #include "runtime/host/task_status.h"
@@ -282,7 +283,8 @@ RuntimeStatus HostRuntime::status() const {
          " reads: the plant writes faster than they are read");
   status.process.traps = traps_;
   status.process.lost_events = figures.lost_events;
-  if (figures.lost_events > 0) note(std::to_string(figures.lost_events) + " events were lost");
+  if (figures.lost_events > 0)
+    note(result::counted(figures.lost_events, "event was", "events were") + " lost");
   if (figures.program != nullptr) {
     const TaskPlan& plan = figures.program->tasks();
     if (!plan.unknown.empty()) note(plan.unknown);

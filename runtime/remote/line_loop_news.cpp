@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "runtime/ground/result/counted.h"
 #include "runtime/remote/line_loop.h"
 
 namespace stepwright::remote {
@@ -118,9 +119,11 @@ void LineLoop::publish() {
     status.detail += text;
   };
   if (!line_problem_.empty()) note(line_problem_);
-  if (link_.repeated() > 0) note(std::to_string(link_.repeated()) + " requests were repeated");
-  if (losses_ > 0) note("the line was lost " + std::to_string(losses_) + " times");
-  if (now_.process.lost_events > 0) note(std::to_string(now_.process.lost_events) + " events were lost");
+  if (link_.repeated() > 0)
+    note(result::counted(link_.repeated(), "request was", "requests were") + " repeated");
+  if (losses_ > 0) note("the line was lost " + result::counted(losses_, "time", "times"));
+  if (now_.process.lost_events > 0)
+    note(result::counted(now_.process.lost_events, "event was", "events were") + " lost");
   const auto truths = plant_.truths();
   status.plant = plant_.named_truths();
   for (image::Force force : forces_.forces()) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "runtime/ground/result/counted.h"
 #include "supervisor/executive/journal.h"
 #include "supervisor/pddl/plan/describe_run.h"
 #include "supervisor/translate/sensor_program.h"
@@ -254,7 +255,7 @@ bool Executive::launch() {
   if (!bring_to_run([this] { return install(current_, Kind::Plan); })) return false;
   record_.episodes.back().digest = digest_;
   set_phase(run::Phase::Executing,
-            "executing a plan of " + std::to_string(current_.plan.actions.size()) + " actions");
+            "executing a plan of " + result::counted(current_.plan.actions.size(), "action", "actions"));
   return true;
 }
 

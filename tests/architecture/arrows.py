@@ -188,7 +188,7 @@ ARROWS = {
     "hmi_web/access": ["runtime/ground/result"],
     "hmi_web/recipes": ["hmi_web/access", "runtime/bytecode/reader", "runtime/ground/settings"],
     "hmi_web/drawing": ["runtime/ground/result"],
-    "hmi_web/screens": ["hmi_web/access", "hmi_web/drawing"],
+    "hmi_web/screens": ["hmi_web/access", "hmi_web/drawing", "runtime/bytecode/reader"],
     "hmi_web/change": ["hmi_web/access", "runtime/host"],
     "hmi_web/trends": ["hmi_web/access"],
     "hmi_web/api": ["hmi_web/access", "hmi_web/alarms", "hmi_web/change", "hmi_web/recipes", "hmi_web/screens", "hmi_web/trends", "runtime/ground/csv", "runtime/service"],

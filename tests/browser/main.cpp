@@ -53,6 +53,7 @@ class NoControl : public api::CellControl {
   std::string outlook() override { return {}; }
   result::Result<void> stop_runtime(const std::string&) override { return nobody(); }
   result::Result<std::string> read(const std::string&) override { return nobody(); }
+  std::shared_ptr<const reader::ProgramInfo> program() override { return nullptr; }
   result::Result<std::string> spell(const std::string&, const std::string&) override { return nobody(); }
   result::Result<std::string> write(const std::string&, const std::string&) override { return nobody(); }
   result::Result<std::string> force(const std::string&, const std::string&,

@@ -218,6 +218,11 @@ async function bringsWhatCannotBe(page) {
   await isShown(page, 'Line');
   await page.getByRole('button', { name: 'Edit', exact: true }).click();
   const brings = (name, text) => editor(page).locator('input[type=file]').setInputFiles({ name, mimeType: 'image/svg+xml', buffer: Buffer.from(text) });
+  await brings('Word.svg', '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 90 90">\n<g data-part="button" data-key="p1" data-write="Main.level" data-value="abc" data-label="Go"><rect width="60" height="40"/></g></svg>');
+  await waitFor(page, 'a part that can never write is told with its line', () => {
+    const words = document.querySelector('[data-testid=editor-doubts]')?.innerText ?? '';
+    return words.includes('Line 2') && words.includes('cannot write abc to Main.level');
+  });
   await brings('Large.svg', `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><!--${'x'.repeat(5 << 20)}--></svg>`);
   await complains(page, 'larger than 2 MiB');
   await brings('Many.svg', `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9">${'<text data-text="Main.level">-</text>'.repeat(5_000)}</svg>`);

@@ -1,5 +1,7 @@
 #include "runtime/ground/csv/csv_rows.h"
 
+#include <algorithm>
+
 namespace stepwright::csv {
 
 namespace {
@@ -11,8 +13,8 @@ constexpr std::uint32_t kMostRowBytes = 1u << 20;
 bool CsvRows::next() {
   while (!error_ && !at_end()) {
     row();
-    const bool empty = fields_.size() == 1 && fields_.front().empty();
-    if (!empty) return !error_;
+    const bool empty = std::ranges::all_of(fields_, &std::string::empty);
+    if (!empty || error_) return !error_;
   }
   return false;
 }

@@ -30,7 +30,8 @@ class CsvRows {
   CsvRows(std::istream& in, std::string file, std::string code)
       : in_(*in.rdbuf()), file_(std::move(file)), code_(std::move(code)) {}
 
-  // False at the end, and at what is no table (error()). Lines without anything in them are no rows.
+  // False at the end, and at what is no table (error()). Lines without anything in them are no rows,
+  // nor are those of commas alone, which spreadsheets write.
   bool next();
 
   const std::vector<std::string>& fields() const { return fields_; }

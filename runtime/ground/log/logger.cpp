@@ -16,6 +16,7 @@
 #include "runtime/ground/log/line_writer.h"
 #include "runtime/ground/log/rate_limit.h"
 #include "runtime/ground/log/rotating_file.h"
+#include "runtime/ground/result/counted.h"
 
 namespace stepwright::log {
 namespace {
@@ -95,8 +96,8 @@ struct Logger::State {
   }
   void tell(const std::vector<Suppressed>& list) {
     if (const std::uint64_t lost = writer.take_lost(); lost > 0) {
-      const std::string text =
-          std::to_string(lost) + " lines were lost: the log is not written as fast as it grows";
+      const std::string text = result::counted(lost, "line was", "lines were") +
+                               " lost: the log is not written as fast as it grows";
       put({std::chrono::system_clock::now(), LogLevel::Warning, process, "lost_lines", text},
           {{"count", lost}});
     }

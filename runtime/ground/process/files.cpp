@@ -15,12 +15,14 @@ namespace fs = std::filesystem;
 
 constexpr std::uintmax_t kBlock = 64 * 1024;  // read at once
 
-result::Diagnostics unwritten(const std::string& path, const std::string& why) {
+// `reason`: an errno.
+result::Diagnostics unwritten(const std::string& path, int reason, const std::string& what = {}) {
+  const bool is_full = reason == ENOSPC || reason == EDQUOT;
   return {{"E0002",
            result::Severity::Error,
            {path, 0, 0},
-           "the file cannot be written: " + why,
-           "its folder must exist and take a new file"}};
+           "the file cannot be written: " + what + std::strerror(reason),
+           is_full ? "the disk is full: make room there" : "its folder must exist and take a new file"}};
 }
 
 // "-" is standard output.
@@ -93,30 +95,30 @@ result::Diagnostics write_file(const std::string& given, std::string_view bytes)
   const std::string path = place_of(given);
   if (is_stream(path)) {
     if (write_to(path, bytes, std::ios::app)) return {};
-    return unwritten(path, std::strerror(errno));
+    return unwritten(path, errno);
   }
   const fs::path place = behind_links(path);
   const fs::path partial = place.string() + ".part";
   const bool written = write_to(partial, bytes, std::ios::trunc);
-  std::string why = std::strerror(errno);
+  int reason = errno;
   std::error_code failed;
   if (written) fs::rename(partial, place, failed);
   if (written && !failed) return {};
-  if (failed) why = failed.message();
+  if (failed) reason = failed.value();
   std::remove(partial.c_str());
-  return unwritten(path, why);
+  return unwritten(path, reason);
 }
 
 result::Diagnostics check_writable(const std::string& given) {
   const std::string path = place_of(given);
   std::error_code error;
-  if (fs::is_directory(path, error)) return unwritten(path, "it is a folder");
+  if (fs::is_directory(path, error)) return unwritten(path, EISDIR);
   if (is_stream(path)) {
-    return access(path.c_str(), W_OK) == 0 ? result::Diagnostics{} : unwritten(path, std::strerror(errno));
+    return access(path.c_str(), W_OK) == 0 ? result::Diagnostics{} : unwritten(path, errno);
   }
   const fs::path folder = behind_links(path).parent_path();
   if (access(folder.empty() ? "." : folder.c_str(), W_OK) == 0) return {};
-  return unwritten(path, "its folder: " + std::string(std::strerror(errno)));
+  return unwritten(path, errno, "its folder: ");
 }
 
 bool is_xml(const std::string& path) {

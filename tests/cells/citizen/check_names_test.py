@@ -110,6 +110,23 @@ class CheckNames(unittest.TestCase):
         self.assertRegex(done.stderr, r"Forty\.svg:2:\d+: warning: C0532: the screen 'Forty': the field 'pump' of the copy p3 of the face 'PumpFace' is empty")
         self.assertRegex(done.stderr, r"Forty\.svg:3:\d+: warning: C0532: the screen 'Forty': the field 'pump' is empty")
         self.assertNotIn("names '{pump}", done.stderr)
+    def test_a_part_of_a_screen_that_can_never_write_is_a_warning_with_its_line(self):
+        screens = self.folder / "state/screens"
+        screens.mkdir(parents=True)
+        part = '<g data-part="{}" data-key="{}" data-write="{}" {}><rect width="1" height="1"/></g>\n'
+        parts = [("button", "text", "Main.temp", 'data-value="abc"'), ("setpoint", "flag", "Main.cleaning", 'data-from="0" data-to="5"'),
+                 ("switch", "sound", "Main.cleaning", ""), ("slider", "limit", "Main.limit", 'data-from="0" data-to="90"')]
+        (screens / "Mixer.svg").write_text('<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 10 10">\n' + "".join(part.format(*each) for each in parts) + "</svg>\n", encoding="utf-8")
+        done = self.check()
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertRegex(done.stderr, r"Mixer\.svg:2:2: warning: C0645: the button 'text' cannot write abc to Main\.temp: .*REAL\n  hint: ")
+        self.assertRegex(done.stderr, r"Mixer\.svg:3:2: warning: C0645: the set point 'flag' writes numbers, and Main\.cleaning is of the type BOOL\n  hint: ")
+        self.assertEqual(done.stderr.count("C0645"), 2, done.stderr)
+        self.assertIn("cell.toml: 2 warnings", done.stdout)
+
+    def test_a_part_in_the_plants_picture_is_a_warning(self):
+        self.write(**{"plant.svg": '<svg viewBox="0 0 9 9">\n<g data-part="switch" data-key="k" data-write="Main.cleaning"><rect/></g></svg>'})
+        self.assertIn("plant.svg:2:2: warning: C0645: the operator part 'k' of [hmi] drawing does nothing", self.check().stderr)
 
     def test_a_source_that_is_no_utf8_is_a_warning_with_its_place(self):
         (self.folder / "main.st").write_bytes(PROGRAM.replace("temp : REAL;", "temp : REAL; // °C").replace("limit :", "\n limit :", 1).encode("latin-1"))

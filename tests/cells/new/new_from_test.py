@@ -179,9 +179,16 @@ class From(unittest.TestCase):
         self.assertEqual((made / "main.xml").read_text(encoding="utf-8"), text)
 
     def test_a_task_of_a_program_that_is_not_there_is_no_cell_that_runs(self):
-        made, said = self.take(self.write(project([("a", "", "<BOOL/>")], "a := TRUE;", task=TASK.replace("Main", "My Prog"))), runs=False)
+        made, said = self.take(self.write(project([("a", "", "<BOOL/>")], "a := TRUE;", task=TASK.replace("Main", "MyProg"))), runs=False)
         self.assertIn("E0603", said)
         self.assertIn("E0603", (made / "README.md").read_text(encoding="utf-8"))
+
+    def test_a_name_of_two_words_is_told_whole_at_its_place_and_nothing_is_written(self):
+        source = self.write(project([("a", "", "<BOOL/>")], "a := TRUE;", task=TASK.replace("Main", "My Prog")))
+        done = stepwright("new", "line", "--from", source, cwd=self.root)
+        self.assertEqual(done.returncode, 1, done.stdout)
+        self.assertRegex(done.stderr, r"plc\.xml:\d+:\d+: E0802: 'My Prog' of <pouInstance> is no name\n  hint: .*My_Prog")
+        self.assertFalse((self.root / "line").exists())
 
     def test_what_is_no_project_is_refused_and_nothing_is_written(self):
         empty = self.root / "empty"

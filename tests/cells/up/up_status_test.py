@@ -12,6 +12,8 @@ PROGRAM Main
   n := 1 / zero;
 END_PROGRAM
 """
+# Its container is larger than what is left of the disk for small files.
+MANY = "PROGRAM Main\n  VAR\n" + "".join(f"    a_rather_long_name_{n} : DINT;\n" for n in range(2_000)) + "  END_VAR\nEND_PROGRAM\n"
 
 
 class Status(unittest.TestCase):
@@ -56,6 +58,38 @@ class FullDisk(unittest.TestCase):
         for each in cell.state.glob("file*"):
             each.unlink()
         return cell
+
+    def filled_after_a_run(self, *options):
+        """A cell that has run before; then its disk was filled by something else."""
+        need_mounts()
+        cell = KeptCell()
+        self.addCleanup(cell.__exit__)
+        mount(cell.state, *options)
+        self.addCleanup(unmount, cell.state)
+        self.assertEqual(cell.run("up", "--detach").returncode, 0)
+        self.assertEqual(cell.run("down").returncode, 0)
+        fill(cell.state)
+        for each in cell.state.glob("file*"):
+            each.unlink()
+        return cell
+
+    def test_a_program_of_the_same_sources_runs(self):
+        cell = self.filled_after_a_run("size=2m", "nr_inodes=128")
+        kept = (cell.state / "program.swb").read_bytes()
+        done = cell.run("up", "--detach")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertEqual((cell.state / "program.swb").read_bytes(), kept)
+        self.assertTrue(eventually(lambda: cell.status()["program"]["state"] == "running"), cell.status())
+        self.assertEqual(cell.run("down").returncode, 0)
+
+    def test_a_program_that_cannot_be_kept_is_told_as_that(self):
+        cell = self.filled_after_a_run("size=2m", "nr_inodes=128")
+        (cell.folder / "main.st").write_text(MANY, encoding="utf-8")
+        done = cell.run("up", "--detach")
+        self.assertEqual(done.returncode, 5, done.stdout + done.stderr)
+        self.assertRegex(done.stderr, r"program\.swb: E0002: the sources compile, and their program cannot be kept: .*No space left on device\n  hint: the disk is full")
+        self.assertNotIn("does not compile", done.stderr)
+        self.assertIn("is not up", cell.run("status").stdout)
 
     def test_detached_it_is_told_and_nothing_is_left(self):
         cell = self.cell()

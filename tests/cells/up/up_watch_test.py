@@ -3,7 +3,7 @@
 import re
 import unittest
 
-from kept_cell import NO_PLANT, PAGE, PROGRAM, KeptCell
+from kept_cell import NO_PLANT, PAGE, PROGRAM, RUNS, KeptCell
 from processes import eventually, stepwright
 
 
@@ -37,6 +37,33 @@ class Watch(unittest.TestCase):
         self.assertTrue(eventually(lambda: int(self.value(cell, "Main.n")) > before))
         (cell.folder / "main.st").write_text(PROGRAM.replace("n + 1", "n + 2"), encoding="utf-8")
         process.wait_for("brought in: what was saved runs")
+
+    def test_what_names_a_removed_variable_is_in_the_log(self):
+        cell = self.kept(more=NO_PLANT + RUNS + PAGE + 'recipes = "recipes.toml"\n', program=PROGRAM.replace("n : UDINT;", "n : UDINT; level : INT;"))
+        (cell.folder / "recipes.toml").write_text('[[tag]]\nname = "Main.level"\ntype = "INT"\nmin = 0\nmax = 9\n', encoding="utf-8")
+        screens = cell.state / "screens"
+        screens.mkdir(parents=True, mode=0o700)
+        (screens / "Mixer.svg").write_text('<svg viewBox="0 0 9 9"><text data-text="Main.level">-</text><text data-text="Main.n">-</text></svg>\n', encoding="utf-8")
+        cell.state.chmod(0o700)
+        process = cell.ready("--watch")
+        self.assertNotIn("has no variable", process.output())
+        (cell.folder / "main.st").write_text(PROGRAM, encoding="utf-8")
+        process.wait_for("brought in: what was saved runs")
+        process.wait_for("the program has no variable 'Main.level', which recipes set: no recipe can be loaded")
+        process.wait_for("the screen 'Mixer' names 'Main.level', which the program does not have any more")
+
+    def test_a_source_that_is_gone_and_a_saved_configuration_are_told(self):
+        cell = self.kept()
+        process = cell.ready("--watch")
+        (cell.folder / "main.st").rename(cell.folder / "aside.st")
+        process.wait_for(r"(?m)^watch +\| main\.st is gone: the program before goes on")
+        (cell.folder / "aside.st").rename(cell.folder / "main.st")
+        process.wait_for("a source was saved: compiles")
+        process.wait_for("brought in: what was saved runs")
+        cell.config.write_text(cell.config.read_text(encoding="utf-8") + "# changed\n", encoding="utf-8")
+        process.wait_for(r"(?m)^watch +\| cell\.toml was saved: it counts from the next start on\. `stepwright check ")
+        before = int(self.value(cell, "Main.n"))
+        self.assertTrue(eventually(lambda: int(self.value(cell, "Main.n")) > before))
 
     def test_a_cell_without_sources_cannot_be_watched(self):
         cell = self.kept(more=NO_PLANT + PAGE)

@@ -208,6 +208,14 @@ TEST_F(CellConfigTest, WhenRetainIsWrong_ThenEachPlaceIsNamed) {
   }
 }
 
+TEST_F(CellConfigTest, WhenAnOverrideHasNoValue_ThenItSaysHowOneIsWritten) {
+  const auto config = load_cell_config(write("[cell]\nname = \"line\"\n"), {"nonsense"});
+  ASSERT_FALSE(config.has_value());
+  EXPECT_EQ(result::to_string(config.error()),
+            "--set nonsense: C0001: this is not KEY=VALUE: there is no '='\n  hint: for example --set "
+            "plant.seed=7");
+}
+
 TEST_F(CellConfigTest, WhenFaultsAreListed_ThenTheyAreReadInOrder) {
   for (const char* file : {"domain.pddl", "problem.pddl", "binding.toml"})
     std::ofstream(folder_ / file) << "x";

@@ -145,6 +145,22 @@ TEST(TagTable, WhenItIsSeparatedBySomethingElse_ThenThatIsSaid) {
   }
 }
 
+TEST(TagTable, WhenTheColumnOfNamesIsMisspelt_ThenNameIsMeant) {
+  for (const char* column : {"Name", "nmae", "NAMES"}) {
+    const Read wrong = read_table("Unit," + std::string(column) + "\nl,x\n");
+    ASSERT_EQ(wrong.problems.size(), 1u) << column;
+    EXPECT_EQ(wrong.problems[0].where.column, 6u);
+    EXPECT_EQ(wrong.problems[0].message, "the column '" + std::string(column) + "' is not read");
+    EXPECT_TRUE(wrong.problems[0].hint.starts_with("did you mean 'name'?")) << wrong.problems[0].hint;
+  }
+}
+
+TEST(TagTable, WhenRowsHaveNothingInThem_ThenTheyAreNone) {
+  const Read read = read_table("name,unit\n,\nx,l\n,,\n\n\"\",\n");
+  EXPECT_TRUE(read.problems.empty()) << result::to_string(read.problems);
+  EXPECT_EQ(read.tags.size(), 1u);
+}
+
 TEST(TagTable, WhenAColumnIsNearlyOneThatIsRead_ThenThatIsAWarning) {
   for (const char* column : {"Unit", "units"}) {
     const Read near = read_table("name," + std::string(column) + "\nx,l\n");

@@ -5,6 +5,7 @@
 // Threads: any.
 
 #include <map>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -25,6 +26,10 @@ class FakeCell : public CellControl {
     const auto found = values_.find(name);
     if (found == values_.end()) return result::fail("R0057", {}, "there is no variable `" + name + "`");
     return found->second;
+  }
+  std::shared_ptr<const reader::ProgramInfo> program() override {
+    const std::lock_guard lock(mutex_);
+    return program_;
   }
   // A variable that is there takes anything but what `refuse` names.
   result::Result<std::string> spell(const std::string& name, const std::string& value) override {
@@ -121,6 +126,12 @@ class FakeCell : public CellControl {
     write_failure_ = std::move(code);
   }
 
+  // Runs from now on; its variables are still those that were set.
+  void run(std::shared_ptr<const reader::ProgramInfo> program) {
+    const std::lock_guard lock(mutex_);
+    program_ = std::move(program);
+  }
+
   // Sets the supervisor's answers from now on.
   void say(const std::string& goal_form, const std::string& outlook) {
     const std::lock_guard lock(mutex_);
@@ -167,6 +178,7 @@ class FakeCell : public CellControl {
   std::map<std::string, std::string> values_ = {{"MAIN.valve", "FALSE"}};
   std::vector<host::PlantFault> faults_ = {{"t1.leak", "percent/s", "it leaks", 0.0, 5.0},
                                            {"v1.stuck", "", "1: it stays", 0.0, 1.0, true}};
+  std::shared_ptr<const reader::ProgramInfo> program_;
   std::string goal_form_;
   std::string outlook_;
   std::string failure_;

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "hmi_web/access/durable_file.h"
+#include "ladder/driver/compile.h"
 #include "tests/unit/hmi_web/api/request_guard_fixture.h"
 
 namespace stepwright::api {
@@ -107,6 +108,26 @@ TEST_F(ScreenRoutesTest, WhenADeedIsAskedTwice_ThenItIsDoneOnce) {
   fixture_.cell.fail_with("");
   EXPECT_EQ(write("level", "30", {{"once", "another deed"}}), "504 D0007");
   EXPECT_EQ(writes(), 1u);
+}
+
+TEST_F(ScreenRoutesTest, WhenAPartCanNeverWrite_ThenTheSaveIsDoneAndSaysSo) {
+  EXPECT_EQ(json::parse(save("Mixer", kParts, 1).text)["warnings"], json::array()) << "no program is known";
+  const auto made = driver::compile(
+      {.texts = {{"main.st",
+                  "PROGRAM mixer VAR level, mode : INT; stir, start, stop, flush : BOOL; END_VAR "
+                  "END_PROGRAM"}}});
+  fixture_.cell.run(std::make_shared<reader::ProgramInfo>(*reader::ProgramInfo::read(made->container)));
+  EXPECT_EQ(json::parse(save("Mixer", kParts, 2).text)["warnings"], json::array());
+  const Answer saved = save("Mixer",
+                            "<svg viewBox='0 0 9 9'>\n<g data-part='button' data-key='b' "
+                            "data-write='mixer.level' data-value='abc'/></svg>",
+                            3);
+  EXPECT_EQ(saved.status, 200u);
+  const json warnings = json::parse(saved.text)["warnings"];
+  ASSERT_EQ(warnings.size(), 1u) << saved.text;
+  EXPECT_EQ(warnings[0]["code"], "C0645");
+  EXPECT_EQ(warnings[0]["line"], 2);
+  EXPECT_NE(warnings[0]["message"].get<std::string>().find("no value of the type INT"), std::string::npos);
 }
 
 TEST_F(ScreenRoutesTest, WhenAVersionIsNoWholeNumber_ThenNothingIsSaved) {

@@ -43,25 +43,26 @@ TEST_P(WrongBinding, WhenItIsRead_ThenItsLineAndAHintAreTold) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, WrongBinding,
-    testing::Values(
-        Wrong{R"(data-fil="a1.level")", "no binding data-fil"}, Wrong{R"(data-text="")", "not the name"},
-        Wrong{R"(data-on="!")", "not the name"}, Wrong{R"(data-text="two names")", "not the name"},
-        Wrong{R"(data-fill="a" data-from="low")", "no number"},
-        Wrong{R"(data-fill="a" data-to="1e999")", "no number"},
-        Wrong{R"(data-fill="a" data-from="3" data-to="3")", "the same"},
-        Wrong{R"(data-move="a" data-x="5")", "needs data-y"}, Wrong{R"(data-turn="a")", "needs data-degrees"},
-        Wrong{R"(data-text="a" data-digits="1.5")", "0 to 6"},
-        Wrong{R"(data-fill="a" data-turn="b" data-degrees="90")", "one of"},
-        Wrong{R"(data-pose-x="v.x" data-floor-scale="9")", "needs data-pose-y"},
-        Wrong{R"(data-pose-y="v.y" data-floor-scale="9")", "needs data-pose-x"},
-        Wrong{R"(data-pose-heading="v.h" data-floor-scale="9")", "needs data-pose-x"},
-        Wrong{R"(data-pose-x="v.x" data-pose-y="v.y")", "needs data-floor-scale"},
-        Wrong{R"(data-pose-x="v.x" data-pose-y="v.y" data-floor-scale="0")", "more than 0"},
-        Wrong{R"(data-pose-x="v.x" data-pose-y="v.y" data-floor-scale="wide")", "no number"},
-        Wrong{R"(data-pose-x="v.x" data-pose-y="v.y" data-floor-scale="9" data-fill="a")", "one of"},
-        Wrong{R"(data-show="pallet ")", "not the name"},
-        Wrong{R"(data-show="pallet p 1.state")", "not the name"},
-        Wrong{R"(data-show="lorry p1.state")", "not the name"}));
+    testing::Values(Wrong{R"(data-text="")", "not the name"}, Wrong{R"(data-on="!")", "not the name"},
+                    Wrong{R"(data-text="two names")", "not the name"},
+                    Wrong{R"(data-fill="a" data-from="low")", "no number"},
+                    Wrong{R"(data-fill="a" data-to="1e999")", "no number"},
+                    Wrong{R"(data-fill="a" data-from="3" data-to="3")", "the same"},
+                    Wrong{R"(data-move="a" data-x="5")", "needs data-y"},
+                    Wrong{R"(data-turn="a")", "needs data-degrees"},
+                    Wrong{R"(data-text="a" data-digits="1.5")", "0 to 6"},
+                    Wrong{R"(data-fill="a" data-turn="b" data-degrees="90")", "one of"},
+                    Wrong{R"(data-pose-x="v.x" data-floor-scale="9")", "needs data-pose-y"},
+                    Wrong{R"(data-pose-y="v.y" data-floor-scale="9")", "needs data-pose-x"},
+                    Wrong{R"(data-pose-heading="v.h" data-floor-scale="9")", "needs data-pose-x"},
+                    Wrong{R"(data-pose-x="v.x" data-pose-y="v.y")", "needs data-floor-scale"},
+                    Wrong{R"(data-pose-x="v.x" data-pose-y="v.y" data-floor-scale="0")", "more than 0"},
+                    Wrong{R"(data-pose-x="v.x" data-pose-y="v.y" data-floor-scale="wide")", "no number"},
+                    Wrong{R"(data-pose-x="v.x" data-pose-y="v.y" data-floor-scale="9" data-fill="a")",
+                          "one of"},
+                    Wrong{R"(data-show="pallet ")", "not the name"},
+                    Wrong{R"(data-show="pallet p 1.state")", "not the name"},
+                    Wrong{R"(data-show="lorry p1.state")", "not the name"}));
 
 TEST(DrawingBindings, WhenAVehicleHasAPose_ThenTheScaleOfItsFloorMayStandAroundIt) {
   const auto drawing = read_drawing(

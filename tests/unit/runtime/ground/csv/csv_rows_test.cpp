@@ -54,6 +54,13 @@ TEST(CsvRows, WhenAFieldIsAskedFor_ThenItsPlaceIsThatOfTheFile) {
   EXPECT_EQ(rows.where(1).column, 4U);
 }
 
+TEST(CsvRows, WhenALineHasOnlyCommas_ThenItIsNoRow) {
+  const Read read_rows = read("a,b\n,\n,,,\n1,\n,2\n\"\",\"\"\n,,");
+  ASSERT_EQ(read_rows.rows.size(), 3U) << read_rows.error;
+  EXPECT_EQ(read_rows.rows[1], (std::vector<std::string>{"1", ""}));
+  EXPECT_EQ(read_rows.rows[2], (std::vector<std::string>{"", "2"}));
+}
+
 TEST(CsvRows, WhenQuotesAreWrong_ThenTheFieldIsNamedAndReadingEnds) {
   const Read open = read("a,b\n1,\"2\n3,4\n");
   EXPECT_EQ(open.rows.size(), 1U);
