@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "hmi_web/server/array_selection.h"
-#include "hmi_web/server/declared_notes.h"
+#include "hmi_web/tags/declared_notes.h"
 #include "runtime/bytecode/reader/document_text.h"
 #include "runtime/bytecode/value_type.h"
 #include "runtime/ground/naming/ascii_names.h"
@@ -92,7 +92,7 @@ result::Result<ProgramLayout> read_layout(std::span<const std::byte> container, 
   for (const auto& transition : layout.transitions) {
     if (transition) drawn.insert(place_of(*transition));
   }
-  const DeclaredNotes notes(info->instances(), layout.document);
+  const tags::DeclaredNotes notes(info->instances(), layout.document);
   const ArraySelection arrays(info->tags(), info->instances());
   layout.program.left_out = arrays.left_out();
   for (const auto& tag : info->tags()) {

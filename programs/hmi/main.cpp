@@ -14,7 +14,7 @@
 #include "cell/config/reload_log.h"
 #include "cell/hmi/notify_channels.h"
 #include "cell/hmi/plant_picture.h"
-#include "cell/hmi/tag_notes.h"
+#include "cell/tags/tag_notes.h"
 #include "hmi_web/client/client_assets.h"
 #include "hmi_web/drawing/drawing_file.h"
 #include "hmi_web/monitor/cell_monitor.h"
@@ -68,7 +68,7 @@ int run(const config::CellConfig& config) {
       (*log)->warning("setup", result::to_string(made.error()));
   }
   server::Feed feed({config.name, STEPWRIGHT_VERSION, !config.hmi.recipes.empty(), !drawn.svg.empty(),
-                     hmi::tag_notes(config.tags)},
+                     tags::tag_notes(config.tags)},
                     picture->synoptic, {.state_spacing = config.hmi.refresh});
   const auto where = hmi::listening_of(config.hmi);
   if (!where) return fail(where.error(), ExitCode::BadInput);

@@ -6,7 +6,9 @@
 #include <cstdio>
 
 #include "cell/config/cell_config.h"
+#include "cell/tags/tag_notes.h"
 #include "programs/registers/register_table.h"
+#include "runtime/bytecode/reader/document_text.h"
 #include "runtime/ground/process/command_line.h"
 #include "runtime/ground/process/files.h"
 #include "runtime/ground/result/exit_code.h"
@@ -62,7 +64,9 @@ int run(const Options& options) {
   const auto& wanted = config.modbus_server.map;
   const auto built = modbus::map::build_map(*info, wanted);
   if (!built.problems.empty()) return process::fail(built.problems, ExitCode::BadInput);
-  const auto rows = modbus::map::register_rows(*info, built.map);
+  const tags::KnownTags known(tags::tag_notes(config.tags),
+                              {info->instances(), reader::document_text(*container)});
+  const auto rows = tagged(modbus::map::register_rows(*info, built.map), known);
   const std::string title = "Modbus registers of " + (options.image.empty() ? config.name : options.image);
   const std::string text = options.format == "csv"    ? to_csv(rows)
                            : options.format == "json" ? to_json(rows)

@@ -1,6 +1,10 @@
 #include "programs/registers/register_table.h"
 
+#include <cstdio>
 #include <nlohmann/json.hpp>
+#include <utility>
+
+#include "hmi_web/protocol/tag_note_json.h"
 
 namespace stepwright::registers {
 namespace {
@@ -38,6 +42,21 @@ std::string cell(std::string text) {
   return text;
 }
 
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.10g", value);
+  return text;
+}
+
+// With its group and the range that is normal: "level of the buffer (tanks; 0 to 200)".
+std::string description_of(const protocol::TagNote& note) {
+  std::string more = note.group;
+  if (note.normal)
+    more += (more.empty() ? "" : "; ") + number(note.normal->first) + " to " + number(note.normal->second);
+  if (more.empty()) return note.description;
+  return note.description + (note.description.empty() ? "(" : " (") + more + ")";
+}
+
 std::string addresses_of(const RegisterRow& row) {
   if (row.addresses == 1) return std::to_string(row.first);
   return std::to_string(row.first) + "-" + std::to_string(row.first + row.addresses - 1);
@@ -47,7 +66,16 @@ constexpr const char* kTitles[] = {"Coils", "Discrete inputs", "Holding register
 
 }  // namespace
 
-std::string to_markdown(const std::vector<RegisterRow>& rows, const std::string& title, bool openplc) {
+std::vector<TaggedRow> tagged(std::vector<RegisterRow> rows, const tags::KnownTags& tags) {
+  std::vector<TaggedRow> all;
+  for (RegisterRow& row : rows) {
+    protocol::TagNote note = tags.of(row.name);
+    all.push_back({std::move(row), std::move(note)});
+  }
+  return all;
+}
+
+std::string to_markdown(const std::vector<TaggedRow>& rows, const std::string& title, bool openplc) {
   std::string out = "# " + title + "\n\nAddresses count from 0, as they travel. ";
   if (openplc) {
     out +=
@@ -59,49 +87,58 @@ std::string to_markdown(const std::vector<RegisterRow>& rows, const std::string&
   out += "\n";
   for (std::size_t table = 0; table < modbus::map::kTables; ++table) {
     bool any = false;
-    for (const RegisterRow& row : rows) {
+    for (const auto& [row, note] : rows) {
       if (row.table != static_cast<Table>(table)) continue;
       if (!any)
         out += std::string("\n## ") + kTitles[table] +
-               "\n\n| address | functions | name | type | IEC | access | word order | comment |\n"
-               "|---|---|---|---|---|---|---|---|\n";
+               "\n\n| address | functions | name | type | IEC | access | word order | unit | description | "
+               "comment |\n"
+               "|---|---|---|---|---|---|---|---|---|---|\n";
       any = true;
       out += "| " + addresses_of(row) + " | " + modbus::map::function_codes(row.table, row.writable) + " | " +
              cell(row.name) + " | " + row.type + " | " + row.address + " | " + access_of(row) + " | " +
              word_order_of(row) + (row.byte_order == Order::LowFirst ? ", bytes low first" : "") + " | " +
-             cell(row.comment) + " |\n";
+             cell(note.unit) + " | " + cell(description_of(note)) + " | " + cell(row.comment) + " |\n";
     }
   }
   return out;
 }
 
-std::string to_csv(const std::vector<RegisterRow>& rows) {
+std::string to_csv(const std::vector<TaggedRow>& rows) {
   std::string out =
-      "table,address,registers,functions,name,type,iec_address,access,byte_order,word_order,comment\r\n";
-  for (const RegisterRow& row : rows) {
+      "table,address,registers,functions,name,type,iec_address,access,byte_order,word_order,comment,unit,"
+      "description,group,least,greatest\r\n";
+  for (const auto& [row, note] : rows) {
     out += std::string(name_of(row.table)) + "," + std::to_string(row.first) + "," +
            std::to_string(row.addresses) + "," +
            quoted(modbus::map::function_codes(row.table, row.writable)) + "," + quoted(row.name) + "," +
            row.type + "," + row.address + "," + access_of(row) + "," + byte_order_of(row) + "," +
-           word_order_of(row) + "," + quoted(row.comment) + "\r\n";
+           word_order_of(row) + "," + quoted(row.comment) + "," + quoted(note.unit) + "," +
+           quoted(note.description) + "," + quoted(note.group) + "," +
+           (note.normal ? number(note.normal->first) : "") + "," +
+           (note.normal ? number(note.normal->second) : "") + "\r\n";
   }
   return out;
 }
 
-std::string to_json(const std::vector<RegisterRow>& rows) {
+std::string to_json(const std::vector<TaggedRow>& rows) {
   nlohmann::json list = nlohmann::json::array();
-  for (const RegisterRow& row : rows) {
-    list.push_back({{"table", name_of(row.table)},
-                    {"address", row.first},
-                    {"registers", row.addresses},
-                    {"functions", modbus::map::function_codes(row.table, row.writable)},
-                    {"name", row.name},
-                    {"type", row.type},
-                    {"iec_address", row.address},
-                    {"access", access_of(row)},
-                    {"byte_order", byte_order_of(row)},
-                    {"word_order", word_order_of(row)},
-                    {"comment", row.comment}});
+  for (const auto& [row, note] : rows) {
+    nlohmann::json entry = {{"table", name_of(row.table)},
+                            {"address", row.first},
+                            {"registers", row.addresses},
+                            {"functions", modbus::map::function_codes(row.table, row.writable)},
+                            {"name", row.name},
+                            {"type", row.type},
+                            {"iec_address", row.address},
+                            {"access", access_of(row)},
+                            {"byte_order", byte_order_of(row)},
+                            {"word_order", word_order_of(row)},
+                            {"comment", row.comment}};
+    const nlohmann::json said = protocol::to_json(note);
+    for (const char* key : {"unit", "description", "group", "normal"})
+      if (said.contains(key)) entry[key] = said[key];
+    list.push_back(std::move(entry));
   }
   return list.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }

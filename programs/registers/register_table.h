@@ -5,17 +5,25 @@
 #include <string>
 #include <vector>
 
+#include "hmi_web/tags/known_tags.h"
 #include "runtime/modbus/map/register_rows.h"
 
 namespace stepwright::registers {
 
+// A value that a client can reach, with what is known of it for people.
+struct TaggedRow {
+  modbus::map::RegisterRow row;
+  protocol::TagNote note;
+};
+
+std::vector<TaggedRow> tagged(std::vector<modbus::map::RegisterRow> rows, const tags::KnownTags& tags);
+
 // A table a Modbus table, with the default map's ranges in words if it is there.
-std::string to_markdown(const std::vector<modbus::map::RegisterRow>& rows, const std::string& title,
-                        bool openplc);
+std::string to_markdown(const std::vector<TaggedRow>& rows, const std::string& title, bool openplc);
 // RFC 4180: table, address, registers, functions, name, type, iec_address, access, byte_order, word_order,
-// comment.
-std::string to_csv(const std::vector<modbus::map::RegisterRow>& rows);
+// comment, unit, description, group, least, greatest.
+std::string to_csv(const std::vector<TaggedRow>& rows);
 // A list of objects with the same keys.
-std::string to_json(const std::vector<modbus::map::RegisterRow>& rows);
+std::string to_json(const std::vector<TaggedRow>& rows);
 
 }  // namespace stepwright::registers

@@ -2,6 +2,7 @@
 
 import csv
 import io
+import json
 import pathlib
 import re
 import socket
@@ -21,7 +22,7 @@ PROGRAM Main
     count AT %MW0 : INT;
     wish AT %MW1 : INT;
     copy AT %MW2 : INT;
-    level AT %MD5 : REAL;
+    level AT %MD5 : REAL; {unit := 'l', group := 'buffer', range := 0..200} // how full | it is
     lamp AT %QX0.1 : BOOL;
     torn : DINT;
     pair AT %MW20 : ARRAY[0..99] OF INT;
@@ -331,13 +332,22 @@ write = ["input 3", "holdin"]
         self.assertEqual(done.stderr.count("C0507"), 2)
 
     def test_the_register_map_is_a_document(self):
-        ranges = '[[modbus.server.range]]\ntable = "holding"\nfirst = 5000\nvariable = "Main.levels"\n'
+        ranges = ('[[modbus.server.range]]\ntable = "holding"\nfirst = 5000\nvariable = "Main.levels"\n'
+                  '[[modbus.server.range]]\ntable = "holding"\nfirst = 6000\nvariable = "Main.level"\n'
+                  '[tags."Main.levels"]\nunit = "m"\ndescription = "of each tank"\n')
         cell = self.cell(ranges)
         rows = list(csv.DictReader(io.StringIO(self.good("registers", cell.folder / "main.swb", "--config", cell.config,
                                                          "--format", "csv"))))
         self.assertEqual([row["address"] for row in rows if row["name"] == "Main.levels[9]"], ["5018"])
-        self.assertIn("| 5018-5019 | 3 | Main.levels[9] | REAL |",
-                      self.good("registers", cell.folder / "main.swb", "--config", cell.config))
+        words = {row["name"]: (row["unit"], row["description"], row["group"], row["least"], row["greatest"]) for row in rows}
+        self.assertEqual(words["Main.levels[9]"], ("m", "of each tank", "", "", ""))
+        self.assertEqual(words["Main.level"], ("l", "how full | it is", "buffer", "0", "200"))
+        table = self.good("registers", cell.folder / "main.swb", "--config", cell.config)
+        self.assertIn("| 5018-5019 | 3 | Main.levels[9] | REAL |", table)
+        self.assertIn("| l | how full \\| it is (buffer; 0 to 200) |", table)
+        listed = json.loads(self.good("registers", cell.folder / "main.swb", "--config", cell.config, "--format", "json"))
+        level = next(each for each in listed if each["name"] == "Main.level")
+        self.assertEqual((level["unit"], level["group"], level["normal"]), ("l", "buffer", [0, 200]))
         cell.write(CONFIG + ranges.replace("levels", "levles"))
         done = stepwright("registers", cell.folder / "main.swb", "--config", cell.config)
         self.assertEqual(done.returncode, 1)

@@ -1,10 +1,10 @@
-#include "hmi_web/server/declared_notes.h"
+#include "hmi_web/tags/declared_notes.h"
 
 #include <gtest/gtest.h>
 
 #include <vector>
 
-namespace stepwright::server {
+namespace stepwright::tags {
 namespace {
 
 const std::vector<reader::InstanceInfo> kInstances = {{"Main", "Mixer"}, {"Main.smooth", "Smooth"}};
@@ -86,4 +86,4 @@ TEST(DeclaredNotes, WhenAPragmaOfADocumentIsNone_ThenItSaysNothing) {
 }
 
 }  // namespace
-}  // namespace stepwright::server
+}  // namespace stepwright::tags

@@ -18,7 +18,7 @@
 #include "hmi_web/protocol/tag_note.h"
 #include "runtime/bytecode/reader/program_info.h"
 
-namespace stepwright::server {
+namespace stepwright::tags {
 
 inline constexpr std::size_t kMostNoteBytes = 200;  // what is longer is no description
 inline constexpr std::size_t kMostNamedValues = 64;
@@ -37,4 +37,4 @@ class DeclaredNotes {
   std::unordered_map<std::string, protocol::TagNote> notes_;  // "POU.VARIABLE"; of globals ".VARIABLE"
 };
 
-}  // namespace stepwright::server
+}  // namespace stepwright::tags

@@ -1,4 +1,4 @@
-#include "hmi_web/server/declared_notes.h"
+#include "hmi_web/tags/declared_notes.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -7,7 +7,7 @@
 #include "hmi_web/protocol/program_document.h"
 #include "runtime/ground/naming/ascii_names.h"
 
-namespace stepwright::server {
+namespace stepwright::tags {
 namespace {
 
 using naming::upper;
@@ -124,4 +124,4 @@ protocol::TagNote DeclaredNotes::of(std::string_view tag) const {
   return found == notes_.end() ? protocol::TagNote() : found->second;
 }
 
-}  // namespace stepwright::server
+}  // namespace stepwright::tags

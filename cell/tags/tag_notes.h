@@ -10,8 +10,8 @@
 #include "cell/config/tag_config.h"
 #include "hmi_web/protocol/tag_note.h"
 
-namespace stepwright::hmi {
+namespace stepwright::tags {
 
 std::vector<protocol::TagNote> tag_notes(std::span<const config::TagConfig> tags);
 
-}  // namespace stepwright::hmi
+}  // namespace stepwright::tags

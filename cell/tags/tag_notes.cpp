@@ -1,6 +1,6 @@
-#include "cell/hmi/tag_notes.h"
+#include "cell/tags/tag_notes.h"
 
-namespace stepwright::hmi {
+namespace stepwright::tags {
 
 std::vector<protocol::TagNote> tag_notes(std::span<const config::TagConfig> tags) {
   std::vector<protocol::TagNote> notes;
@@ -12,4 +12,4 @@ std::vector<protocol::TagNote> tag_notes(std::span<const config::TagConfig> tags
   return notes;
 }
 
-}  // namespace stepwright::hmi
+}  // namespace stepwright::tags
