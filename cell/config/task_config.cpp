@@ -17,6 +17,7 @@ std::vector<TaskConfig> read_tasks(const settings::TomlTable& root) {
     const settings::TomlTable table = tables.table(name);
     TaskConfig task;
     task.name = name;
+    task.where = table.where();
     task.phase_us = table.integer("phase_us", 0, {0, 3'600'000'000.0});
     const std::string overrun = table.choice("overrun", "skip", {"skip", "catch_up", "fault"});
     task.overrun = overrun == "fault"      ? OverrunAction::Fault

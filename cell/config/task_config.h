@@ -22,6 +22,7 @@ struct TaskConfig {
   std::int64_t phase_us = 0;
   OverrunAction overrun = OverrunAction::Skip;
   int cpu = -1;  // -1: that of [runtime]
+  result::Location where = {};
 };
 
 // A processor of this machine, or -1 where the key is missing; one that is not there is reported.

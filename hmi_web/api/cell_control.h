@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "hmi_web/tags/known_tags.h"
 #include "runtime/bytecode/reader/program_info.h"
 #include "runtime/ground/result/result.h"
 #include "runtime/host/plant_fault.h"
@@ -48,6 +49,8 @@ class CellControl {
   [[nodiscard]] virtual result::Result<std::string> read(const std::string& name) = 0;
   // The program that runs, as far as it is known here; null: none is.
   virtual std::shared_ptr<const reader::ProgramInfo> program() = 0;
+  // What the cell and its sources say of its tags; null: no program is known.
+  virtual std::shared_ptr<const tags::KnownTags> known_tags() { return nullptr; }
   // The value as `write` would return it; nothing is written.
   [[nodiscard]] virtual result::Result<std::string> spell(const std::string& name,
                                                           const std::string& value) = 0;

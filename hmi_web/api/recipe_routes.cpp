@@ -69,13 +69,17 @@ json described(const Recipe& recipe, const result::Diagnostics& problems) {
 
 Answer tags_of(const RecipeService& service) {
   json list = json::array();
+  const auto notes = service.notes();
   for (const PresentTag& each : service.present()) {
     const recipes::RecipeTag& tag = *each.tag;
+    // The file of the definitions first, then the cell, then the declaration.
+    const protocol::TagNote note = notes ? notes->of(tag.name) : protocol::TagNote();
+    const bool has_unit = !tag.unit.empty() || !recipes::has_range(tag.type);
     json entry = {{"name", tag.name},
                   {"type", bytecode::name_of(tag.type)},
-                  {"unit", tag.unit},
-                  {"comment", tag.comment}};
-    if (tag.type != bytecode::ElementaryType::Bool) {
+                  {"unit", has_unit ? tag.unit : note.unit},
+                  {"comment", tag.comment.empty() ? note.description : tag.comment}};
+    if (recipes::has_range(tag.type)) {
       entry["min"] = tag.least;
       entry["max"] = tag.most;
     }

@@ -5,6 +5,7 @@
 
 #include "hmi_web/api/cell_codes.h"
 #include "hmi_web/recipes/recipe_check.h"
+#include "runtime/bytecode/reader/resolve_name.h"
 #include "runtime/ground/naming/ascii_names.h"
 
 namespace stepwright::api {
@@ -29,8 +30,21 @@ RecipeService::RecipeService(std::vector<RecipeTag> tags, recipes::RecipeStore& 
                              const ForceService& forces, access::WallClock clock)
     : tags_(std::move(tags)), store_(store), cell_(cell), forces_(forces), clock_(std::move(clock)) {}
 
+std::vector<RecipeTag> RecipeService::known_tags() const {
+  std::vector<RecipeTag> known = tags_;
+  const auto program = cell_.program();
+  for (RecipeTag& tag : known) {
+    tag.program_unknown = program == nullptr;
+    if (!program) continue;
+    if (const auto found = reader::resolve_name(*program, tag.name);
+        found && found->variable.type == tag.type)
+      tag.names = found->variable.enumerators;
+  }
+  return known;
+}
+
 result::Diagnostics RecipeService::problems_of(const Recipe& recipe) const {
-  auto checked = recipes::check(tags_, recipe.values);
+  auto checked = recipes::check(known_tags(), recipe.values);
   return checked ? result::Diagnostics{} : std::move(checked.error());
 }
 
@@ -47,7 +61,8 @@ Result<std::vector<RecipeRow>> RecipeService::compare(const std::string& left,
   auto other = store_.read(right);
   if (!other) return result::forward(other);
   std::vector<RecipeRow> rows;
-  for (const RecipeTag& tag : tags_) rows.push_back({tag.name, value_in(*one, tag), value_in(*other, tag)});
+  for (const RecipeTag& tag : known_tags())
+    rows.push_back({tag.name, value_in(*one, tag), value_in(*other, tag)});
   return rows;
 }
 
@@ -55,7 +70,7 @@ Result<std::vector<RecipeRow>> RecipeService::compare_with_present(const std::st
   auto one = store_.read(left);
   if (!one) return result::forward(one);
   std::vector<RecipeRow> rows;
-  for (const RecipeTag& tag : tags_) {
+  for (const RecipeTag& tag : known_tags()) {
     RecipeRow row{tag.name, value_in(*one, tag), std::nullopt};
     // As the program would spell it: its variable may be of another type than the definition.
     if (row.left) {
@@ -74,7 +89,7 @@ Result<std::vector<RecipeRow>> RecipeService::compare_with_present(const std::st
 Result<RecipeChange> RecipeService::save(const std::string& name, const std::string& comment,
                                          const Values& values, const std::string& user) {
   if (auto fits = recipes::check_name(name); !fits) return result::forward(fits);
-  auto checked = recipes::check(tags_, values);
+  auto checked = recipes::check(known_tags(), values);
   if (!checked) return result::forward(checked);
   RecipeChange change;
   // A damaged one is written over, with no values to tell of.
@@ -95,7 +110,7 @@ Result<RecipeChange> RecipeService::remove(const std::string& name) {
 Result<RecipeChange> RecipeService::load(const std::string& name) {
   auto recipe = store_.read(name);
   if (!recipe) return result::forward(recipe);
-  auto checked = recipes::check(tags_, recipe->values);
+  auto checked = recipes::check(known_tags(), recipe->values);
   if (!checked) return result::forward(checked);
   auto after = checked_by_program(std::move(*checked));
   if (!after) return result::forward(after);

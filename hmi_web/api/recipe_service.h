@@ -62,6 +62,8 @@ class RecipeService {
   // Problems that keep it from being loaded, by the definitions; empty: none.
   result::Diagnostics problems_of(const recipes::Recipe& recipe) const;
   std::vector<PresentTag> present() const;
+  // What the cell and the program's sources say of its tags; null: no program is known.
+  std::shared_ptr<const tags::KnownTags> notes() const { return cell_.known_tags(); }
 
   [[nodiscard]] result::Result<std::vector<RecipeRow>> compare(const std::string& left,
                                                                const std::string& right) const;
@@ -73,6 +75,8 @@ class RecipeService {
   [[nodiscard]] result::Result<RecipeChange> load(const std::string& name);
 
  private:
+  // With what the program that runs says of them.
+  std::vector<recipes::RecipeTag> known_tags() const;
   result::Result<recipes::Values> checked_by_program(recipes::Values values) const;
   result::Result<recipes::Values> read_all(const recipes::Values& values) const;
   result::Result<void> write_all(const RecipeChange& change);

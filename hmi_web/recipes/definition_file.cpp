@@ -12,12 +12,13 @@ namespace {
 using bytecode::ElementaryType;
 using settings::TomlTable;
 
-// Strings, characters and dates have no range that a person could set.
-constexpr std::array kTypes = {
-    ElementaryType::Bool,  ElementaryType::Sint,  ElementaryType::Int,   ElementaryType::Dint,
-    ElementaryType::Lint,  ElementaryType::Usint, ElementaryType::Uint,  ElementaryType::Udint,
-    ElementaryType::Ulint, ElementaryType::Byte,  ElementaryType::Word,  ElementaryType::Dword,
-    ElementaryType::Lword, ElementaryType::Real,  ElementaryType::Lreal, ElementaryType::Time};
+// Characters and dates have no range that a person could set.
+constexpr std::array kTypes = {ElementaryType::Bool,  ElementaryType::Sint,   ElementaryType::Int,
+                               ElementaryType::Dint,  ElementaryType::Lint,   ElementaryType::Usint,
+                               ElementaryType::Uint,  ElementaryType::Udint,  ElementaryType::Ulint,
+                               ElementaryType::Byte,  ElementaryType::Word,   ElementaryType::Dword,
+                               ElementaryType::Lword, ElementaryType::Real,   ElementaryType::Lreal,
+                               ElementaryType::Time,  ElementaryType::String, ElementaryType::Wstring};
 
 std::vector<std::string> type_names() {
   std::vector<std::string> names;
@@ -50,14 +51,15 @@ std::string short_number(double value) {
 }
 
 void read_range(const TomlTable& table, RecipeTag& tag) {
-  if (tag.type == ElementaryType::Bool) {
+  if (!has_range(tag.type)) {
     // Asked for, so that they are told once and not as unknown keys, too.
     (void)table.number("min", 0);
     (void)table.number("max", 0);
     (void)table.text("unit", "");
     for (const char* key : {"min", "max", "unit"}) {
       if (table.has(key))
-        table.report(key, std::string("a BOOL has no ") + key, "leave it out, or give the type", "0622");
+        table.report(key, std::string("a ") + bytecode::name_of(tag.type) + " has no " + key,
+                     "leave it out, or give the type", "0622");
     }
     return;
   }

@@ -11,9 +11,11 @@
 #include <chrono>
 #include <cstddef>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "runtime/bytecode/reader/program_info.h"
 #include "runtime/bytecode/value_type.h"
 #include "runtime/ground/result/result.h"
 
@@ -37,10 +39,19 @@ struct RecipeTag {
   std::string comment;
   result::Location where;         // of its table
   result::Location name_where{};  // of its name
+
+  // Not of the file, but of the program that runs: what the values of an enumeration are called.
+  std::shared_ptr<const reader::Enumerators> names = nullptr;
+  bool program_unknown = false;  // nobody knows: a word may be such a name
 };
 
 // Literals of IEC 61131-3 by the names of tags.
 using Values = std::map<std::string, std::string, std::less<>>;
+
+// A BOOL and a text have neither a range nor a unit.
+constexpr bool has_range(bytecode::ElementaryType type) {
+  return type != bytecode::ElementaryType::Bool && !bytecode::is_string(type);
+}
 
 struct Recipe {
   std::string name;

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <variant>
 
+#include "runtime/bytecode/reader/parse_string.h"
 #include "runtime/bytecode/reader/parse_value.h"
 #include "runtime/bytecode/reader/read_value.h"
 #include "runtime/ground/result/closest.h"
@@ -60,6 +61,30 @@ void append(result::Diagnostics& problems, result::Diagnostics more) {
   problems.insert(problems.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
 }
 
+bool may_be_enumeration(ElementaryType type) {
+  return type >= ElementaryType::Sint && type <= ElementaryType::Lword;
+}
+
+// "Auto", "Mode#Hand".
+bool is_word(std::string_view literal) {
+  return !literal.empty() && !(literal.front() >= '0' && literal.front() <= '9') &&
+         std::all_of(literal.begin(), literal.end(),
+                     [](char c) { return is_letter_or_digit(c) || c == '_' || c == '#'; });
+}
+
+tl::unexpected<result::Diagnostics> wrong(const RecipeTag& tag, const result::Diagnostic& problem) {
+  return result::fail("H0076", {}, tag.name + ": " + problem.message, problem.hint);
+}
+
+// How long it may be the program knows.
+result::Result<std::string> check_text(const RecipeTag& tag, reader::Variable variable,
+                                       std::string_view text) {
+  variable.capacity = kLongestLiteral;
+  if (const auto bytes = reader::parse_string(variable, text); !bytes)
+    return wrong(tag, bytes.error().front());
+  return std::string(text);
+}
+
 }  // namespace
 
 result::Result<void> check_name(std::string_view name) {
@@ -77,17 +102,18 @@ result::Result<std::string> check_value(const RecipeTag& tag, std::string_view l
     return result::fail("H0076", {}, tag.name + ": the value is too long", "at most 64 bytes");
   reader::Variable variable;
   variable.type = tag.type;
+  variable.enumerators = tag.names;
+  if (bytecode::is_string(tag.type)) return check_text(tag, variable, literal);
   const auto bits = reader::parse_value(variable, literal);
-  if (!bits) {
-    const auto& problem = bits.error().front();
-    return result::fail("H0076", {}, tag.name + ": " + problem.message, problem.hint);
-  }
+  if (!bits && tag.program_unknown && may_be_enumeration(tag.type) && is_word(literal))
+    return std::string(literal);
+  if (!bits) return wrong(tag, bits.error().front());
   std::array<std::byte, sizeof *bits> image{};
   std::memcpy(image.data(), &*bits, sizeof *bits);
   const double number = number_of(tag, reader::read_value(variable, image));
   std::string spelt = reader::read_text(variable, image);
   // Written so that what is no number is out of every range.
-  if (tag.type != ElementaryType::Bool && !(number >= tag.least && number <= tag.most))
+  if (has_range(tag.type) && !(number >= tag.least && number <= tag.most))
     return result::fail("H0077", {}, tag.name + ": " + spelt + " is out of range", range_of(tag));
   return spelt;
 }

@@ -8,6 +8,7 @@
 #include "cell/runtime/host_options.h"
 #include "hmi_web/server/array_selection.h"
 #include "programs/check/check_described_tags.h"
+#include "programs/check/check_fit.h"
 #include "programs/check/check_names.h"
 #include "programs/check/check_tags.h"
 #include "programs/check/check_wires.h"
@@ -97,6 +98,7 @@ result::Diagnostics check_program(const config::CellConfig& config, const CellPr
   add(problems, check_described_tags(config.tags, *info, picture_points(config)));
   add(problems, cell_monitors::missing_monitors(config, *info));
   add(problems, check_names(config, *info));
+  add(problems, check_fit(config, *info));
   add(problems, left_out_blocks(*info, program.name));
   return problems;
 }

@@ -86,6 +86,13 @@ Result<std::string> DdsCellControl::read(const std::string& name) {
   return (**names).read(name, snapshot->image);
 }
 
+std::shared_ptr<const tags::KnownTags> DdsCellControl::known_tags() {
+  const auto known = source_.running().get();
+  if (!known) return nullptr;
+  return std::make_shared<const tags::KnownTags>(
+      said_, tags::DeclaredNotes(known->info.instances(), known->document));
+}
+
 std::shared_ptr<const reader::ProgramInfo> DdsCellControl::program() {
   auto known = source_.running().get();
   if (!known) return nullptr;

@@ -6,6 +6,9 @@
 // Threads: every function from any; each blocks for dds::kRequestTimeout at most. The source outlives it.
 // Fails as api::CellControl says; R0057 and R0058 are of names and values.
 
+#include <utility>
+#include <vector>
+
 #include "hmi_web/api/cell_control.h"
 #include "programs/hmi/dds_cell_source.h"
 
@@ -13,7 +16,9 @@ namespace stepwright::hmi {
 
 class DdsCellControl : public api::CellControl {
  public:
-  explicit DdsCellControl(DdsCellSource& source) : source_(source) {}
+  // `said`: what the cell says of tags.
+  DdsCellControl(DdsCellSource& source, std::vector<protocol::TagNote> said)
+      : source_(source), said_(std::move(said)) {}
 
   result::Result<void> ask_supervisor(const std::string& request) override;
   std::string goal_form() override;
@@ -21,6 +26,7 @@ class DdsCellControl : public api::CellControl {
   result::Result<void> stop_runtime(const std::string& reason) override;
   result::Result<std::string> read(const std::string& name) override;
   std::shared_ptr<const reader::ProgramInfo> program() override;
+  std::shared_ptr<const tags::KnownTags> known_tags() override;
   result::Result<std::string> spell(const std::string& name, const std::string& value) override;
   result::Result<std::string> write(const std::string& name, const std::string& value) override;
   result::Result<std::string> force(const std::string& name, const std::string& value,
@@ -34,6 +40,7 @@ class DdsCellControl : public api::CellControl {
 
  private:
   DdsCellSource& source_;
+  const std::vector<protocol::TagNote> said_;
 };
 
 }  // namespace stepwright::hmi

@@ -101,7 +101,7 @@ int run(const config::CellConfig& config) {
               (*log)->info("notify", "'" + channel + "' is told of alarms again");
           });
   }
-  hmi::DdsCellControl control(**source);
+  hmi::DdsCellControl control(**source, tags::tag_notes(config.tags));
   hmi::SourceCache program((*source)->running());
   monitor::CellMonitor monitor;
   hmi::DdsCellChange change(**source, config);

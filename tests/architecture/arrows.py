@@ -191,7 +191,7 @@ ARROWS = {
     "hmi_web/screens": ["hmi_web/access", "hmi_web/drawing", "runtime/bytecode/reader"],
     "hmi_web/change": ["hmi_web/access", "runtime/host"],
     "hmi_web/trends": ["hmi_web/access"],
-    "hmi_web/api": ["hmi_web/access", "hmi_web/alarms", "hmi_web/change", "hmi_web/recipes", "hmi_web/screens", "hmi_web/trends", "runtime/ground/csv", "runtime/service"],
+    "hmi_web/api": ["hmi_web/access", "hmi_web/alarms", "hmi_web/change", "hmi_web/recipes", "hmi_web/screens", "hmi_web/tags", "hmi_web/trends", "runtime/ground/csv", "runtime/service"],
     "hmi_web/notify": ["hmi_web/alarms", "hmi_web/api"],
     "hmi_web/monitor": ["hmi_web/server", "ladder/graphic", "ladder/semantics"],
     "hmi_web/server": ["hmi_web/api", "hmi_web/protocol", "hmi_web/tags", "runtime/dds", "runtime/bytecode/reader", "supervisor/model"],

@@ -1,6 +1,7 @@
 """`stepwright check`: what alarms, recipes and the drawing name is held against the program that the cell's sources make."""
 
 import pathlib
+import re
 import tempfile
 import unittest
 
@@ -70,7 +71,8 @@ class CheckNames(unittest.TestCase):
         self.assertIn("hint: `stepwright snapshot` lists", self.check().stderr)
 
     def test_states_of_the_cell_and_addresses_are_no_variables(self):
-        self.names("cell.runtime_alive", "Main.cleaning", "%MW4", "Main.temp", "Main.cleaning")
+        self.write(**{"main.st": PROGRAM.replace("cleaning : BOOL;", "cleaning : BOOL; wanted AT %MD4 : REAL;")})
+        self.names("cell.runtime_alive", "Main.cleaning", "%MD4", "Main.temp", "Main.cleaning")
         self.assertEqual(self.check().stderr, "")
 
     def test_a_monitor_of_a_variable_that_is_not_there_is_told(self):
@@ -110,6 +112,22 @@ class CheckNames(unittest.TestCase):
         self.assertRegex(done.stderr, r"Forty\.svg:2:\d+: warning: C0532: the screen 'Forty': the field 'pump' of the copy p3 of the face 'PumpFace' is empty")
         self.assertRegex(done.stderr, r"Forty\.svg:3:\d+: warning: C0532: the screen 'Forty': the field 'pump' is empty")
         self.assertNotIn("names '{pump}", done.stderr)
+    def test_what_names_the_right_thing_and_can_do_nothing_with_it_is_told(self):
+        self.write(**{"main.st": PROGRAM.replace("cleaning : BOOL;", "cleaning : BOOL; batch : STRING; count : UDINT;"),
+                      "cell.toml": CELL + "[tasks.nope]\nphase_us = 5\n",
+                      "alarms.toml": ALARM.format("Main.batch", "cell.runtime_aliv"),
+                      "recipes.toml": RECIPE.format("Main.count") + RECIPE.format("%MW40") + RECIPE.format("Main.limit")})
+        done = self.check()
+        self.assertEqual(done.returncode, 1)
+        for place, said, hint in [
+                ("alarms.toml:3:10: C0528", "the alarm 'hot' (source) is Main.batch, a STRING: it never has a number", "can be watched"),
+                ("alarms.toml:6:17: C0532", "names 'cell.runtime_aliv', which is no figure of a cell", "'cell.runtime_alive'"),
+                ("recipes.toml:1:1: C0528", "of the type REAL, and Main.count of the program is of the type UDINT", 'type = "UDINT"'),
+                ("recipes.toml:7:8: C0529", "`%MW40` lies beyond the markers", "it has 0 bytes"),
+                ("cell.toml:11:1: warning: C0532", "[tasks.nope] names a task that the program does not have", "its tasks: ")]:
+            self.assertRegex(done.stderr, rf"{re.escape(place)}: .*{re.escape(said)}.*\n  hint: .*{re.escape(hint)}")
+        self.assertEqual(done.stderr.count("error") + done.stderr.count("C05"), 5, done.stderr)
+
     def test_a_part_of_a_screen_that_can_never_write_is_a_warning_with_its_line(self):
         screens = self.folder / "state/screens"
         screens.mkdir(parents=True)

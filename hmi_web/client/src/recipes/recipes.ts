@@ -1,6 +1,7 @@
 // Recipes as the server's API tells of them (hmi_web/doc/recipes.md).
 
 import type { Problem } from '../access/api';
+import { isString } from '../lib/string_value';
 import { t } from './texts';
 
 export interface RecipeTag {
@@ -8,7 +9,7 @@ export interface RecipeTag {
   type: string;
   unit: string;
   comment: string;
-  min?: number; // a BOOL has no range; that of a TIME is in seconds
+  min?: number; // a BOOL and a text have no range; that of a TIME is in seconds
   max?: number;
   value?: string; // of the running program, at this moment
   problem?: string; // why there is none
@@ -36,6 +37,7 @@ export const pathOf = (name: string) => `/api/recipes/${encodeURIComponent(name)
 
 export function rangeOf(tag: RecipeTag): string {
   if (tag.type === 'BOOL') return t('trueOrFalse');
+  if (isString(tag.type)) return t('text');
   const range = t('range', { min: String(tag.min), max: String(tag.max), unit: tag.unit }).trim();
   return tag.type === 'TIME' ? t('timeRange', { range }) : range;
 }

@@ -46,6 +46,7 @@ export default {
   values: 'Werte',
   takeNow: 'Jetzige Werte übernehmen',
   trueOrFalse: 'TRUE oder FALSE',
+  text: 'ein Text',
   range: '{min} bis {max} {unit}',
   timeRange: '{range}, etwa T#1m30s',
 } satisfies Translation<typeof english>;

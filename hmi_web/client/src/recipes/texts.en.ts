@@ -43,6 +43,7 @@ export default {
   values: 'Values',
   takeNow: 'Take the values of now',
   trueOrFalse: 'TRUE or FALSE',
+  text: 'a text',
   range: '{min} to {max} {unit}',
   timeRange: '{range}, such as T#1m30s',
 } as const;

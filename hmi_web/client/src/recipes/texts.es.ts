@@ -46,6 +46,7 @@ export default {
   values: 'Valores',
   takeNow: 'Tomar los valores actuales',
   trueOrFalse: 'TRUE o FALSE',
+  text: 'un texto',
   range: '{min} a {max} {unit}',
   timeRange: '{range}, por ejemplo T#1m30s',
 } satisfies Translation<typeof english>;

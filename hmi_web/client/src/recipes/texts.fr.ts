@@ -46,6 +46,7 @@ export default {
   values: 'Valeurs',
   takeNow: 'Reprendre les valeurs actuelles',
   trueOrFalse: 'TRUE ou FALSE',
+  text: 'un texte',
   range: '{min} à {max} {unit}',
   timeRange: '{range}, par exemple T#1m30s',
 } satisfies Translation<typeof english>;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "ladder/driver/compile.h"
 #include "tests/unit/hmi_web/api/request_guard_fixture.h"
 
 namespace stepwright::api {
@@ -61,6 +62,27 @@ TEST_F(RecipeServiceTest, WhenAnythingStandsInTheWay_ThenNothingIsWritten) {
   EXPECT_EQ(load("../Blue"), "H0071");
   for (const std::string& asked : cell().asked()) EXPECT_FALSE(asked.starts_with("write")) << asked;
   EXPECT_EQ(now(), "12.5 FALSE");
+}
+
+TEST_F(RecipeServiceTest, WhenAVariableIsAnEnumeration_ThenItsNamesAreSavedAndLoaded) {
+  cell().set("Main.mode", "Off");
+  RecipeService modes({{"Main.mode", bytecode::ElementaryType::Int, 0, 9, "", "", {}}}, *fixture_.store,
+                      cell(), *fixture_.forces, std::chrono::system_clock::now);
+  EXPECT_TRUE(modes.save("Early", "", {{"Main.mode", "Auto"}}, "emil")) << "no program is known yet";
+  const auto made =
+      driver::compile({.texts = {{"main.st",
+                                  "TYPE Mode : (Off, Hand, Auto); END_TYPE\n"
+                                  "PROGRAM P VAR mode : Mode; END_VAR END_PROGRAM\n"
+                                  "CONFIGURATION C RESOURCE R ON PLC TASK T(INTERVAL := T#10ms);\n"
+                                  "PROGRAM Main WITH T : P; END_RESOURCE END_CONFIGURATION"}}});
+  ASSERT_TRUE(made) << result::to_string(made.error());
+  cell().run(std::make_shared<reader::ProgramInfo>(*reader::ProgramInfo::read(made->container)));
+  const auto saved = modes.save("Late", "", {{"Main.mode", "mode#hand"}}, "emil");
+  ASSERT_TRUE(saved) << result::to_string(saved.error());
+  EXPECT_EQ(saved->after.at("Main.mode"), "Hand");
+  EXPECT_FALSE(modes.save("Wrong", "", {{"Main.mode", "Autoo"}}, "emil"));
+  ASSERT_TRUE(modes.load("Early"));
+  EXPECT_EQ(cell().value("Main.mode"), "Auto");
 }
 
 TEST_F(RecipeServiceTest, WhenNobodyAnswers_ThenThatIsTheReason) {

@@ -74,7 +74,10 @@ TEST(RecipeDefinitions, WhenSomethingIsWrong_ThenItIsToldWithItsPlace) {
   EXPECT_EQ(problems(tag + "min = 1\n").substr(0, 5), "C0005");
   EXPECT_EQ(problems(tag + "min = 1\nmax = 5\nmaks = 6\n"), "C0002 6:1");
   EXPECT_EQ(problems("[[tag]]\nname = \"a\"\nmin = 1\nmax = 5\n").substr(0, 5), "C0005") << "no type";
-  EXPECT_NE(problems("[[tag]]\nname = \"a\"\ntype = \"STRING\"\nmin = 1\nmax = 5\n"), "");
+  EXPECT_EQ(problems("[[tag]]\nname = \"a\"\ntype = \"STRING\"\nmin = 1\nunit = \"l\"\n"),
+            "C0622 4:7 C0622 5:8");
+  EXPECT_EQ(problems("[[tag]]\nname = \"a\"\ntype = \"WSTRING\"\n"), "");
+  EXPECT_NE(problems("[[tag]]\nname = \"a\"\ntype = \"DATE\"\nmin = 1\nmax = 5\n"), "");
   EXPECT_EQ(problems("[[tag]]\nname = \"a\"\ntype = \"BOOL\"\nmin = 0\n"), "C0622 4:7");
   EXPECT_EQ(problems("[[tag]]\nname = \"\"\ntype = \"BOOL\"\n"), "C0620 2:8");
   EXPECT_EQ(problems("").substr(0, 5), "C0620") << "nothing to set";

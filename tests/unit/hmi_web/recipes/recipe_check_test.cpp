@@ -46,6 +46,30 @@ TEST(RecipeCheck, WhenAValueIsNoLiteralOfItsType_ThenItIsRefused) {
   EXPECT_EQ(outcome(tag(ElementaryType::Int, -5, 300), std::string(65, '1')), "H0076");
 }
 
+TEST(RecipeCheck, WhenTheVariableIsAnEnumeration_ThenItsNamesAreValues) {
+  RecipeTag mode = tag(ElementaryType::Int, 0, 4);
+  EXPECT_EQ(outcome(mode, "Auto"), "H0076") << "it is none";
+  mode.program_unknown = true;
+  EXPECT_EQ(outcome(mode, "Mode#Auto"), "Mode#Auto") << "it may be one";
+  EXPECT_EQ(outcome(mode, "1.5"), "H0076");
+  mode.program_unknown = false;
+  mode.names =
+      std::make_shared<const reader::Enumerators>(reader::Enumerators{{0, "Off"}, {4, "Auto"}, {7, "Test"}});
+  EXPECT_EQ(outcome(mode, "auto"), "Auto");
+  EXPECT_EQ(outcome(mode, "Mode#Auto"), "Auto");
+  EXPECT_EQ(outcome(mode, "4"), "Auto");
+  EXPECT_EQ(outcome(mode, "Other"), "H0076");
+  EXPECT_EQ(outcome(mode, "Test"), "H0077");
+}
+
+TEST(RecipeCheck, WhenATagIsAText_ThenItIsKeptAsItIsWritten) {
+  EXPECT_EQ(outcome(tag(ElementaryType::String, 0, 0), "batch 7"), "batch 7");
+  EXPECT_EQ(outcome(tag(ElementaryType::String, 0, 0), "''"), "''");
+  EXPECT_EQ(outcome(tag(ElementaryType::String, 0, 0), "'$4'"), "H0076") << "no escape";
+  EXPECT_EQ(outcome(tag(ElementaryType::String, 0, 0), "\u20AC"), "H0076");
+  EXPECT_EQ(outcome(tag(ElementaryType::Wstring, 0, 0), "\u20AC"), "\u20AC");
+}
+
 TEST(RecipeCheck, WhenSeveralThingsAreWrong_ThenAllAreTold) {
   const std::vector<RecipeTag> tags = {tag(ElementaryType::Int, 0, 9, "a"),
                                        tag(ElementaryType::Int, 0, 9, "b"),
