@@ -1,6 +1,7 @@
 #include "cell/config/notify_config.h"
 
 #include <algorithm>
+#include <charconv>
 #include <string_view>
 
 #include "runtime/ground/process/files.h"
@@ -18,6 +19,19 @@ bool has_scheme(const std::string& address, std::initializer_list<std::string_vi
   return std::ranges::all_of(address, fits) && std::ranges::any_of(schemes, [&](std::string_view scheme) {
            return address.starts_with(scheme) && address.size() > scheme.size();
          });
+}
+
+// "smtp://mail.plant:587": what stands behind the last ':' of the host is a port, if anything does.
+bool has_wrong_port(std::string_view address) {
+  address.remove_prefix(std::min(address.find("://") + 3, address.size()));
+  address = address.substr(0, address.find_first_of("/?#"));
+  address.remove_prefix(std::min(address.rfind('@') + 1, address.size()));
+  const std::size_t colon = address.rfind(':');
+  if (colon == std::string_view::npos || address.find(']', colon) != std::string_view::npos) return false;
+  const std::string_view digits = address.substr(colon + 1);
+  unsigned port = 0;
+  const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), port);
+  return read.ec != std::errc() || read.ptr != digits.data() + digits.size() || port < 1 || port > 65'535;
 }
 
 // What goes into the header of a mail: one @, no blanks, no brackets, no line breaks.
@@ -38,6 +52,9 @@ void check_mail(const TomlTable& table, const NotifyConfig& config) {
   }
   if (!has_scheme(config.server, {"smtp://", "smtps://"}))
     table.report("server", "a mail needs a server", "server = \"smtp://mail.plant:587\", or smtps://",
+                 kWrong);
+  else if (has_wrong_port(config.server))
+    table.report("server", "'" + config.server + "' has no port from 1 to 65535", "smtp://mail.plant:587",
                  kWrong);
   if (!is_mail_address(config.from))
     table.report("from", "a mail needs somebody who sends it", "from = \"line@plant.example\"", kWrong);
@@ -74,6 +91,9 @@ NotifyConfig read_one(const TomlTable& table, const std::filesystem::path& folde
     check_mail(table, config);
   else if (!has_scheme(config.web_hook, {"http://", "https://"}))
     table.report("web_hook", "this is no address of a web hook", "https://chat.example/hook", kWrong);
+  else if (has_wrong_port(config.web_hook))
+    table.report("web_hook", "'" + config.web_hook + "' has no port from 1 to 65535",
+                 "https://chat.example:8443/hook", kWrong);
   return config;
 }
 

@@ -211,7 +211,8 @@ std::string_view first_key(std::string_view inside) {
   while (at < inside.size() && is_key_letter(inside[at])) ++at;
   const std::string_view word = inside.substr(begin, at - begin);
   skip_space();
-  return inside.substr(at, 2) == ":=" ? word : std::string_view();
+  // A mere '=' is a slip that is told.
+  return inside.substr(at, 2) == ":=" || inside.substr(at, 1) == "=" ? word : std::string_view();
 }
 
 bool is_tag_pragma(std::string_view inside) {

@@ -66,5 +66,22 @@ TEST(NotifyConfig, WhenSomethingCannotBe_ThenItIsRefused) {
   EXPECT_EQ(read(kMail + "smtp = 3\n").codes, "C0002");
 }
 
+TEST(NotifyConfig, WhenAnAddressHasAPort_ThenItMustBeOne) {
+  const auto mail = [](const std::string& server) {
+    return read("[[notify]]\nname = \"x\"\nmail = [\"a@b\"]\nfrom = \"a@b\"\nserver = \"" + server + "\"\n")
+        .codes;
+  };
+  for (const char* right :
+       {"smtp://m", "smtp://m:25", "smtps://[::1]:465", "smtp://[fe80::1]", "smtp://m:1/x:y"})
+    EXPECT_EQ(mail(right), "") << right;
+  for (const char* wrong : {"smtp://m:99999", "smtp://m:0", "smtp://m:", "smtp://m:x", "smtp://[::1]:70000"})
+    EXPECT_EQ(mail(wrong), "C0635") << wrong;
+  const auto hook = [](const std::string& url) {
+    return read("[[notify]]\nname = \"x\"\nweb_hook = \"" + url + "\"\n").codes;
+  };
+  EXPECT_EQ(hook("https://me:secret@chat:8443/x?at=1:2"), "");
+  EXPECT_EQ(hook("https://chat:84430/x"), "C0635");
+}
+
 }  // namespace
 }  // namespace stepwright::config
