@@ -40,7 +40,8 @@ class TagPragmaReader {
       const std::size_t begin = skip_blanks();
       const std::string key = folded(word());
       if (!is_known(key, begin) || !is_new(key, begin)) return false;
-      if (!accept(":=")) return fail(at_, "':=' and a value stand behind '" + key + "'");
+      if (!accept(":="))
+        return fail(at_, "':=' and a value stand behind '" + key + "'", "{" + key + " := ...}");
       if (!value(key, said)) return false;
     } while (accept(","));
     if (skip_blanks() == text_.size()) return true;

@@ -161,7 +161,7 @@ const ErrorCase kCases[] = {
     {"ForeignBlock", "W0017", 3, 1, BODY("{{ if (x) { y(); } }} i := 1;"), "in ST"},
     {"TagPragmaSemicolon", "E0110", 2, 25, TAGGED("{unit := 'l'; decimals := 1}"), "commas"},
     {"TagPragmaKey", "E0110", 2, 27, TAGGED("{unit := 'l', decimal := 1}"), "'decimals'"},
-    {"TagPragmaEquals", "E0110", 2, 19, TAGGED("{unit = 'l'}"), "':=' and a value"},
+    {"TagPragmaEquals", "E0110", 2, 19, TAGGED("{unit = 'l'}"), "unit := "},
     {"TagPragmaTwice", "E0110", 2, 27, TAGGED("{unit := 'l', unit := 'm'}")},
     {"TagPragmaDecimals", "E0110", 2, 26, TAGGED("{decimals := 10}")},
     {"TagPragmaHalfDecimals", "E0110", 2, 26, TAGGED("{decimals := 1.5}")},
