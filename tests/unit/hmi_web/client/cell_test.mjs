@@ -40,7 +40,7 @@ const said = (cell) => JSON.parse(cell.greeting());
 
 test('Cell_WhenItKnowsNothing_ThenItBeginsWithNothing', () => {
   const message = said(new Cell());
-  assert.deepEqual(message, { type: 'begin', protocol: 4, epoch: '', show: { number: 1, digest: '', tags: [], also: ['plan', 'routes', 'pictures'] } });
+  assert.deepEqual(message, { type: 'begin', protocol: 5, epoch: '', show: { number: 1, digest: '', tags: [], also: ['plan', 'routes', 'pictures'] } });
 });
 
 test('Cell_WhenVariablesAreTold_ThenTheOthersAreNotKnown', () => {
