@@ -128,11 +128,11 @@ export function placeParts(root: SVGSVGElement): PlacedPart[] {
 }
 
 // Seconds to the nanosecond, without a power of ten.
-const durationLiteral = (seconds: number): string => seconds.toFixed(9).replace(/\.?0+$/, '');
+export const secondsText = (seconds: number): string => seconds.toFixed(9).replace(/\.?0+$/, '');
 
 // The literal of IEC 61131-3 of a number for a variable of that type.
 export function literalOf(value: number, type: string): string {
   const text = String(value);
-  if (isTime(type)) return `T#${durationLiteral(value)}s`;
+  if (isTime(type)) return `T#${secondsText(value)}s`;
   return /^L?REAL$/.test(type) && !/[.e]/i.test(text) ? `${text}.0` : text;
 }
