@@ -2,6 +2,7 @@
 
 #include "cell/monitor_check/monitor_names.h"
 #include "hmi_web/alarms/definition_file.h"
+#include "runtime/bytecode/reader/read_value.h"
 
 namespace stepwright::campaign {
 
@@ -33,7 +34,7 @@ void Witness::look(const simulation::SimulatedController& controller, std::span<
   for (Alarm& each : watched_alarms_) {
     if (each.place == nullptr) continue;
     auto change = each.condition.expire(now_ns);
-    if (auto offered = each.condition.offer(now_ns, reader::read_number(*each.place, image), true))
+    if (auto offered = each.condition.offer(now_ns, reader::read_quantity(*each.place, image), true))
       change = offered;
     if (change && change->active) alarms_.push_back({each.name, controller.now_s()});
   }

@@ -16,7 +16,8 @@ constexpr std::array kAlarmKeys = {
     KeyWords{"alarm.when",
              "It is raised above `limit`, below it, while the variable is not 0, while it is 0, or "
              "while its value is missing."},
-    KeyWords{"alarm.limit", "Of `high` and `low`, which need one.", "that of the variable"},
+    KeyWords{"alarm.limit", "Of `high` and `low`, which need one. Of a TIME in seconds, or as `\"T#1m30s\"`.",
+             "that of the variable"},
     KeyWords{"alarm.deadband", "It returns so far beyond the limit.", "that of the variable", "",
              "at least 0"},
     KeyWords{"alarm.on_delay_s", "So long the condition holds before it counts."},

@@ -33,7 +33,7 @@ enum class ConditionKind : std::uint8_t {
 
 struct ConditionSettings {
   ConditionKind kind = ConditionKind::On;
-  double limit = 0.0;                     // High, Low: in the unit of the source
+  double limit = 0.0;                     // High, Low: in the unit of the source; of a TIME in seconds
   double deadband = 0.0;                  // High, Low: >= 0
   std::chrono::nanoseconds on_delay{0};   // holds so long before the alarm is raised
   std::chrono::nanoseconds off_delay{0};  // and is gone so long before it returns

@@ -2,9 +2,12 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <string>
 #include <utility>
+
+#include "runtime/base/time_text.h"
 
 namespace stepwright::alarms {
 namespace {
@@ -38,12 +41,28 @@ std::chrono::nanoseconds read_duration(const TomlTable& table, const char* key, 
   return std::chrono::nanoseconds(static_cast<std::int64_t>(value * count));
 }
 
+// A number, or a duration of IEC 61131-3, which is one of seconds: "T#1m30s".
+double read_quantity(const TomlTable& table, const char* key, settings::Range range = {}) {
+  if (!table.is_text(key)) return table.number(key, 0.0, range);
+  const std::string text = table.text(key, "");
+  std::int64_t ns = 0;
+  if (!base::parse_time(text, ns)) {
+    table.report(key, "'" + text + "' is neither a number nor a duration",
+                 std::string(key) + " = 9.5, or " + key + " = \"T#1m30s\" of a TIME", "0003");
+    return 0.0;
+  }
+  const double seconds = static_cast<double>(ns) / 1e9;
+  if (seconds < range.low)
+    table.report(key, "'" + text + "' is below 0", std::string(key) + " = \"T#1s\"", "0004");
+  return seconds;
+}
+
 ConditionSettings read_condition(const TomlTable& table) {
   ConditionSettings made;
   made.kind = read_choice(table, "when", ConditionKind::On, kKindNames);
   const bool has_limit = made.kind == ConditionKind::High || made.kind == ConditionKind::Low;
-  made.limit = table.number("limit", 0.0);
-  made.deadband = table.number("deadband", 0.0, {0.0, 1e300});
+  made.limit = read_quantity(table, "limit");
+  made.deadband = read_quantity(table, "deadband", {0.0, 1e300});
   if (has_limit && !table.has("limit"))
     table.report("when",
                  std::string("an alarm that watches for '") + to_string(made.kind) + "' needs a limit",

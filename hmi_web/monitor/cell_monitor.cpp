@@ -60,7 +60,9 @@ json tags_json(const server::ProgramLayout& layout, std::span<const std::byte> i
     for (std::size_t i = range.first; i < end; ++i) {
       const reader::Variable& variable = layout.tags[i];
       const auto text = server::read_text(variable, image);
-      tags[std::to_string(i)] = text ? json(*text) : protocol::number(server::read(variable, image));
+      const auto value = server::read(variable, image);
+      const bool is_time = value && variable.type == bytecode::ElementaryType::Time;
+      tags[std::to_string(i)] = text ? json(*text) : is_time ? json(*value) : protocol::number(value);
     }
   }
   return tags;

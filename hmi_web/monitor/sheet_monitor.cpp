@@ -42,6 +42,7 @@ json value_json(const Value& value) {
   const semantics::Type& type = *value->type;
   if (type.is_date()) return nullptr;  // a text, to people
   const double number = type.is_real() ? value->constant.real : static_cast<double>(value->constant.integer);
+  if (type.is_time()) return {number / 1e9, bytecode::name_of(type.elementary)};  // in seconds
   return {protocol::number(number), type.is_real() && type.is_literal() ? "REAL"
                                     : type.is_literal()                 ? "DINT"
                                                                         : bytecode::name_of(type.elementary)};

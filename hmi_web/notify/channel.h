@@ -42,7 +42,9 @@ struct StandingAlarm {
   alarms::Priority priority = alarms::Priority::Medium;
   std::int64_t raised_ns = 0;  // since 1970, on the history's clock
   double value = 0;
-  bool is_bool = false;  // the source is a BOOL: the value is 0 or 1
+  bool is_bool = false;   // the source is a BOOL: the value is 0 or 1
+  std::string told = {};  // the value as people read it: "95.00 l", "Auto"
+  std::string unit = {};  // of the value: "l", of a TIME "s"; empty: it has none
 };
 
 struct Message {

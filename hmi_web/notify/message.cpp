@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <ctime>
 #include <nlohmann/json.hpp>
 #include <tuple>
@@ -13,14 +12,6 @@ namespace stepwright::notify {
 namespace {
 
 using nlohmann::json;
-
-// As IEC 61131-3 writes it.
-std::string value_text(const StandingAlarm& alarm) {
-  if (alarm.is_bool) return alarm.value != 0 ? "TRUE" : "FALSE";
-  const double value = alarm.value;
-  std::array<char, 32> digits{};
-  return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr};
-}
 
 std::string utc(std::int64_t ns) {
   const std::time_t seconds = ns / 1'000'000'000;
@@ -77,7 +68,7 @@ Message message_of(const std::string& cell, std::vector<StandingAlarm> alarms) {
   for (const StandingAlarm& each : alarms) {
     message.text += std::string(to_string(each.priority)) + ": " + each.text + "\n  " + each.name +
                     ", unacknowledged, raised " + utc(each.raised_ns);
-    if (!each.source.starts_with("cell.")) message.text += ", " + each.source + " = " + value_text(each);
+    if (!each.source.starts_with("cell.")) message.text += ", " + each.source + " = " + each.told;
     message.text += "\n";
     if (!each.response.empty()) message.text += "  What to do: " + each.response + "\n";
     list.push_back({{"name", each.name},
@@ -86,7 +77,9 @@ Message message_of(const std::string& cell, std::vector<StandingAlarm> alarms) {
                     {"priority", to_string(each.priority)},
                     {"response", each.response},
                     {"raised_ms", each.raised_ns / 1'000'000},
-                    {"value", each.is_bool ? json(each.value != 0) : json(each.value)}});
+                    {"value", each.is_bool ? json(each.value != 0) : json(each.value)},
+                    {"told", each.told},
+                    {"unit", each.unit}});
   }
   message.text += "\nSent by the cell " + cell + " until somebody acknowledges it on its page.\n";
   message.json = dumped({{"cell", cell}, {"kind", "alarms"}, {"alarms", std::move(list)}});

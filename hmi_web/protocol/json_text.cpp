@@ -38,6 +38,12 @@ std::string number_text(const std::optional<double>& value) {
   return {room.data(), written.ptr};
 }
 
+std::string exact_number_text(const std::optional<double>& value) {
+  if (!value || !std::isfinite(*value)) return "null";
+  std::array<char, 32> room{};
+  return {room.data(), std::to_chars(room.data(), room.data() + room.size(), *value).ptr};
+}
+
 std::string text(const nlohmann::json& value) {
   return value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }

@@ -17,6 +17,8 @@ nlohmann::json numbers(const std::vector<std::optional<double>>& values);
 
 // The same as JSON text, for those who write thousands of them.
 std::string number_text(const std::optional<double>& value);
+// With all its digits, for a time that counts nanoseconds.
+std::string exact_number_text(const std::optional<double>& value);
 
 // Serialises; bytes that are not UTF-8 are replaced instead of throwing.
 std::string text(const nlohmann::json& value);

@@ -69,16 +69,22 @@ const char* to_string(Unread why) {
 }
 
 void LiveState::take_values(const std::vector<std::optional<double>>& values, const Texts& texts,
-                            std::uint64_t sequence, std::vector<Number>& kept) {
+                            const std::vector<std::uint32_t>& times, std::uint64_t sequence,
+                            std::vector<Number>& kept) {
   kept.resize(values.size());
   auto next = texts.begin();
+  auto time = times.begin();
   for (std::size_t i = 0; i < values.size(); ++i) {
     Number& number = kept[i];
     const bool is_text = next != texts.end() && next->first == i;
+    const bool is_time = time != times.end() && *time == i;
+    if (is_time) ++time;
     if (number.changed != 0 && !is_text && !number.is_text && number.value == values[i]) continue;
     number.value = values[i];
     number.is_text = is_text;
-    std::string fresh = is_text ? text(json(next++->second)) : number_text(values[i]);
+    std::string fresh = is_text   ? text(json(next++->second))
+                        : is_time ? exact_number_text(values[i])
+                                  : number_text(values[i]);
     if (number.changed != 0 && number.text == fresh) continue;
     number.text = std::move(fresh);
     number.changed = sequence;
@@ -95,8 +101,8 @@ void LiveState::take(const CellState& now, std::uint64_t sequence, bool anew) {
     fields_[i] = {fields[i].first, std::move(fresh), sequence};
   }
   if (anew) tags_.clear();
-  take_values(now.points, {}, sequence, points_);
-  take_values(now.tags, now.texts, sequence, tags_);
+  take_values(now.points, {}, {}, sequence, points_);
+  take_values(now.tags, now.texts, now.times, sequence, tags_);
 }
 
 // "3":1.5,"7":null, - with a comma behind each.

@@ -56,8 +56,10 @@ class LiveState {
   };
   using Texts = std::map<std::uint32_t, std::string>;
 
+  // `times`: indices of the values that are told with all their digits, ascending.
   static void take_values(const std::vector<std::optional<double>>& values, const Texts& texts,
-                          std::uint64_t sequence, std::vector<Number>& kept);
+                          const std::vector<std::uint32_t>& times, std::uint64_t sequence,
+                          std::vector<Number>& kept);
   static void append(const std::vector<Number>& numbers, TagRange range, std::uint64_t since,
                      std::string& text);
   void append_tags(const StateRequest& request, std::string& text) const;

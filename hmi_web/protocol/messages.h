@@ -22,7 +22,7 @@
 
 namespace stepwright::protocol {
 
-inline constexpr int kProtocolVersion = 4;
+inline constexpr int kProtocolVersion = 5;
 
 struct Greeting {
   std::string cell;

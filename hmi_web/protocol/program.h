@@ -31,7 +31,7 @@ struct ProgramTransition {
 
 struct ProgramTag {
   std::string name;          // "PLAN.S1_FILTERED"
-  std::string type;          // IEC type name: "BOOL", "INT", "REAL", "TIME" (a TIME value counts nanoseconds)
+  std::string type;          // IEC type name: "BOOL", "INT", "REAL", "TIME" (its value is in seconds)
   std::string address;       // "%IX0.0", or empty if the tag is not located
   std::string comment = {};  // of its declaration, or what a pragma there says instead
   std::optional<std::uint32_t> enumeration = std::nullopt;  // index into Program::enumerations

@@ -1,6 +1,7 @@
 #include "hmi_web/recorder/cell_alarms.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -60,6 +61,11 @@ AlarmDefinition monitor_alarm(std::uint32_t number) {
   one.consequence = "the plan does not reach its goal as it is";
   one.response = "see what the supervisor decides: it replans, or stops in the safe state";
   return one;
+}
+
+bool is_own(std::string_view source) {
+  constexpr std::array kOwn = {kRuntimeAlive, kRuntimeFault, kSupervisorAlive, kServerAway};
+  return std::ranges::find(kOwn, source) != kOwn.end();
 }
 
 bool is_unread(const std::optional<reader::Variable>& variable, const server::Observation& seen) {
@@ -163,21 +169,27 @@ result::Result<std::unique_ptr<CellAlarms>> CellAlarms::open(const std::filesyst
                                                              std::vector<AlarmDefinition> definitions,
                                                              const std::vector<protocol::Point>& points,
                                                              alarms::JournalOptions options,
-                                                             std::int64_t seen_until_ns) {
+                                                             std::int64_t seen_until_ns,
+                                                             std::vector<protocol::TagNote> notes) {
   auto engine = alarms::AlarmEngine::create(definitions);
   if (!engine) return result::forward(engine);
   auto journal = alarms::AlarmJournal::open(file, std::move(definitions), std::move(options));
   if (!journal) return result::forward(journal);
-  std::unique_ptr<CellAlarms> all(new CellAlarms(std::move(*engine), std::move(*journal), points));
+  std::unique_ptr<CellAlarms> all(
+      new CellAlarms(std::move(*engine), std::move(*journal), points, std::move(notes)));
   if (auto done = all->go_on(); !done) return result::forward(done);
   if (seen_until_ns > 0) all->note_absence(seen_until_ns);
   return all;
 }
 
 CellAlarms::CellAlarms(alarms::AlarmEngine engine, std::unique_ptr<alarms::AlarmJournal> journal,
-                       const std::vector<protocol::Point>& points)
-    : journal_(std::move(journal)), engine_(std::move(engine)), statistics_(engine_.definitions()) {
-  for (const protocol::Point& point : points) point_ids_.push_back(point.id);
+                       std::vector<protocol::Point> points, std::vector<protocol::TagNote> notes)
+    : journal_(std::move(journal)),
+      points_(std::move(points)),
+      notes_(std::move(notes)),
+      texts_(notes_, points_, nullptr),
+      engine_(std::move(engine)),
+      statistics_(engine_.definitions()) {
   for (const std::string& name : engine_.sources())
     sources_.push_back({name, nullptr, {}, name.starts_with(kMonitor), false, std::nullopt});
   std::map<std::string_view, const Source*> by_name;
@@ -231,9 +243,7 @@ void CellAlarms::runtime_answers(std::int64_t time_ns) {
 
 std::optional<reader::Variable> CellAlarms::variable_of(const std::string& name,
                                                         const server::ProgramLayout* layout) const {
-  constexpr std::string_view kOwn[] = {kRuntimeAlive, kRuntimeFault, kSupervisorAlive, kServerAway};
-  const bool other = std::ranges::find(kOwn, name) != std::end(kOwn) ||
-                     std::ranges::find(point_ids_, name) != point_ids_.end();
+  const bool other = is_own(name) || std::ranges::find(points_, name, &protocol::Point::id) != points_.end();
   return other || layout == nullptr ? std::nullopt : find_tag(*layout, name);
 }
 
@@ -250,9 +260,9 @@ CellAlarms::Read CellAlarms::reader_of(const std::string& name, const server::Pr
   if (name == kSupervisorAlive)
     return [flag](const RecordedScan& scan) { return flag(scan.observation->supervisor_alive); };
   if (name == kServerAway) return [flag](const RecordedScan&) { return flag(false); };
-  const auto point = std::ranges::find(point_ids_, name);
-  if (point != point_ids_.end()) {
-    const auto index = static_cast<std::size_t>(point - point_ids_.begin());
+  const auto point = std::ranges::find(points_, name, &protocol::Point::id);
+  if (point != points_.end()) {
+    const auto index = static_cast<std::size_t>(point - points_.begin());
     return [index](const RecordedScan& scan) -> std::optional<double> {
       if (!scan.observation->runtime_alive) return std::nullopt;
       return scan.view->state.points.at(index);
@@ -271,12 +281,16 @@ CellAlarms::Read CellAlarms::reader_of(const std::string& name, const server::Pr
 void CellAlarms::resolve(const std::shared_ptr<const server::ProgramLayout>& layout) {
   if (resolved_ && layout == layout_) return;
   resolved_ = true;
-  layout_ = layout;
+  const auto before = std::exchange(layout_, layout);  // until texts_ is another one
   for (Source& source : sources_) {
     source.read = reader_of(source.name, layout.get());
     source.variable = variable_of(source.name, layout.get());
   }
   monitor_now_ = reader_of("MON_NOW", layout.get());
+  {
+    const std::lock_guard lock(mutex_);
+    texts_ = server::ValueTexts(notes_, points_, layout_.get());
+  }
   before_count_ = interval_ns_ = 0;
 }
 
@@ -400,11 +414,18 @@ std::vector<StandingView> CellAlarms::unacknowledged() const {
     const alarms::AlarmView view = engine_.view(AlarmId(i));
     const AlarmState state = view.status.state();
     if (state != AlarmState::Unacknowledged && state != AlarmState::LatchedUnacknowledged) continue;
-    const std::optional<reader::Variable>& variable = uses_[i].watched->variable;
-    all.push_back(
-        {engine_.definitions()[i], view, variable && variable->type == bytecode::ElementaryType::Bool});
+    all.push_back({engine_.definitions()[i], view, text_of(engine_.definitions()[i].source, view.value)});
   }
   return all;
+}
+
+server::ValueText CellAlarms::text_of(const std::string& source, double value) const {
+  return is_own(source) ? server::ValueText() : texts_.of(source, value);
+}
+
+server::ValueText CellAlarms::told(const std::string& source, double value) const {
+  const std::lock_guard lock(mutex_);
+  return text_of(source, value);
 }
 
 std::vector<std::pair<std::string, std::string>> CellAlarms::without_variable() const {

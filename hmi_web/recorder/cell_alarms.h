@@ -28,6 +28,7 @@
 #include "hmi_web/protocol/synoptic.h"
 #include "hmi_web/server/cell_source.h"
 #include "hmi_web/server/cell_viewer.h"
+#include "hmi_web/server/value_texts.h"
 #include "runtime/ground/result/result.h"
 
 namespace stepwright::recorder {
@@ -66,18 +67,18 @@ struct AlarmChange {
 struct StandingView {
   alarms::AlarmDefinition definition;
   alarms::AlarmView view;
-  bool is_bool = false;  // its source is a BOOL of the program: the value is 0 or 1
+  server::ValueText told = {};  // its value as people read it
 };
 
 class CellAlarms {
  public:
   // Goes on where the journal's last process has ended. `points` as in every view. `seen_until_ns`: when the
-  // process before this one looked last; 0: there was none. Fails with S0001 to S0008 and what
-  // AlarmEngine::create says.
+  // process before this one looked last; 0: there was none. `notes`: what the cell says of its tags. Fails
+  // with S0001 to S0008 and what AlarmEngine::create says.
   [[nodiscard]] static result::Result<std::unique_ptr<CellAlarms>> open(
       const std::filesystem::path& file, std::vector<alarms::AlarmDefinition> definitions,
       const std::vector<protocol::Point>& points, alarms::JournalOptions options,
-      std::int64_t seen_until_ns = 0);
+      std::int64_t seen_until_ns = 0, std::vector<protocol::TagNote> notes = {});
 
   void take(const RecordedScan& scan);
   // The runtime answers (again) at that time, whatever time its first image has: what the clock leaves out
@@ -93,6 +94,9 @@ class CellAlarms {
   std::string json(bool all) const;
   // Those that stand and that nobody has acknowledged.
   std::vector<StandingView> unacknowledged() const;
+  // The value of an alarm's source as people read it, by the program whose image was seen last; empty: a
+  // source of the cell's own, whose number says nothing.
+  server::ValueText told(const std::string& source, double value) const;
   // Those whose variable the program does not have (any more): their names, and those of the variables.
   std::vector<std::pair<std::string, std::string>> without_variable() const;
   // Counts up whenever an alarm has changed.
@@ -123,7 +127,7 @@ class CellAlarms {
   };
 
   CellAlarms(alarms::AlarmEngine engine, std::unique_ptr<alarms::AlarmJournal> journal,
-             const std::vector<protocol::Point>& points);
+             std::vector<protocol::Point> points, std::vector<protocol::TagNote> notes);
   result::Result<void> go_on();
   void note_absence(std::int64_t seen_until_ns);
   void offer_own(std::string_view source, std::int64_t time_ns, double value, bool time_known);
@@ -138,9 +142,12 @@ class CellAlarms {
   const char* word_of(alarms::AlarmId alarm) const;
   std::string problem_of(alarms::AlarmId alarm) const;
   void hand_on();
+  // Requires the lock.
+  server::ValueText text_of(const std::string& source, double value) const;
 
   std::unique_ptr<alarms::AlarmJournal> journal_;
-  std::vector<std::string> point_ids_;
+  std::vector<protocol::Point> points_;
+  std::vector<protocol::TagNote> notes_;
   std::shared_ptr<const server::ProgramLayout> layout_;  // that `sources_` were resolved for
   bool resolved_ = false;
   std::vector<Source> sources_;  // by alarms::SourceId
@@ -154,7 +161,8 @@ class CellAlarms {
   // Of the image before: its time and that count, from which the scan's interval follows.
   std::int64_t before_ns_ = 0, before_count_ = 0, interval_ns_ = 0;
 
-  mutable std::mutex mutex_;  // guards everything below
+  mutable std::mutex mutex_;          // guards everything below
+  mutable server::ValueTexts texts_;  // of `layout_`
   alarms::AlarmEngine engine_;
   mutable alarms::AlarmStatistics statistics_;
   std::int64_t now_ns_ = 0;

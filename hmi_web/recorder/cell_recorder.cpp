@@ -84,7 +84,7 @@ result::Result<void> CellRecorder::start() {
   journal.most_age = options_.most_age;
   journal.now_ns = now;
   auto all = CellAlarms::open(options_.folder / "alarms.db", options_.alarms, options_.points, journal,
-                              known ? known->newest_ns : 0);
+                              known ? known->newest_ns : 0, options_.notes);
   if (!all) return result::forward(all);
   alarms_ = std::move(*all);
   clock_.emplace(options_.real_time, known);

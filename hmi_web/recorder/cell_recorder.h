@@ -49,6 +49,7 @@ struct RecorderOptions {
   std::uint64_t most_bytes = 4ULL << 30;  // of samples; 0: any
   std::vector<protocol::Point> points;    // of the picture, as in every view
   std::vector<alarms::AlarmDefinition> alarms;
+  std::vector<protocol::TagNote> notes = {};        // what the cell says of its tags
   std::function<std::int64_t()> steady_clock = {};  // ns; without it: that of the machine
 };
 

@@ -210,7 +210,8 @@ void append_field(std::string& text, std::string_view value) {
   text += '"';
 }
 
-void append_entry(std::string& text, const JournalEntry& entry) {
+// `told`: its value as people read it.
+void append_entry(std::string& text, const JournalEntry& entry, const std::string& told) {
   const alarms::Transition& t = entry.transition;
   text += historian::iso_time(t.time_ns) + ',';
   append_field(text, entry.alarm);
@@ -221,6 +222,8 @@ void append_entry(std::string& text, const JournalEntry& entry) {
   std::array<char, 32> digits{};
   text += ',';
   text.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), t.value).ptr);
+  text += ',';
+  append_field(text, told);
   text += t.first_out ? ",first," : ",,";
   append_field(text, t.user);
   text += ',';
@@ -359,8 +362,9 @@ Answer RecordQueries::journal_csv(const Parameters& given) const {
   if (entries->size() > kMostCsvEntries)
     return refused(400, "H0061", "the table would have more than 100,000 entries", "ask for a shorter time");
   Answer reply{200, std::string(csv::kByteOrderMark), "text/csv; charset=utf-8", "alarms.csv"};
-  reply.text += "time,alarm,priority,event,from,to,value,first_out,user,comment\r\n";
-  for (const JournalEntry& entry : *entries) append_entry(reply.text, entry);
+  reply.text += "time,alarm,priority,event,from,to,value,told,first_out,user,comment\r\n";
+  for (const JournalEntry& entry : *entries)
+    append_entry(reply.text, entry, recorder_.alarms().told(entry.source, entry.transition.value).text);
   return reply;
 }
 

@@ -61,7 +61,7 @@ bool overlap_any(const std::vector<reader::Variable>& places, const reader::Vari
 
 std::optional<double> read(const reader::Variable& variable, std::span<const std::byte> image) {
   if (bytecode::is_string(variable.type) || !lies_in(variable, image)) return std::nullopt;
-  return reader::read_number(variable, image);
+  return reader::read_quantity(variable, image);
 }
 
 bool has_text(const reader::Variable& variable) {

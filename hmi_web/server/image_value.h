@@ -17,7 +17,8 @@
 
 namespace stepwright::server {
 
-// As reader::read_number; no value if the variable reaches past the end of the image, nor of a text.
+// As reader::read_quantity, so that a TIME is in seconds; no value if the variable reaches past the end of
+// the image, nor of a text.
 std::optional<double> read(const reader::Variable& variable, std::span<const std::byte> image);
 
 // STRING, WSTRING, DATE, TOD and DT: what people read as text.

@@ -107,18 +107,22 @@ result::Result<ProgramLayout> read_layout(std::span<const std::byte> container, 
   return layout;
 }
 
-std::optional<reader::Variable> find_tag(const ProgramLayout& layout, std::string_view name) {
+std::optional<std::size_t> find_tag_index(const ProgramLayout& layout, std::string_view name) {
   std::optional<std::size_t> partial;
   bool ambiguous = false;
   const auto& tags = layout.program.tags;
   for (std::size_t i = 0; i < tags.size(); ++i) {
-    if (same_name(tags[i].name, name)) return layout.tags[i];
+    if (same_name(tags[i].name, name)) return i;
     if (!same_name(last_part(tags[i].name), name)) continue;
     ambiguous = partial.has_value();
     partial = i;
   }
-  if (!partial || ambiguous) return std::nullopt;
-  return layout.tags[*partial];
+  return ambiguous ? std::nullopt : partial;
+}
+
+std::optional<reader::Variable> find_tag(const ProgramLayout& layout, std::string_view name) {
+  const auto index = find_tag_index(layout, name);
+  return index ? std::optional(layout.tags[*index]) : std::nullopt;
 }
 
 }  // namespace stepwright::server

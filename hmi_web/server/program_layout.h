@@ -37,6 +37,8 @@ struct ProgramLayout {
 
 // The tag of that name, upper and lower case alike: its whole name or, failing that, the only tag whose last
 // part (behind the last '.') it is.
+// Of the index there is one for `program.tags` and `tags`.
+std::optional<std::size_t> find_tag_index(const ProgramLayout& layout, std::string_view name);
 std::optional<reader::Variable> find_tag(const ProgramLayout& layout, std::string_view name);
 
 }  // namespace stepwright::server

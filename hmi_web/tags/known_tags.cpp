@@ -5,7 +5,6 @@
 #include "runtime/ground/naming/ascii_names.h"
 
 namespace stepwright::tags {
-namespace {
 
 std::string without_indices(std::string_view name) {
   std::string plain;
@@ -17,8 +16,6 @@ std::string without_indices(std::string_view name) {
   }
   return plain;
 }
-
-}  // namespace
 
 KnownTags::KnownTags(std::vector<protocol::TagNote> said, DeclaredNotes declared)
     : declared_(std::move(declared)) {

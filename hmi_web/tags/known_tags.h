@@ -19,6 +19,9 @@
 
 namespace stepwright::tags {
 
+// "Main.pumps.speed" of "Main.pumps[3].speed": what is said of an array is said of its elements.
+std::string without_indices(std::string_view name);
+
 class KnownTags {
  public:
   KnownTags(std::vector<protocol::TagNote> said, DeclaredNotes declared);

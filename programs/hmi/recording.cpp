@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "cell/hmi/monitor_alarms.h"
+#include "cell/tags/tag_notes.h"
 #include "hmi_web/alarms/definition_file.h"
 #include "hmi_web/storage/codes.h"
 
@@ -32,6 +33,7 @@ result::Result<recorder::RecorderOptions> options_of(const config::CellConfig& c
   options.most_age = history.most_age;
   options.most_bytes = history.max_mb << 20;
   options.points = synoptic.points;
+  options.notes = tags::tag_notes(config.tags);
   options.alarms = recorder::built_in_alarms(synoptic, wanted);
   for (alarms::AlarmDefinition& each : monitor_alarms(config)) options.alarms.push_back(std::move(each));
   if (!history.alarms.empty()) {
@@ -106,9 +108,9 @@ std::vector<notify::StandingAlarm> Recording::unacknowledged() const {
   const std::shared_lock lock(mutex_);
   std::vector<notify::StandingAlarm> all;
   if (!recorder_) return all;
-  for (const auto& [definition, view, is_bool] : recorder_->alarms().unacknowledged())
+  for (const auto& [definition, view, told] : recorder_->alarms().unacknowledged())
     all.push_back({definition.name, definition.text, definition.source, definition.response,
-                   definition.priority, view.raised_ns, view.value, is_bool});
+                   definition.priority, view.raised_ns, view.value, told.is_bool, told.text, told.unit});
   return all;
 }
 

@@ -146,6 +146,12 @@ Value read_value(const Variable& variable, std::span<const std::byte> image) {
   return false;
 }
 
+double read_quantity(const Variable& variable, std::span<const std::byte> image) {
+  constexpr double kNanosecondsPerSecond = 1e9;
+  const double number = read_number(variable, image);
+  return variable.type == bytecode::ElementaryType::Time ? number / kNanosecondsPerSecond : number;
+}
+
 std::string read_text(const Variable& variable, std::span<const std::byte> image) {
   struct Writer {
     const Variable& variable;

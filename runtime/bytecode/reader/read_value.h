@@ -21,6 +21,10 @@ using Value = std::variant<bool, std::int64_t, std::uint64_t, double, std::strin
 // so that 0.1 reads 0.1.
 Value read_value(const Variable& variable, std::span<const std::byte> image);
 
+// The value as a quantity: as read_number, but a TIME in seconds. What people, alarms, the history and pages
+// compute with.
+double read_quantity(const Variable& variable, std::span<const std::byte> image);
+
 // The value as a person writes it: TRUE, 12, 0.1, T#1s500ms, D#2024-02-29, the name of an enumerator, the
 // text of a string without quotes. Requires the image of the variable's program.
 std::string read_text(const Variable& variable, std::span<const std::byte> image);

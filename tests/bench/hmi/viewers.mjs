@@ -40,8 +40,8 @@ function textFrame(text) {
 
 // What a page says that shows all tags, or none of them.
 const BEGIN = {
-  all: '{"type":"begin","protocol":4,"show":{"number":1,"tags":"all","also":["plan","routes","trend"]}}',
-  none: '{"type":"begin","protocol":4,"show":{"number":1,"also":["plan","routes","trend"]}}',
+  all: '{"type":"begin","protocol":5,"show":{"number":1,"tags":"all","also":["plan","routes","trend"]}}',
+  none: '{"type":"begin","protocol":5,"show":{"number":1,"also":["plan","routes","trend"]}}',
 };
 
 // `tags`: all, none, or "silent" of a server that wants to hear nothing (protocol 2).

@@ -1,6 +1,6 @@
 // The attributes by which an element of a drawing lives (hmi_web/doc/drawings.md), and what values make of it. Pure.
 
-import { fixed, UNKNOWN } from '../lib/format';
+import { fixed, isTime, UNKNOWN } from '../lib/format';
 import type { TagNote, Value } from '../lib/protocol';
 import { hasDecimals, nameOr, told, toldNumber } from '../lib/tag_notes';
 import { isLongInteger, numberOr, type TagValue } from '../lib/value';
@@ -125,7 +125,7 @@ export function textOf(found: Found | null, digits: number | null = null, unit =
 // The same for who does not see how far it is filled or turned: as many digits as carry meaning.
 export function spokenOf(found: Found | null): string {
   const isCounted = typeof found?.value === 'number' && found.type !== 'BOOL';
-  return isCounted ? toldNumber(numberOr(found.value), found.note, found.names, found.type) : textOf(found);
+  return isCounted ? toldNumber(numberOr(found.value), found.note, found.names, isTime(found.type) ? found.type : '') : textOf(found);
 }
 
 // What is not known is neither true nor false.

@@ -71,27 +71,48 @@ export function micros(value: Value | undefined): string {
   return value >= 1_000 ? `${fixedText(value / 1_000, 2)} ms` : `${short(value)} µs`;
 }
 
-// A tag's value by its IEC type, as a literal of IEC 61131-3: the same in every language. A text is shown as it is, without quotes.
+// A tag's value by its IEC type, in the language of the page: "TRUE", "1.500", "4 ms". A text is shown as it is, without quotes.
 export function tagValue(value: TagValue | undefined, type: string): string {
   if (value === null || value === undefined) return UNKNOWN;
   if (typeof value === 'string') return value;
   if (type === 'BOOL') return value > 0 ? 'TRUE' : 'FALSE';
-  if (type === 'TIME' || type === 'LTIME') return `${seconds(value / 1e9)} s`;
+  if (isTime(type)) return durationText(value);
   if (type === 'REAL' || type === 'LREAL') return realText(value);
   return String(value);
 }
 
-// "1.5", "1.0E38", "2.0E-5": what is not 0 does not look like 0.
+// "1.500", "1E38", "2E-5": what is not 0 does not look like 0.
 function realText(value: number): string {
-  if (value === 0 || (Math.abs(value) < MOST && Math.abs(value) >= 0.0005)) return value.toFixed(3);
-  const [digits = '', power = ''] = Number(value.toPrecision(7)).toExponential().split('e');
-  return `${digits.includes('.') ? digits : `${digits}.0`}E${power.replace('+', '')}`;
+  return value === 0 || (Math.abs(value) < MOST && Math.abs(value) >= 0.0005) ? fixedText(value, 3) : powerText(value);
 }
 
-function seconds(value: number): string {
-  const size = Math.abs(value);
-  return Number.isInteger(value) ? String(value) : value.toFixed(size >= 100 ? 0 : size >= 10 ? 1 : 2);
+export const isTime = (type: string): boolean => type === 'TIME' || type === 'LTIME';
+
+// A duration of so many seconds in the unit that says something: "5 us", "4 ms", "2.50 s", "1 min 30 s", "2 h 5 min", "100 d 4 h".
+export function durationText(seconds: number): string {
+  const ns = Math.round(Math.abs(seconds) * 1e9);
+  return `${seconds < 0 && ns > 0 ? '-' : ''}${sizeText(ns)}`;
 }
+
+function sizeText(ns: number): string {
+  if (ns === 0) return '0 s';
+  if (ns < 999.5) return `${ns} ns`;
+  if (ns < 999.5e3) return `${shortly(ns / 1e3)} us`;
+  if (ns < 999.5e6) return `${shortly(ns / 1e6)} ms`;
+  if (ns < 59.95e9) return `${shortly(ns / 1e9)} s`;
+  const whole = Math.max(ns / 1e9, 60);
+  if (whole < 3_600) return twoUnits(whole, 'min', 60, 's');
+  return whole < 86_400 ? twoUnits(whole / 60, 'h', 60, 'min') : twoUnits(whole / 3_600, 'd', 24, 'h');
+}
+
+// "2 h 5 min" of 125 parts of which 60 are one.
+function twoUnits(parts: number, name: string, count: number, partName: string): string {
+  const whole = Math.floor(parts / count);
+  const rest = Math.floor(parts) % count;
+  return rest === 0 ? `${whole} ${name}` : `${whole} ${name} ${rest} ${partName}`;
+}
+
+const shortly = (value: number): string => fixedText(value, Number.isInteger(value) || value >= 100 ? 0 : value >= 10 ? 1 : 2);
 
 // "(unload v1 a1 level8)" -> "unload v1 a1 level8"
 export function bare(action: string): string {

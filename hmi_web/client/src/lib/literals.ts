@@ -26,12 +26,12 @@ const realOf = (text: string): number => (REAL.test(text) ? Number(withoutGaps(t
 
 const DURATION = /^(?:LT|LTIME|T|TIME)#([+-]?)((?:\d[\d_]*(?:\.\d[\d_]*)?(?:ms|us|ns|[dhms])_?)+)$/i;
 const UNITS_NS: Record<string, number> = { d: 86_400e9, h: 3_600e9, m: 60e9, s: 1e9, ms: 1e6, us: 1e3, ns: 1 };
-// In nanoseconds; NaN for what is none.
+// In seconds, as a variable has it; NaN for what is none.
 function durationOf(text: string): number {
   const [, sign = '', parts = ''] = DURATION.exec(text) ?? [];
   if (parts === '') return NaN;
   const size = [...fold(withoutGaps(parts)).matchAll(/([\d.]+)([a-z]+)/g)].reduce((sum, [, count, unit = '']) => sum + Number(count) * (UNITS_NS[unit] ?? NaN), 0);
-  return sign === '-' ? -Math.round(size) : Math.round(size);
+  return (sign === '-' ? -Math.round(size) : Math.round(size)) / 1e9;
 }
 
 // "DT#2024-2-29-12:30:00.50" and "DATE_AND_TIME#2024-02-29-12:30:00.5" have the same fields.

@@ -430,4 +430,4 @@ export interface Possessions {
   trend_next: number;
 }
 
-export const PROTOCOL_VERSION = 4;
+export const PROTOCOL_VERSION = 5;

@@ -1,15 +1,14 @@
 // What the cell and the program say of a tag beside its value: hmi_web/doc/tags.md.
 
-import { fixed, short, tagValue } from './format';
+import { fixed, isTime, short, tagValue } from './format';
 import type { ProgramMessage, Tag, TagNote } from './protocol';
 import { isLongInteger, type TagValue, type Value } from './value';
 
 // IEC 61131-3 does not tell upper and lower case apart.
 const fold = (name: string) => name.toLowerCase();
 const withoutIndices = (name: string) => name.replace(/\[[^\]]*\]/g, '');
-const TIMES = ['TIME', 'LTIME'];
-const COUNTED = ['BOOL', ...TIMES]; // whose decimals nobody chooses
-export const hasDecimals = (type: string) => !COUNTED.includes(type);
+export const hasDecimals = (type: string) => type !== 'BOOL' && !isTime(type); // which people choose
+
 const MOST = 1e9; // beyond it the power of ten says more than digits
 
 export class TagNotes {
@@ -55,23 +54,23 @@ export function enumerationOf(program: ProgramMessage | null, index: number): Re
   return number === undefined ? undefined : program?.enumerations[number];
 }
 
-// As a person reads it, with its unit: "12.5 l", "by hand", "TRUE". A number is a literal of IEC 61131-3, as tagValue has it.
+// As a person reads it in the page's language, with its unit: "12.5 l", "by hand", "TRUE". A time has its own unit, whatever is said of it.
 export function told(value: TagValue | undefined, type: string, note?: TagNote, names?: Record<string, string>): string {
   const named = nameOr(value ?? null, names, note);
   if (typeof named === 'string' && typeof value === 'number') return named;
   if (typeof named === 'string' && isLongInteger(type)) return withUnit(named, note);
   if (typeof named !== 'number') return tagValue(named, type);
+  if (isTime(type)) return tagValue(named, type);
   const chosen = note?.decimals !== undefined && hasDecimals(type) && Math.abs(named) < MOST;
-  return withUnit(chosen ? named.toFixed(note.decimals) : tagValue(named, type), note);
+  return withUnit(chosen ? fixed(named, note.decimals ?? 0) : tagValue(named, type), note);
 }
 
-// The same of a number that was kept, in the history or of an alarm, maybe of a tag that the program has no more. Written as the
-// page's language does.
+// The same of a number that was kept, in the history or of an alarm, maybe of a tag that the program has no more: it has no type then.
 export function toldNumber(value: Value | undefined, note?: TagNote, names?: Record<string, string>, type = ''): string {
+  if (type !== '') return told(value, type, note, names);
   const named = nameOr(value ?? null, names, note);
   if (typeof named === 'string') return named;
   if (named === null) return short(named);
-  if (COUNTED.includes(type)) return tagValue(named, type);
   return withUnit(note?.decimals === undefined ? short(named) : fixed(named, note.decimals), note);
 }
 

@@ -5,6 +5,7 @@
 import uPlot from 'uplot';
 
 import { inUnits, marks, roomFor, unitOf } from '../lib/axis';
+import { isTime } from '../lib/format';
 import { pointNote, TagNotes } from '../lib/tag_notes';
 import type { Value } from '../lib/value';
 import type { History } from './records';
@@ -51,7 +52,7 @@ export function tracesOf(
     const note = point ? pointNote(point, notes) : notes.of(tag);
     const said = point ? note?.description : notes.descriptionOf(tag);
     const label = said ? `${said} (${point?.id ?? tag})` : tag;
-    const unit = note?.unit ?? '';
+    const unit = isTime(typeOf(tag)) ? 's' : (note?.unit ?? '');
     const axis = axisOf(axes[tag]);
     const isBool = typeOf(tag) === 'BOOL';
     const scale = axis.kind === 'unit' ? (isBool ? '@bool' : unit) : `@${tag}`;

@@ -1,6 +1,7 @@
 // The parts of a screen that the page draws itself, over the drawing: what people act with, trends and lists. The server has
 // checked their attributes, and decides what is written.
 
+import { isTime } from '../lib/format';
 import type { Value } from '../lib/value';
 
 export type WritingKind = 'button' | 'switch' | 'setpoint' | 'slider' | 'choice' | 'startstop';
@@ -126,9 +127,12 @@ export function placeParts(root: SVGSVGElement): PlacedPart[] {
   return placed;
 }
 
+// Seconds to the nanosecond, without a power of ten.
+export const secondsText = (seconds: number): string => seconds.toFixed(9).replace(/\.?0+$/, '');
+
 // The literal of IEC 61131-3 of a number for a variable of that type.
 export function literalOf(value: number, type: string): string {
   const text = String(value);
-  if (type === 'TIME' || type === 'LTIME') return `T#${text}s`;
+  if (isTime(type)) return `T#${secondsText(value)}s`;
   return /^L?REAL$/.test(type) && !/[.e]/i.test(text) ? `${text}.0` : text;
 }

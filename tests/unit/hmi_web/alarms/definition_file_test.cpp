@@ -81,6 +81,18 @@ source = "main.door"
   EXPECT_EQ(other.longest_shelving, std::chrono::hours(8));
 }
 
+TEST(AlarmFile, WhenALimitIsADuration_ThenItIsInSeconds) {
+  const auto definitions = loaded(
+      "[[alarm]]\nname = \"a\"\nsource = \"s\"\nwhen = \"high\"\nlimit = \"T#1m30s\"\ndeadband = "
+      "\"time#500ms\"\n");
+  ASSERT_TRUE(definitions.has_value()) << result::to_string(definitions.error());
+  EXPECT_EQ(definitions->front().condition.limit, 90.0);
+  EXPECT_EQ(definitions->front().condition.deadband, 0.5);
+  const std::string head = "[[alarm]]\nname = \"a\"\nsource = \"s\"\nwhen = \"low\"\n";
+  EXPECT_EQ(problems(head + "limit = \"60\"\n"), (std::vector<std::string>{"5 C0003"}));
+  EXPECT_EQ(problems(head + "limit = 1\ndeadband = \"T#-1s\"\n"), (std::vector<std::string>{"6 C0004"}));
+}
+
 TEST(AlarmFile, WhenDefinitionsAreWrong_ThenAllIsToldWithItsLine) {
   EXPECT_EQ(problems("[[alarm]]\nname = \"a\"\nsource = \"s\"\nwhen = \"high\"\n"),
             (std::vector<std::string>{"4 C0602"}));

@@ -26,7 +26,7 @@ globalThis.window = {
 const { Cell } = await load(process.env.CLIENT, ['lib/cell.svelte']);
 
 const synoptic = { points: [{ id: 'a', label: 'a', unit: '', trend: true }], floor: { forklifts: [], estop_ok: '' } };
-const hello = (epoch, protocol = 4) => ({ type: 'hello', protocol, epoch, cell: 'bench', version: '1', recipes: false, drawing: false, synoptic });
+const hello = (epoch, protocol = 5) => ({ type: 'hello', protocol, epoch, cell: 'bench', version: '1', recipes: false, drawing: false, synoptic });
 const tags = ['Main.Level', 'x', 'y', 'z'].map((name) => ({ name, type: 'INT', address: '' }));
 const program = (digest = 'ab', revision = 1) => ({ type: 'program', revision, digest, charts: [], steps: [], transitions: [], tags, points: [] });
 const state = (more) => ({ type: 'state', seq: 5, runtime_alive: true, program: 'ab', scan: 7, points: [1], unread: [], tags: {}, ...more });
@@ -40,7 +40,7 @@ const said = (cell) => JSON.parse(cell.greeting());
 
 test('Cell_WhenItKnowsNothing_ThenItBeginsWithNothing', () => {
   const message = said(new Cell());
-  assert.deepEqual(message, { type: 'begin', protocol: 4, epoch: '', show: { number: 1, digest: '', tags: [], also: ['plan', 'routes', 'pictures'] } });
+  assert.deepEqual(message, { type: 'begin', protocol: 5, epoch: '', show: { number: 1, digest: '', tags: [], also: ['plan', 'routes', 'pictures'] } });
 });
 
 test('Cell_WhenVariablesAreTold_ThenTheOthersAreNotKnown', () => {
@@ -106,7 +106,7 @@ test('Cell_WhenTheServerIsAnother_ThenNothingOfTheOldOneStays', () => {
 });
 
 test('Cell_WhenTheServerSpeaksAnotherProtocol_ThenThePageIsLoadedAnew', () => {
-  const cell = cellAt(hello('e1', 5));
+  const cell = cellAt(hello('e1', 6));
   assert.equal(reloads, 1);
   assert.equal(cell.hello, null);
 });

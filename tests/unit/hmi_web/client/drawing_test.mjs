@@ -69,7 +69,7 @@ test('Text_WhenTheCellDescribesItsTag_ThenItHasUnitDecimalsAndNamesAndTheDrawing
   assert.equal(drawing.textOf({ value: 12.46, type: 'REAL' }), '12.460');
   assert.equal(drawing.textOf({ value: 1, type: 'BOOL', note: { name: 'b', values: ['shut', 'open'] } }), 'open');
   assert.equal(drawing.textOf({ value: 7, type: 'INT', names: { 7: 'Auto' } }), 'Auto');
-  assert.equal(drawing.textOf({ value: 2.5e9, type: 'TIME', note: { name: 't', decimals: 0 } }), '2.50 s');
+  assert.equal(drawing.textOf({ value: 2.5, type: 'TIME', note: { name: 't', decimals: 0 } }), '2.50 s');
   assert.equal(drawing.textOf({ value: 'ready', type: 'STRING' }), 'ready', 'a text has no quotes');
   assert.equal(drawing.textOf({ value: null, type: 'REAL', note }), '–');
   assert.equal(drawing.textOf(null), '–');
@@ -79,5 +79,6 @@ test('Fill_WhenItIsReadOut_ThenItHasTheUnitAndTheDigitsThatMeanSomething', () =>
   assert.equal(drawing.spokenOf({ value: 12.5, type: 'REAL' }), '12.5');
   assert.equal(drawing.spokenOf({ value: 12.5, type: 'REAL', note: { name: 'a', unit: 'l' } }), '12.5 l');
   assert.equal(drawing.spokenOf({ value: 1, type: 'BOOL' }), 'TRUE');
-  assert.equal(drawing.spokenOf({ value: 3e9, type: 'TIME' }), '3 s');
+  assert.equal(drawing.spokenOf({ value: 3, type: 'TIME' }), '3 s');
+  assert.equal(drawing.textOf({ value: 90, type: 'TIME', note: { name: 't', unit: 's' } }, 1, 's'), '1 min 30 s', 'a time has its own unit');
 });

@@ -49,7 +49,7 @@ test('Forced_WhenAPointOfThePlantShowsAForcedVariable_ThenThePictureIsToldSo', (
   const cell = new Cell();
   const synoptic = { points: ['B1', 'a1.level', 'v1.position'].map((id) => ({ id, label: id, unit: '', trend: false })), floor: { forklifts: [], estop_ok: '' } };
   const tags = ['B1', 'S2', 'PLAN.S2_filtered'].map((name) => ({ name, type: 'INT', address: '' }));
-  cell.take({ type: 'hello', protocol: 4, epoch: 'e', cell: 'bench', version: '1', recipes: false, drawing: false, synoptic });
+  cell.take({ type: 'hello', protocol: 5, epoch: 'e', cell: 'bench', version: '1', recipes: false, drawing: false, synoptic });
   cell.take({ type: 'program', revision: 1, digest: 'ab', charts: [], steps: [], transitions: [], tags, points: [[0], [2, 1], []] });
   assert.equal(cell.forcedPoints.size, 0);
   cell.take({ type: 'forces', revision: 1, forces: [force('s2')] });

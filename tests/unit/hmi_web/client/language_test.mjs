@@ -66,7 +66,7 @@ test('Clock_WhenTenthsSayNothing_ThenTheyAreLeftOut', async () => {
   assert.deepEqual([tickText(62), tickText(62.5), wholeClock(62.96), wholeClock(3723.4), wholeClock(null)], ['1:02', '1:02.5', '1:03', '1:02:03', '–']);
 });
 
-test('Literals_WhenTheLanguageChanges_ThenTheyStayThoseOfIec61131', async () => {
+test('Values_WhenTheLanguageChanges_ThenTheirNumbersAreWrittenInIt', async () => {
   await speak('de');
-  assert.deepEqual([tagValue(1.5, 'REAL'), tagValue(1, 'BOOL'), tagValue(2.5e9, 'TIME'), tagValue(-7, 'INT')], ['1.500', 'TRUE', '2.50 s', '-7']);
+  assert.deepEqual([tagValue(1.5, 'REAL'), tagValue(1, 'BOOL'), tagValue(2.5, 'TIME'), tagValue(-7, 'INT')], ['1,500', 'TRUE', '2,50 s', '-7']);
 });

@@ -7,7 +7,7 @@ import { test } from 'node:test';
 
 import { load } from './load_modules.mjs';
 
-const { cornersOf, dateText, decimalText, inUnits, language, literalText, marks, readNumber, short, tagValue, tickNumber, unitOf } = await load(process.env.CLIENT, [
+const { cornersOf, dateText, decimalText, durationText, inUnits, language, literalText, marks, readNumber, short, tagValue, tickNumber, unitOf } = await load(process.env.CLIENT, [
   'access/corners', 'lib/axis', 'lib/format', 'lib/language.svelte', 'lib/number_input',
 ]);
 
@@ -49,10 +49,16 @@ test('Value_WhenItIsHugeOrTiny_ThenItsPowerOfTenIsShown', () => {
   assert.equal(tickNumber(2.5e38), '2.5E38');
   assert.equal(tickNumber(1_500), '1,500');
   assert.equal(tickNumber(0), '0');
-  assert.equal(tagValue(9.999999680285692e37, 'REAL'), '1.0E38');
-  assert.equal(tagValue(0.00002, 'REAL'), '2.0E-5', 'it is not 0.000');
+  assert.equal(tagValue(9.999999680285692e37, 'REAL'), '1E38');
+  assert.equal(tagValue(0.00002, 'REAL'), '2E-5', 'it is not 0.000');
   assert.equal(tagValue(1.5, 'REAL'), '1.500');
   assert.equal(tagValue(0, 'LREAL'), '0.000');
+});
+
+test('Duration_WhenItIsOfAnyLength_ThenItsUnitSaysSomething', () => {
+  speak('en');
+  const said = [[0, '0 s'], [-1e-12, '0 s'], [5e-9, '5 ns'], [5e-6, '5 us'], [0.004, '4 ms'], [-0.0015, '-1.50 ms'], [0.9999, '1.00 s'], [2.5, '2.50 s'], [30, '30 s'], [59.97, '1 min'], [90, '1 min 30 s'], [7500, '2 h 5 min'], [8_654_400, '100 d 4 h']];
+  for (const [seconds, text] of said) assert.equal(durationText(seconds), text, String(seconds));
 });
 
 test('Chart_WhenValuesAreHuge_ThenItIsDrawnInUnitsOfAPowerOfTenAndItsMarksSayTheValues', () => {

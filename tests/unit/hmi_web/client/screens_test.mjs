@@ -183,7 +183,7 @@ test('Part_WhenItIsRead_ThenItHasWhatTheServerChecked', () => {
   assert.deepEqual(view.namesOf(choice), ['Main.mode', 'Main.ok']);
   assert.deepEqual([1, 0, null].map((value) => view.runsBy(choice, value)), [false, true, null], 'its feedback is turned round');
   assert.equal(view.runsBy(read({ part: 'startstop' }), 1), null, 'without a feedback nobody knows');
-  assert.deepEqual([view.literalOf(20, 'REAL'), view.literalOf(20.5, 'REAL'), view.literalOf(20, 'INT'), view.literalOf(1.5, 'TIME')], ['20.0', '20.5', '20', 'T#1.5s']);
+  assert.deepEqual([view.literalOf(20, 'REAL'), view.literalOf(20.5, 'REAL'), view.literalOf(20, 'INT'), view.literalOf(1.5, 'TIME'), view.literalOf(5e-7, 'TIME'), view.literalOf(60, 'TIME')], ['20.0', '20.5', '20', 'T#1.5s', 'T#0.0000005s', 'T#60s']);
 });
 
 test('Screens_WhenThePageOpens_ThenItShowsTheOneAskedForTheStartOrTheFirst', () => {

@@ -46,11 +46,11 @@ test('Value_WhenItHasAUnitAndDecimals_ThenBothAreShown', () => {
   assert.equal(told(12.46, 'REAL', level), '12.5 l');
   assert.equal(told(12.46, 'REAL'), '12.460', 'without a note as ever');
   assert.equal(told(7, 'INT', { name: 'n', unit: 'pcs' }), '7 pcs');
-  assert.equal(told(2.5e9, 'TIME', { name: 't', decimals: 3 }), '2.50 s', 'a time has its own form');
+  assert.equal(told(2.5, 'TIME', { name: 't', decimals: 3, unit: 's' }), '2.50 s', 'a time has its own form');
   assert.equal(told(null, 'REAL', level), '–', 'what is not known has no unit');
   assert.deepEqual([told('ready', 'STRING', { name: 's', unit: 'l' }), told('ready', 'WSTRING')], ['ready', 'ready'], 'a text has no quotes, as in a drawing');
   assert.equal(told(1, 'BOOL', { name: 'b' }), 'TRUE');
-  assert.equal(told(2e38, 'REAL', level), '2.0E38 l');
+  assert.equal(told(2e38, 'REAL', level), '2E38 l');
 });
 
 test('Value_WhenItHasAName_ThenTheNameIsShownAndTheCellWins', () => {
@@ -74,8 +74,22 @@ test('Number_WhenItIsOfTheHistory_ThenItIsWrittenInTheLanguageOfThePage', () => 
   language.code = language.locale = 'en';
   assert.equal(toldNumber(0.42), '0.42');
   assert.equal(toldNumber(undefined, level), '–');
-  assert.equal(toldNumber(30e9, undefined, undefined, 'TIME'), '30 s', 'nobody counts nanoseconds');
+  assert.equal(toldNumber(30, undefined, undefined, 'TIME'), '30 s');
   assert.equal(toldNumber(1, undefined, undefined, 'BOOL'), 'TRUE');
+});
+
+test('Number_WhenItIsInTableHistoryAndAlarms_ThenItIsWrittenInOneWayOfTheLanguage', () => {
+  const plain = { name: 'Main.flow', unit: 'l' };
+  for (const [code, decided, free, huge] of [['de', '95,00 l', '12,460 l', '1E38 l'], ['en', '95.00 l', '12.460 l', '1E38 l'], ['fr', '95,00 l', '12,460 l', '1E38 l'], ['es', '95,00 l', '12,460 l', '1E38 l']]) {
+    language.code = language.locale = code;
+    for (const write of [(value, note) => told(value, 'REAL', note), (value, note) => toldNumber(value, note, undefined, 'REAL')]) {
+      assert.equal(write(95, { ...level, decimals: 2 }), decided, code);
+      assert.equal(write(12.46, plain), free, code);
+      assert.equal(write(1e38, plain), huge, code);
+    }
+    assert.equal(told(2.5, 'TIME'), code === 'en' ? '2.50 s' : '2,50 s', code);
+  }
+  language.code = language.locale = 'en';
 });
 
 test('Value_WhenItIsBeyondWhatIsNormal_ThenItIsMarked', () => {

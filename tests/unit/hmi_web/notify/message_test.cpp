@@ -11,8 +11,11 @@ using alarms::Priority;
 using nlohmann::json;
 
 StandingAlarm high() {
-  return {"a1.high",      "Tank a1 is nearly full",  "Main.level", "close the valve",
-          Priority::High, 1'767'225'600'000'000'000, 92.5};
+  return {"a1.high",      "Tank a1 is nearly full",
+          "Main.level",   "close the valve",
+          Priority::High, 1'767'225'600'000'000'000,
+          92.5,           false,
+          "92.50 l",      "l"};
 }
 StandingAlarm lost() {
   return {"runtime.lost", "The runtime does not answer", "cell.runtime_alive", "", Priority::Critical, 1, 0};
@@ -30,13 +33,17 @@ Channel mail() {
 TEST(Message, WhenAnAlarmStands_ThenItSaysWhatSinceWhenAndWhatToDo) {
   const Message message = message_of("bench", {high()});
   EXPECT_EQ(message.subject, "bench: Tank a1 is nearly full (high)");
-  EXPECT_NE(message.text.find("a1.high, unacknowledged, raised 2026-01-01 00:00:00 UTC, Main.level = 92.5"),
-            std::string::npos)
+  EXPECT_NE(
+      message.text.find("a1.high, unacknowledged, raised 2026-01-01 00:00:00 UTC, Main.level = 92.50 l"),
+      std::string::npos)
       << message.text;
   EXPECT_NE(message.text.find("What to do: close the valve"), std::string::npos);
   const json document = json::parse(message.json);
   EXPECT_EQ(document["cell"], "bench");
   EXPECT_EQ(document["alarms"][0]["name"], "a1.high");
+  EXPECT_EQ(document["alarms"][0]["value"], 92.5);
+  EXPECT_EQ(document["alarms"][0]["told"], "92.50 l");
+  EXPECT_EQ(document["alarms"][0]["unit"], "l");
   EXPECT_EQ(document["alarms"][0]["raised_ms"], 1'767'225'600'000);
 }
 
@@ -45,11 +52,13 @@ TEST(Message, WhenTheSourceIsABool_ThenItsValueIsATruthValue) {
   hot.source = "Main.hot";
   hot.value = 1;
   hot.is_bool = true;
+  hot.told = "TRUE";
   const Message on = message_of("bench", {hot});
   EXPECT_NE(on.text.find("Main.hot = TRUE\n"), std::string::npos) << on.text;
   EXPECT_EQ(json::parse(on.json)["alarms"][0]["value"], true);
   EXPECT_TRUE(json::parse(on.json)["alarms"][0]["value"].is_boolean());
   hot.value = 0;
+  hot.told = "FALSE";
   EXPECT_NE(message_of("bench", {hot}).text.find("Main.hot = FALSE\n"), std::string::npos);
 }
 

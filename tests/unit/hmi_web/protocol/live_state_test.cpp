@@ -47,6 +47,13 @@ TEST_F(LiveStateTest, WhenNothingIsThereYet_ThenTheWholeStateComes) {
   EXPECT_FALSE(message.contains("show"));
 }
 
+TEST_F(LiveStateTest, WhenATagIsATime_ThenItsNanosecondsAreTold) {
+  state_.times = {1, 3};
+  state_.tags = {0.000004, 0.000004, 2.0, 0.0040005, 4.0};
+  live_.take(state_, 2, true);
+  EXPECT_EQ(whole()["tags"], json({{"0", 0}, {"1", 0.000004}, {"2", 2}, {"3", 0.0040005}, {"4", 4}}));
+}
+
 TEST_F(LiveStateTest, WhenTagsHaveTexts_ThenTheyTravelAsTextWheneverTheyChange) {
   state_.tags = {0.0, std::nullopt, 2.0, std::nullopt, 4.0};
   state_.texts = {{1, "said \"so\""}, {3, ""}};

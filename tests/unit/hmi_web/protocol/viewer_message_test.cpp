@@ -10,7 +10,7 @@ namespace stepwright::protocol {
 namespace {
 
 const std::string kBegin =
-    R"({"type":"begin","protocol":4,"epoch":"e1","has":{"seq":12,"tags":true,"program":1,"plan":2,"routes":3,)"
+    R"({"type":"begin","protocol":5,"epoch":"e1","has":{"seq":12,"tags":true,"program":1,"plan":2,"routes":3,)"
     R"("pictures":8,"alarms":4,"forces":5,"trend_run":6,"trend_next":700},)"
     R"("show":{"number":3,"digest":"ab","tags":[[0,4],[9,1]],"also":["plan","pictures","trend"]}})";
 
@@ -19,7 +19,7 @@ TEST(ViewerMessage, WhenAPageBegins_ThenWhatItHasAndWantsIsRead) {
 
   ASSERT_TRUE(message) << message.error();
   EXPECT_TRUE(message->begins);
-  EXPECT_EQ(message->protocol, 4);
+  EXPECT_EQ(message->protocol, 5);
   EXPECT_EQ(message->epoch, "e1");
   EXPECT_EQ(message->has.sequence, 12u);
   EXPECT_TRUE(message->has.tags);
@@ -80,12 +80,12 @@ TEST(ViewerMessage, WhenItIsNotAsWritten_ThenItIsRefusedWithAReasonThatFitsAClos
       R"({"type":"show","number":1,"also":["plan","plan"]})",
       R"({"type":"show","number":1,"also":["secrets"]})",
       R"({"type":"show","number":1,"also":[1]})",
-      R"({"type":"begin","protocol":4})",
-      R"({"type":"begin","protocol":4,"show":[]})",
-      R"({"type":"begin","protocol":4,"has":7,"show":{"number":1}})",
-      R"({"type":"begin","protocol":4,"has":{"seq":-3},"show":{"number":1}})",
-      R"({"type":"begin","protocol":4,"has":{"tags":1},"show":{"number":1}})",
-      R"({"type":"begin","protocol":4,"has":{"rows":1},"show":{"number":1}})",
+      R"({"type":"begin","protocol":5})",
+      R"({"type":"begin","protocol":5,"show":[]})",
+      R"({"type":"begin","protocol":5,"has":7,"show":{"number":1}})",
+      R"({"type":"begin","protocol":5,"has":{"seq":-3},"show":{"number":1}})",
+      R"({"type":"begin","protocol":5,"has":{"tags":1},"show":{"number":1}})",
+      R"({"type":"begin","protocol":5,"has":{"rows":1},"show":{"number":1}})",
       R"({"type":"show","number":1} x)",
       R"({"type":"show","number":1,"digest":")" + std::string(65, 'a') + "\"}",
       many,

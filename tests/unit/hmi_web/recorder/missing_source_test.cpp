@@ -33,8 +33,8 @@ alarms::AlarmDefinition alarm(std::string name, std::string source, std::string 
 class MissingSourceTest : public testing::Test {
  protected:
   void open(std::vector<alarms::AlarmDefinition> definitions) {
-    auto made =
-        CellAlarms::open(folder_ / "alarms.db", std::move(definitions), {{"a1.level", "A1", "%", true}}, {});
+    auto made = CellAlarms::open(folder_ / "alarms.db", std::move(definitions),
+                                 {{"a1.level", "A1", "%", true}}, {}, 0, notes_);
     ASSERT_TRUE(made.has_value()) << result::to_string(made.error());
     alarms_ = std::move(*made);
   }
@@ -68,6 +68,7 @@ class MissingSourceTest : public testing::Test {
   support::TemporaryFolder folder_;
   std::unique_ptr<CellAlarms> alarms_;
   std::int64_t time_ns_ = 0;
+  std::vector<protocol::TagNote> notes_;
   std::vector<server::UnreadInputs> unread_;
 };
 
@@ -176,8 +177,36 @@ TEST_F(MissingSourceTest, WhenTheSourceIsABool_ThenThatIsHandedOutToo) {
   layout->tags[0].bit = 0;
   look(layout, 1);
   ASSERT_EQ(alarms_->unacknowledged().size(), 2u);
-  EXPECT_TRUE(alarms_->unacknowledged()[0].is_bool);
-  EXPECT_FALSE(alarms_->unacknowledged()[1].is_bool);
+  EXPECT_TRUE(alarms_->unacknowledged()[0].told.is_bool);
+  EXPECT_FALSE(alarms_->unacknowledged()[1].told.is_bool);
+}
+
+TEST_F(MissingSourceTest, WhenTheSourceIsDescribed_ThenItsValueIsToldSo) {
+  notes_.resize(1);
+  notes_[0].name = "Main.level";
+  notes_[0].unit = "l";
+  notes_[0].decimals = 2;
+  open({alarm("full", "main.level"), alarm("lost", std::string(kServerAway))});
+  look(program({"main.level"}), 95);
+  ASSERT_EQ(alarms_->unacknowledged().size(), 1u);
+  EXPECT_EQ(alarms_->unacknowledged()[0].told.text, "95.00 l");
+  EXPECT_EQ(alarms_->unacknowledged()[0].told.unit, "l");
+  EXPECT_EQ(alarms_->told("main.level", 7).text, "7.00 l");
+  EXPECT_EQ(alarms_->told(std::string(kServerAway), 1).text, "") << "that number says nothing";
+}
+
+TEST_F(MissingSourceTest, WhenATimeIsWatched_ThenItsLimitIsInSeconds) {
+  alarms::AlarmDefinition late = alarm("late", "main.delay");
+  late.condition.kind = alarms::ConditionKind::High;
+  late.condition.limit = 60;
+  open({late});
+  auto layout = std::make_shared<server::ProgramLayout>(*program({"main.delay", "main.upper"}));
+  layout->tags[0].type = ElementaryType::Time;
+  look(layout, 0x0F);  // about 64 s: of the upper half of the nanoseconds 15
+  ASSERT_EQ(alarms_->unacknowledged().size(), 1u);
+  EXPECT_EQ(alarms_->unacknowledged()[0].told.text, "1 min 4 s");
+  look(layout, 0x0D);
+  EXPECT_EQ(listed()["late"]["active"], false);
 }
 
 TEST_F(MissingSourceTest, WhenNoImageIsThere_ThenNoAlarmCountsAsNormalAndTheListStaysShort) {

@@ -87,6 +87,14 @@ TEST(ImageValue, WhenAnIntegerHasMoreDigitsThanADouble_ThenItIsReadAsText) {
   EXPECT_FALSE(read_text({ElementaryType::Dint, 0, kNoBit}, image).has_value());
 }
 
+TEST(ImageValue, WhenItIsATime_ThenItIsInSeconds) {
+  const std::vector<std::byte> image = bytes({0x80, 0x2B, 0x2B, 0x59, 0, 0, 0, 0});  // 1496 ms and some
+  const auto value = read({ElementaryType::Time, 0, kNoBit}, image);
+  ASSERT_TRUE(value.has_value());
+  EXPECT_DOUBLE_EQ(*value, 1.496001408);
+  EXPECT_DOUBLE_EQ(*read({ElementaryType::Lint, 0, kNoBit}, image), 1'496'001'408);
+}
+
 TEST(ImageValue, WhenATextIsLong_ThenItIsCutAtTheEndOfACharacter) {
   std::vector<std::byte> image = bytes({0, 2, 0, 1});  // 512 characters, of them 256
   image.resize(516, std::byte{0xFC});

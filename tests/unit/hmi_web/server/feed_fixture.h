@@ -36,7 +36,7 @@ class FeedTest : public testing::Test {
 
   // First message of a page that shows everything, and of one that has some data already.
   static std::string begin(const std::string& show = R"("tags":"all")", const std::string& has = {}) {
-    return R"({"type":"begin","protocol":4,"epoch":"e1",)" + (has.empty() ? "" : "\"has\":{" + has + "},") +
+    return R"({"type":"begin","protocol":5,"epoch":"e1",)" + (has.empty() ? "" : "\"has\":{" + has + "},") +
            R"("show":{"number":1,"also":["plan","routes","pictures","trend"],)" + show + "}}";
   }
   static std::string show(int number, const std::string& tags) {

@@ -290,7 +290,7 @@ TEST_F(ChosenTags, WhenAPageSaysWhatCannotBe_ThenTheReasonIsNamed) {
   Feed::Cursor early;
   EXPECT_EQ(feed_.hear(early, show(1, "[]")), "a page begins once, and before all else");
   EXPECT_EQ(feed_.hear(early, R"({"type":"begin","protocol":3,"show":{"number":1}})"),
-            "protocol 4 is spoken here");
+            "protocol 5 is spoken here");
 }
 
 TEST_F(ChosenTags, WhenAPageHasNotBegun_ThenItIsGreetedOnly) {
@@ -303,7 +303,7 @@ TEST_F(ChosenTags, WhenAPageHasNotBegun_ThenItIsGreetedOnly) {
 TEST_F(ChosenTags, WhenAPartIsNotShown_ThenItIsNotSent) {
   view_.plan = R"({"fleet":{"paths":[],"vehicles":[]}})";
   update();
-  Feed::Cursor cursor = viewer(R"({"type":"begin","protocol":4,"show":{"number":1,"also":["plan"]}})");
+  Feed::Cursor cursor = viewer(R"({"type":"begin","protocol":5,"show":{"number":1,"also":["plan"]}})");
   EXPECT_EQ(types(drain(cursor)), (Types{"hello", "program", "state", "plan"}));
   ASSERT_EQ(feed_.hear(cursor, R"({"type":"show","number":2,"also":["plan","trend"]})"), std::nullopt);
   EXPECT_EQ(types(drain(cursor)), (Types{"delta", "trend"}));

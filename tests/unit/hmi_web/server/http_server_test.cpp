@@ -59,7 +59,7 @@ class HttpServerTest : public testing::Test {
   }
 
   static constexpr std::string_view kBegin =
-      R"({"type":"begin","protocol":4,"show":{"number":1,"tags":"all","also":["plan","trend"]}})";
+      R"({"type":"begin","protocol":5,"show":{"number":1,"tags":"all","also":["plan","trend"]}})";
 
   // The close frame, past what was sent before it.
   static std::string read_close(RawConnection& viewer) {
@@ -313,7 +313,7 @@ TEST_F(HttpServerTest, WhenAViewerChangesItsChoice_ThenTheAnswerComesAtOnce) {
   RawConnection viewer(server_->port());
   viewer.send(upgrade_request());
   viewer.read_until("\r\n\r\n");
-  viewer.send_text(R"({"type":"begin","protocol":4,"show":{"number":1}})");
+  viewer.send_text(R"({"type":"begin","protocol":5,"show":{"number":1}})");
   json message = json::object();
   while (message.value("type", "") != "state") message = json::parse(*viewer.read_frame());
   EXPECT_EQ(message["tags"], json::object());
