@@ -25,6 +25,10 @@ bool is_name(const std::string& name) {
   return !name.empty() && name.size() <= kLongestName && std::ranges::all_of(name, printed);
 }
 
+bool has_blank_end(const std::string& name) {
+  return name.front() == ' ' || name.back() == ' ';
+}
+
 auto wrong(const std::string& what, const std::string& hint) {
   return result::fail(kNoGroup, {}, what, hint);
 }
@@ -40,6 +44,19 @@ bool is_axis(const std::string& text) {
   double greatest = 0;
   return number(all.substr(0, at), least) && number(all.substr(at + kBetween.size()), greatest) &&
          least < greatest;
+}
+
+result::Result<void> check_name(const std::string& name) {
+  if (!is_name(name))
+    return wrong("this cannot name a group of trends",
+                 "1 to " + std::to_string(kLongestName) + " bytes without control characters");
+  if (name == "." || name == "..")
+    return wrong("'" + name + "' cannot name a group of trends: in an address it means a folder",
+                 "a word that says what is shown");
+  if (has_blank_end(name))
+    return wrong("the name of a group of trends neither begins nor ends with a blank",
+                 "a word that says what is shown");
+  return {};
 }
 
 result::Result<void> check_group(const TrendGroup& group) {

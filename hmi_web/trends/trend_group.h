@@ -38,6 +38,9 @@ struct TrendGroup {
 // "own", "", or two finite numbers, the first below the second.
 bool is_axis(const std::string& text);
 
+// H0082: a name that is empty, too long, "." or "..", or has control characters or blanks at its ends.
+[[nodiscard]] result::Result<void> check_name(const std::string& name);
+
 // H0082: a name that is empty, too long or has control characters; no series or too many, one tag twice, an
 // axis that is none, a span beyond 0.1 s to 400 days.
 [[nodiscard]] result::Result<void> check_group(const TrendGroup& group);

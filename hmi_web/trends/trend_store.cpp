@@ -28,6 +28,14 @@ json to_json(const TrendGroup& group) {
           {"saved_s", saved.count()}};
 }
 
+// "group ..", "group" of blanks.
+std::string usable(const std::string& name) {
+  const auto first = name.find_first_not_of(' ');
+  if (first == std::string::npos) return "group";
+  const std::string word = name.substr(first, name.find_last_not_of(' ') - first + 1);
+  return check_name(word) ? word : "group " + word;
+}
+
 std::optional<TrendGroup> group_of(const json& object) {
   if (!object.is_object()) return std::nullopt;
   TrendGroup group;
@@ -43,7 +51,10 @@ std::optional<TrendGroup> group_of(const json& object) {
   } catch (const json::exception&) {
     return std::nullopt;
   }
-  return check_group(group) ? std::optional(std::move(group)) : std::nullopt;
+  if (!check_group(group)) return std::nullopt;
+  // Of a server before this one, which took them: no address leads to such a name.
+  if (!check_name(group.name)) group.name = usable(group.name);
+  return group;
 }
 
 bool by_name(const TrendGroup& a, const TrendGroup& b) {
@@ -99,6 +110,7 @@ result::Result<void> TrendStore::write(const std::vector<TrendGroup>& groups) co
 }
 
 result::Result<std::optional<TrendGroup>> TrendStore::save(const TrendGroup& group) {
+  if (auto right = check_name(group.name); !right) return result::forward(right);
   if (auto right = check_group(group); !right) return result::forward(right);
   const std::lock_guard lock(mutex_);
   std::vector<TrendGroup> groups = groups_;

@@ -131,6 +131,8 @@ export default {
   cancel: 'Abbrechen',
   saveGroup: 'Als Gruppe speichern …',
   removeGroup: 'Gruppe löschen',
+  removeAsk: 'Die Gruppe „{name}“ für alle löschen?',
+  noGroupName: 'Eine Gruppe braucht einen Namen, der nicht nur aus Punkten besteht.',
   savedBy: 'gespeichert von {user}, {time}',
   compare: 'Mit dem Vortag vergleichen',
   dayBefore: 'Vortag',

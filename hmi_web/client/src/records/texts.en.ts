@@ -128,6 +128,8 @@ export default {
   cancel: 'Cancel',
   saveGroup: 'Save as group …',
   removeGroup: 'Remove group',
+  removeAsk: 'Remove the group “{name}” for everybody?',
+  noGroupName: 'A group needs a name that is not only dots.',
   savedBy: 'saved by {user}, {time}',
   compare: 'Compare with the day before',
   dayBefore: 'Day before',

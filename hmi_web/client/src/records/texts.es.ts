@@ -131,6 +131,8 @@ export default {
   cancel: 'Cancelar',
   saveGroup: 'Guardar como grupo …',
   removeGroup: 'Eliminar el grupo',
+  removeAsk: '¿Eliminar el grupo «{name}» para todos?',
+  noGroupName: 'Un grupo necesita un nombre que no sea solo de puntos.',
   savedBy: 'guardado por {user}, {time}',
   compare: 'Comparar con el día anterior',
   dayBefore: 'Día anterior',

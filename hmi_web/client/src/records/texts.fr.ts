@@ -131,6 +131,8 @@ export default {
   cancel: 'Annuler',
   saveGroup: 'Enregistrer comme groupe …',
   removeGroup: 'Supprimer le groupe',
+  removeAsk: 'Supprimer le groupe « {name} » pour tout le monde ?',
+  noGroupName: 'Un groupe a besoin d’un nom qui ne soit pas fait que de points.',
   savedBy: 'enregistré par {user}, {time}',
   compare: 'Comparer avec la veille',
   dayBefore: 'La veille',

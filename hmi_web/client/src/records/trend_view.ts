@@ -25,6 +25,15 @@ export interface TrendGroup {
   saved_ms: number;
 }
 
+// As the server takes it: no address leads to the others.
+export const isGroupName = (name: string): boolean => name.trim() !== '' && name !== '.' && name !== '..';
+
+// What there is a history of, and what there is none of (any more): a group keeps and names both. `known`: null before the server has told.
+export function partedBy(tags: readonly string[], known: readonly string[] | null): { drawn: string[]; missing: string[] } {
+  const has = new Set(known ?? tags);
+  return { drawn: tags.filter((tag) => has.has(tag)), missing: tags.filter((tag) => !has.has(tag)) };
+}
+
 export const DAY_MS = 86_400_000;
 const MOST_TAGS = 12;
 const LONGEST_MS = 400 * DAY_MS;

@@ -7,7 +7,7 @@ import { test } from 'node:test';
 
 import { load } from './load_modules.mjs';
 
-const { axisOf, AlarmSound, byUrgency, dayBefore, isOver, language, evidenceText, msOf, rangeText, readView, summaryOf, tracesOf, translated, wordsOf } = await load(process.env.CLIENT, [
+const { axisOf, AlarmSound, byUrgency, dayBefore, isOver, language, evidenceText, isGroupName, msOf, partedBy, rangeText, readView, summaryOf, tracesOf, translated, wordsOf } = await load(process.env.CLIENT, [
   'records/records', 'records/trend_view', 'records/history_chart', 'records/alarm_words', 'records/alarm_sound.svelte', 'lib/language.svelte', 'plan/evidence',
 ]);
 
@@ -66,6 +66,16 @@ test('View_WhenABrowserKeptIt_ThenItIsUsedAndElseNothing', () => {
   assert.deepEqual(readView(JSON.stringify(kept)), { tags: ['a', 'b'], axes: { a: 'own' }, spanMs: 3_600_000, compares: true, group: 'g' });
   for (const wrong of [null, '', '{', 'null', '{}', '{"tags": [1]}', '[]']) assert.equal(readView(wrong), null, String(wrong));
   assert.equal(readView('{"tags": [], "spanMs": -3}').spanMs, 600_000);
+});
+
+test('Group_WhenATagHasNoHistoryAnyMore_ThenItIsKeptAndNamed', () => {
+  const tags = ['Main.sine', 'Main.sinee', 'Main.txt'];
+  assert.deepEqual(partedBy(tags, ['Main.sine']), { drawn: ['Main.sine'], missing: ['Main.sinee', 'Main.txt'] });
+  assert.deepEqual(partedBy(tags, null), { drawn: tags, missing: [] }, 'before anybody knows');
+});
+
+test('Group_WhenNoAddressLeadsToItsName_ThenItIsNone', () => {
+  assert.deepEqual(['', ' ', '.', '..', '...', 'a/b', '50 %'].map(isGroupName), [false, false, false, false, true, true, true]);
 });
 
 test('Trace_WhenATagHasAnAxisOfItsOwnOrIsATruthValue_ThenItHasItsOwnScale', () => {

@@ -72,6 +72,27 @@ TEST_F(TrendStoreTest, WhenAGroupIsSavedAgainOrRemoved_ThenTheOneBeforeIsTold) {
   EXPECT_TRUE(open()->list().empty());
 }
 
+TEST_F(TrendStoreTest, WhenNoAddressLeadsToAName_ThenItIsRefused) {
+  const auto store = open();
+  for (const char* name : {"", ".", "..", " ", "   ", " filling", "filling ", "a\nb"}) {
+    const auto saved = store->save(group(name));
+    ASSERT_FALSE(saved) << name;
+    EXPECT_EQ(saved.error().front().code, kNoGroup) << name;
+  }
+  for (const char* name : {"...", ".a", "a/b", "50 %"}) EXPECT_TRUE(store->save(group(name))) << name;
+}
+
+TEST_F(TrendStoreTest, WhenAnEarlierServerTookSuchAName_ThenItIsCalledOtherwiseAndNothingIsLost) {
+  std::ofstream(folder_ / "trends.json") << R"({"groups": [
+    {"name": "..", "series": [{"tag": "a", "axis": ""}], "span_s": 60, "saved_by": "", "saved_s": 0},
+    {"name": "  ", "series": [{"tag": "b", "axis": ""}], "span_s": 60, "saved_by": "", "saved_s": 0}]})";
+  const auto store = open();
+  ASSERT_EQ(store->list().size(), 2u);
+  EXPECT_EQ(store->list()[0].name, "group");
+  EXPECT_EQ(store->list()[1].name, "group ..");
+  EXPECT_TRUE(store->remove("group .."));
+}
+
 TEST_F(TrendStoreTest, WhenThereAreTooMany_ThenOneMoreIsRefusedAndOneOfThemIsStillReplaced) {
   const auto store = open();
   for (std::size_t i = 0; i < kMostGroups; ++i) ASSERT_TRUE(store->save(group("g" + std::to_string(i))));
