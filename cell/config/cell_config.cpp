@@ -12,6 +12,7 @@
 #include "cell/config/place.h"
 #include "cell/config/state_dir.h"
 #include "cell/config/tag_table.h"
+#include "cell/config/written_files.h"
 #include "runtime/base/hash64.h"
 #include "runtime/ground/process/temporary_folder.h"
 #include "runtime/ground/settings/toml_document.h"
@@ -247,11 +248,12 @@ CellReading read_cell_document(settings::TomlDocument& document, const std::file
       read_modbus_acceptors(root.table("modbus").table("server"), folder, config.modbus_server.tcp,
                             config.modbus_server.server, config.modbus_server.acceptors);
   check_names(cell, dds, config);
+  const result::Diagnostics lost = check_written_files(config);
   config.values = document.values();
   reading.problems = document.finish([](std::string_view table, std::string_view key) {
     return settings::advice_of(cell_keys(), table, key);
   });
-  for (const result::Diagnostics& more : {found, controller, unserved, closed, described, secrets})
+  for (const result::Diagnostics& more : {found, controller, unserved, closed, described, secrets, lost})
     reading.problems.insert(reading.problems.end(), more.begin(), more.end());
   return reading;
 }

@@ -8,6 +8,7 @@ RecordConfig read_record(const settings::TomlTable& table, const std::filesystem
   RecordConfig config;
   const std::string file = table.text("file", {});
   if (!file.empty()) config.file = std::filesystem::absolute(state_dir / file).lexically_normal();
+  config.where = table.where("file");
   config.max_mb = static_cast<std::uint64_t>(table.integer("max_mb", 0, {0, 1e9}));
   config.hash_every = static_cast<std::uint32_t>(table.integer("hash_every", 1, {1, 1e6}));
   config.keyframe_every = static_cast<std::uint32_t>(table.integer("keyframe_every", 1'000, {0, 1e9}));

@@ -17,6 +17,8 @@
 #include <cstdint>
 #include <filesystem>
 
+#include "runtime/ground/result/diagnostic.h"
+
 namespace stepwright::settings {
 class TomlTable;
 }
@@ -28,6 +30,7 @@ struct RecordConfig {
   std::uint64_t max_mb = 0;              // megabytes that are kept, the newest; 0: all
   std::uint32_t hash_every = 1;          // scans between two hashes
   std::uint32_t keyframe_every = 1'000;  // scans between two whole images; 0: none
+  result::Location where;                // of `file`
 };
 
 struct HistoryConfig {

@@ -13,6 +13,7 @@ void read_retain(const settings::TomlTable& root, const std::filesystem::path& f
   const settings::TomlTable table = root.table("retain");
   const std::string file = table.text("file", "retain.store");
   if (!file.empty()) retain.file = state_dir / file;
+  retain.where = table.where("file");
   retain.period =
       std::chrono::milliseconds(table.integer("period_ms", retain.period.count(), {1, 3'600'000}));
   const std::string policy = table.choice("policy", "carry", {"carry", "initialise", "refuse"});
@@ -21,7 +22,10 @@ void read_retain(const settings::TomlTable& root, const std::filesystem::path& f
                                          : RetainPolicy::Carry;
   const settings::TomlTable runtime = root.table("runtime");
   const std::string program = runtime.text("program", {});
-  if (!program.empty()) boot.program = folder / program;
+  if (!program.empty()) {
+    boot.program = folder / program;
+    boot.program_where = runtime.where("program");
+  }
   for (const std::string& source : runtime.texts("sources")) {
     std::error_code ignored;  // a file that is not there is none
     if (!std::filesystem::is_regular_file(folder / source, ignored))

@@ -20,6 +20,8 @@
 #include <string>
 #include <vector>
 
+#include "runtime/ground/result/diagnostic.h"
+
 namespace stepwright::settings {
 class TomlTable;
 }
@@ -32,12 +34,14 @@ struct RetainSection {
   std::filesystem::path file;  // empty: none
   std::chrono::milliseconds period{100};
   RetainPolicy policy = RetainPolicy::Carry;
+  result::Location where;  // of `file`
 };
 
 struct BootSection {
   std::filesystem::path program;               // empty: none; the one that was kept comes before it
   std::vector<std::filesystem::path> sources;  // of `program`; empty: it is compiled elsewhere
   std::string dialect = "standard";            // of the sources (ladder/source/dialect.h)
+  result::Location program_where;              // of `program`, where the file names it
   bool autostart = false;
   std::filesystem::path keep;  // where the last downloaded program is kept; empty: nowhere
 };

@@ -70,7 +70,9 @@ class RuleReader {
     return std::nullopt;
   }
 
+  // A word, or the value alone.
   bool read_short() {
+    if (!table_.is_text(key_)) return read_value(table_.number(key_, 0.0), {});
     const std::string action = table_.choice(key_, "zero", {"zero", "hold", "one"});
     add_bytes(action == "hold"  ? scan::SafeMode::Hold
               : action == "one" ? scan::SafeMode::Value
@@ -92,10 +94,13 @@ class RuleReader {
            "{ value = 500 }, or { ramp_to = 0, per_second = 100 }");
       return false;
     }
-    if (rule_.bits == 1) return read_bit(ramped, type_name, value);
+    if (fixed) return read_value(value, type_name);
+    if (rule_.bits == 1) {
+      fail("C0442", key_ + " is one bit: it has no ramp", "\"zero\", \"hold\", \"one\", 0 or 1");
+      return false;
+    }
     const NumberType* const type = type_of(type_name);
-    if (type == nullptr || !fits(*type, ramped ? target : value)) return false;
-    if (fixed) return add_bytes(scan::SafeMode::Value, bits_of(*type, value)), true;
+    if (type == nullptr || !fits(*type, target)) return false;
     if (!(per_second > 0.0) || !std::isfinite(per_second)) {
       fail("C0443", "the ramp of " + key_ + " does not move", "per_second must be above 0");
       return false;
@@ -104,13 +109,21 @@ class RuleReader {
     return true;
   }
 
-  bool read_bit(bool ramped, const std::string& type_name, double value) {
-    if (ramped || !type_name.empty()) {
-      fail("C0442", key_ + " is one bit: it has neither ramp nor type", "\"zero\", \"hold\" or \"one\"");
+  bool read_value(double value, const std::string& type_name) {
+    if (rule_.bits == 1) return read_bit(value, type_name);
+    const NumberType* const type = type_of(type_name);
+    if (type == nullptr || !fits(*type, value)) return false;
+    add_bytes(scan::SafeMode::Value, bits_of(*type, value));
+    return true;
+  }
+
+  bool read_bit(double value, const std::string& type_name) {
+    if (!type_name.empty()) {
+      fail("C0442", key_ + " is one bit: it has no type", "\"zero\", \"hold\", \"one\", 0 or 1");
       return false;
     }
     if (value != 0.0 && value != 1.0) {
-      fail("C0443", "the value of " + key_ + " is neither 0 nor 1", "");
+      fail("C0443", "the value of " + key_ + " is neither 0 nor 1", "0, 1, \"zero\" or \"one\"");
       return false;
     }
     add_bytes(scan::SafeMode::Value, value != 0.0 ? ~std::uint64_t{0} : 0);

@@ -14,14 +14,20 @@ constexpr std::array kSafetyKeys = {
     KeyWords{"safe_state.supervisor_lost_after_ms", "Without a word of it for so long it counts as lost."},
     KeyWords{"safe_state.outputs", "For every cause; outputs that are not named go to zero."},
     KeyWords{"safe_state.outputs.%QW0",
-             "One output by its address: `\"hold\"`, or a value, or a ramp to a value.", "", "`\"zero\"`"},
-    KeyWords{"safe_state.outputs.%QW0.value", "The value that it takes.", "", "none", "that of the type"},
+             "One output by its address: `\"zero\"`, `\"hold\"` or `\"one\"` (every bit), the value alone, "
+             "or a table "
+             "with a value or a ramp to one.",
+             "", "`\"zero\"`"},
+    KeyWords{"safe_state.outputs.%QW0.value", "The value that it takes: a number; of a bit 0 or 1.", "",
+             "none", "that of the type"},
     KeyWords{"safe_state.outputs.%QW0.ramp_to", "The value that it goes to, with `per_second`.", "", "none",
              "that of the type"},
     KeyWords{"safe_state.outputs.%QW0.per_second", "By how much in a second.", "1/s", "none", "above 0"},
     KeyWords{"safe_state.outputs.%QW0.type",
-             "What the number is: `USINT` to `UDINT`, or `REAL`; a bit has none.", "",
-             "`USINT`, `INT` or `DINT`, by its width"},
+             "What the number is, by the output's width: `USINT`, `SINT`; `INT`, `UINT`; `DINT`, `UDINT`, "
+             "`REAL`. A "
+             "bit has none.",
+             "", "`USINT`, `INT` or `DINT`, by its width"},
     KeyWords{"safe_state.stop", "As `outputs`, when the program is stopped."},
     KeyWords{"safe_state.trap", "As `outputs`, after a fault of the program."},
     KeyWords{"safe_state.watchdog", "As `outputs`, when a task takes too long."},

@@ -31,6 +31,7 @@ std::string to_json(const CellRecord& record) {
     json["program"] = {
         {"state", record.program->state}, {"mode", record.program->mode}, {"detail", record.program->detail}};
   }
+  json["clock"] = record.clock;
   json["killed"] = record.killed;
   return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
@@ -53,6 +54,7 @@ result::Result<CellRecord> read_record(const std::filesystem::path& file) {
     for (const auto& each : json.at("processes"))
       record.processes.push_back(
           {each.at("name"), each.at("pid"), each.at("phase"), each.at("restarts"), each.at("reason")});
+    record.clock = json.value("clock", std::string());
     json.at("killed").get_to(record.killed);
   } catch (const nlohmann::json::exception& error) {
     return result::fail("M0015", {file.string(), 0, 0},

@@ -48,6 +48,7 @@ struct CellRecord {
   bool ready = false;   // all of them have been
   std::vector<ProcessRecord> processes;
   std::optional<ProgramRecord> program = {};
+  std::string clock = {};                // "real" or "simulated", as `up` was told
   std::vector<std::string> killed = {};  // that did not end when the cell went down
 
   bool operator==(const CellRecord&) const = default;

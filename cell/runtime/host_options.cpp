@@ -1,6 +1,10 @@
 #include "cell/runtime/host_options.h"
 
+#include <unistd.h>
+
 #include <cmath>
+
+#include "runtime/record/retain_store.h"
 
 namespace stepwright::cell_runtime {
 
@@ -17,9 +21,23 @@ host::TaskSettings task_settings(const config::TaskConfig& task) {
   return settings;
 }
 
+// What stands at [retain] file must be a store, or nothing. A file that only its runtime may read is left to
+// that.
+result::Result<void> check_retain(const config::RetainSection& retain) {
+  if (retain.file.empty() || access(retain.file.c_str(), R_OK) != 0) return {};
+  auto place = record::RetainStore::check_place(retain.file);
+  if (place) return {};
+  for (result::Diagnostic& each : place.error()) {
+    each.message = retain.file.string() + ": " + each.message;
+    if (!retain.where.file.empty()) each.where = retain.where;
+  }
+  return place;
+}
+
 }  // namespace
 
 result::Result<host::HostConfig> host_options(const config::CellConfig& config) {
+  if (auto place = check_retain(config.retain); !place) return result::forward(place);
   host::HostConfig options;
   options.clock =
       config.clock.mode == config::ClockMode::Real ? host::ClockMode::Real : host::ClockMode::Simulated;

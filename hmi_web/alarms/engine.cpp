@@ -40,7 +40,8 @@ result::Diagnostics check(const std::vector<AlarmDefinition>& definitions) {
     if (!fresh && !one.name.empty()) {
       const auto line = first->second->where.line;
       wrong("C0601", one, "there are two alarms " + one.name,
-            line > 0 ? "the other one is in line " + std::to_string(line) : "names are unique");
+            line > 0 ? "the other one is in line " + std::to_string(line)
+                     : "the other one is built in: every cell has it");
     }
     if (one.source.empty()) wrong("C0602", one, one.name + " watches no variable", "source = \"main.level\"");
     const ConditionSettings& c = one.condition;

@@ -1,6 +1,7 @@
 #include "hmi_web/notify/notifier.h"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include "hmi_web/notify/codes.h"
@@ -36,8 +37,12 @@ struct Notifier::Worker {
 };
 
 Notifier::Notifier(std::string cell, std::vector<Channel> channels, Sender& sender, Standing standing,
-                   Tell tell)
-    : cell_(std::move(cell)), sender_(sender), standing_(std::move(standing)), tell_(std::move(tell)) {
+                   Tell tell, ToldStore* told)
+    : cell_(std::move(cell)),
+      sender_(sender),
+      standing_(std::move(standing)),
+      tell_(std::move(tell)),
+      told_(told) {
   for (Channel& channel : channels) {
     workers_.push_back(std::make_unique<Worker>(std::move(channel)));
     Worker& worker = *workers_.back();
@@ -60,7 +65,7 @@ Notifier::~Notifier() {
 }
 
 void Notifier::work(Worker& worker, const std::stop_token& stop) {
-  Schedule schedule(worker.channel);
+  Schedule schedule(worker.channel, told_ == nullptr ? ToldAlarms() : told_->of(worker.channel.name));
   while (!stop.stop_requested()) {
     std::optional<std::string> tester;
     {
@@ -74,6 +79,8 @@ void Notifier::work(Worker& worker, const std::stop_token& stop) {
     if (due.empty()) continue;
     const bool arrived = send(worker, message_of(cell_, due), false, stop);
     schedule.sent(arrived, std::chrono::steady_clock::now());
+    // A disk that takes nothing is told by the history, and a restart tells of the alarms again.
+    if (arrived && told_ != nullptr) std::ignore = told_->keep(worker.channel.name, schedule.told());
   }
 }
 

@@ -35,7 +35,9 @@ class Notifier : public api::CellNotifications {
   using Tell = std::function<void(const std::string& channel, bool failing, const std::string& what)>;
   static constexpr std::chrono::milliseconds kTurn{500};
 
-  Notifier(std::string cell, std::vector<Channel> channels, Sender& sender, Standing standing, Tell tell);
+  // `told` keeps what was told of over restarts; null: every start tells again.
+  Notifier(std::string cell, std::vector<Channel> channels, Sender& sender, Standing standing, Tell tell,
+           ToldStore* told = nullptr);
   ~Notifier() override;
   Notifier(const Notifier&) = delete;
   Notifier& operator=(const Notifier&) = delete;
@@ -52,6 +54,7 @@ class Notifier : public api::CellNotifications {
   Sender& sender_;
   const Standing standing_;
   const Tell tell_;
+  ToldStore* const told_;
   std::vector<std::unique_ptr<Worker>> workers_;
 };
 

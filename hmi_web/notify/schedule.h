@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "hmi_web/notify/channel.h"
+#include "hmi_web/notify/told_store.h"
 
 namespace stepwright::notify {
 
@@ -26,22 +27,27 @@ class Schedule {
   static constexpr std::chrono::seconds kFirstRetry{60};
   static constexpr std::chrono::seconds kLongestRetry{900};
 
-  explicit Schedule(const Channel& channel);
+  // `told` is what an earlier one has told of: who is told once is not told of that again.
+  explicit Schedule(const Channel& channel, ToldAlarms told = {});
 
   // Of all that are unacknowledged, those to tell of now.
   std::vector<StandingAlarm> due(const std::vector<StandingAlarm>& unacknowledged, Time now);
   // What became of those that were due last.
   void sent(bool arrived, Time now);
+  // Of all that are unacknowledged, those that were told of, and when they were raised.
+  ToldAlarms told() const;
 
  private:
   struct Watched {
     std::int64_t raised_ns = 0;  // another one: it has come again
     Time next{};
-    bool told = false;  // in the message that is under way
+    bool sending = false;  // in the message that is under way
+    bool told = false;
   };
 
   const alarms::Priority at_least_;
   const std::chrono::seconds delay_, repeat_;
+  const ToldAlarms told_before_;
   std::map<std::string, Watched, std::less<>> watched_;
   std::chrono::seconds retry_{0};  // 0: the last message has arrived
   Time not_before_{};

@@ -75,6 +75,15 @@ std::optional<std::vector<TrendGroup>> groups_of(const std::string& text) {
   return groups;
 }
 
+// A damaged file that was put aside earlier stays.
+std::filesystem::path free_name_beside(const std::filesystem::path& file) {
+  std::error_code ignored;  // then the renaming says what is wrong
+  std::filesystem::path aside = file.string() + ".damaged";
+  for (int number = 2; std::filesystem::exists(aside, ignored); ++number)
+    aside = file.string() + ".damaged-" + std::to_string(number);
+  return aside;
+}
+
 }  // namespace
 
 result::Result<std::unique_ptr<TrendStore>> TrendStore::open(std::filesystem::path file) {
@@ -87,9 +96,12 @@ result::Result<std::unique_ptr<TrendStore>> TrendStore::open(std::filesystem::pa
     store->groups_ = *std::move(groups);
     return store;
   }
-  std::filesystem::path aside = store->file_;
-  aside += ".damaged";
-  std::filesystem::rename(store->file_, aside, error);
+  const std::filesystem::path aside = free_name_beside(store->file_);
+  if (std::filesystem::is_regular_file(store->file_, error)) {
+    std::filesystem::rename(store->file_, aside, error);
+  } else if (!error) {
+    error = std::make_error_code(std::errc::not_supported);
+  }
   if (error)
     return result::fail("H0021", {store->file_.string(), 0, 0},
                         "the saved trends cannot be read, nor put aside: " + error.message());

@@ -7,16 +7,19 @@
 
 #include "cell/binding/check_binding.h"
 #include "cell/config/state_dir.h"
+#include "cell/hmi/alarm_list.h"
+#include "cell/hmi/plant_picture.h"
 #include "cell/missions/mission_kinds.h"
 #include "cell/monitors/cell_monitors.h"
 #include "cell/runtime/cell_io.h"
 #include "cell/runtime/host_options.h"
-#include "hmi_web/alarms/definition_file.h"
+#include "hmi_web/alarms/engine.h"
 #include "hmi_web/drawing/drawing_file.h"
 #include "hmi_web/recipes/definition_file.h"
 #include "hmi_web/screens/codes.h"
 #include "hmi_web/screens/screen_store.h"
 #include "programs/check/check_plant.h"
+#include "programs/check/check_ports.h"
 #include "programs/check/check_processes.h"
 #include "programs/check/check_program.h"
 #include "programs/check/check_texts.h"
@@ -108,6 +111,15 @@ void check_drawings(const config::HmiConfig& hmi, result::Diagnostics& problems)
   }
 }
 
+// As the page would have them: with the built-in ones, so that a name of one of those is found.
+void check_alarms(const config::CellConfig& config, result::Diagnostics& problems) {
+  if (config.history.alarms.empty()) return;
+  const auto picture = hmi::picture_of(config.plant);
+  const auto all = hmi::alarms_of(config, picture ? picture->synoptic : protocol::Synoptic());
+  if (!all) return add(problems, all.error());
+  if (const auto engine = alarms::AlarmEngine::create(*all); !engine) add(problems, engine.error());
+}
+
 // In the order of the file.
 void sort(result::Diagnostics& problems) {
   std::stable_sort(problems.begin(), problems.end(), [](const auto& a, const auto& b) {
@@ -136,15 +148,13 @@ CheckReport check_cell(const std::filesystem::path& file, const std::vector<std:
   add(report.problems, cell_runtime::check_cell_io(cell.config));
   add(report.problems, check_plant(cell.config));
   add(report.problems, check_processes(cell.config));
+  add(report.problems, check_ports(cell.config));
   add(report.problems, check_texts(cell.config));
   if (const auto trusted = config::check_state_dir(cell.config); !trusted)
     add(report.problems, trusted.error());
   check_monitors(cell.config, report.problems);
   add(report.problems, cell_binding::check_binding(cell.config));
-  if (!cell.config.history.alarms.empty()) {
-    if (const auto alarms = alarms::load_alarms(cell.config.history.alarms); !alarms)
-      add(report.problems, alarms.error());
-  }
+  check_alarms(cell.config, report.problems);
   if (!cell.config.hmi.recipes.empty()) {
     if (const auto tags = recipes::load_definitions(cell.config.hmi.recipes); !tags)
       add(report.problems, tags.error());

@@ -1,11 +1,16 @@
 #include "programs/compile/compile_command.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "cell/monitors/cell_monitors.h"
 #include "ladder/source_files/source_files.h"
+#include "runtime/bytecode/container_format.h"
 #include "runtime/ground/process/diagnostics_json.h"
 #include "runtime/ground/process/files.h"
 
@@ -79,13 +84,30 @@ std::vector<std::byte> compile(const CompileArguments& arguments, sources::Sourc
   return std::move(output->container);
 }
 
+// An image replaces an image only: "-o" before a wrong word costs nobody a file.
+result::Diagnostics check_image(const std::string& path) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error) || process::is_stream(path)) return {};
+  std::array<char, sizeof bytecode::kMagic> begin{};
+  std::ifstream file(path, std::ios::binary);
+  file.read(begin.data(), begin.size());
+  const auto known = static_cast<std::size_t>(file.gcount());
+  if (known == 0 || (known == begin.size() && std::memcmp(begin.data(), &bytecode::kMagic, known) == 0))
+    return {};
+  return result::fail("E0004", {path, 0, 0}, "the file is no compiled program: it is not replaced",
+                      "name another file, or remove this one")
+      .value();
+}
+
 }  // namespace
 
 ExitCode run_compile(const CompileArguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
   result::Diagnostics diagnostics;
   sources::SourceFiles files;
-  const std::vector<std::byte> image = compile(arguments, files, diagnostics);
+  std::vector<std::byte> image;
+  if (!arguments.check) diagnostics = check_image(arguments.image);
+  if (diagnostics.empty()) image = compile(arguments, files, diagnostics);
   const auto append = [&](const result::Diagnostics& more) {
     diagnostics.insert(diagnostics.end(), more.begin(), more.end());
   };

@@ -15,6 +15,7 @@
 
 #include "cell/config/cell_options.h"
 #include "cell/monitor_check/missing_monitors.h"
+#include "programs/download/program_verdict.h"
 #include "runtime/bytecode/writer/document_section.h"
 #include "runtime/ground/process/command_line.h"
 #include "runtime/ground/process/diagnostics_json.h"
@@ -33,6 +34,7 @@ using std::chrono::milliseconds;
 // A large program takes a moment to verify and to turn into machine code, and longer on a serial line.
 constexpr milliseconds kPatience{180'000};
 constexpr milliseconds kGreeting{2'000};
+constexpr milliseconds kTrial{60'000};  // for the first scans, which a long interval makes long
 
 struct Arguments {
   std::string image;
@@ -40,6 +42,7 @@ struct Arguments {
   bool change = false;
   bool restart_charts = false;
   bool replace = false;
+  bool bring_in = false;
 };
 
 const char* name_of(DownloadMode mode) {
@@ -68,6 +71,7 @@ std::optional<host::RuntimeStatus> status_of(service::Connection& connection) {
 // Nobody stops a machine by leaving a word out.
 result::Result<DownloadMode> mode_of(const Arguments& arguments, const host::RuntimeStatus& status) {
   if (arguments.change) return DownloadMode::Change;
+  if (arguments.bring_in && status.state == RuntimeState::Running) return DownloadMode::Change;
   if (arguments.restart_charts) return DownloadMode::ChangeRestartCharts;
   if (arguments.replace || status.state != RuntimeState::Running) return DownloadMode::Replace;
   return result::fail("R0039", {}, "a program is running",
@@ -111,12 +115,63 @@ void print(DownloadMode mode, const service::Reply& reply) {
     std::printf("%s is loaded; it is stopped\n", digest.c_str());
     return;
   }
-  std::printf("%s runs; it took over within %.1f us\n", digest.c_str(), reply.change.pause_us);
+  std::printf("%s took over within %.1f us\n", digest.c_str(), reply.change.pause_us);
   for (const result::Diagnostic& note : reply.problems) {
     if (note.severity == result::Severity::Note) std::printf("  %s\n", note.message.c_str());
   }
   if (reply.change.dropped_forces > 0)
     std::printf("  %u forces are gone with their variables\n", reply.change.dropped_forces);
+}
+
+// In words, and as the process ends.
+ExitCode tell(const ProgramVerdict& verdict, DownloadMode mode) {
+  switch (verdict.verdict) {
+    case Verdict::Runs:
+      return ExitCode::Done;
+    case Verdict::TakenBack:
+      std::fprintf(stderr, "R0040: it trapped on trial: %s; the program before goes on\n",
+                   verdict.detail.c_str());
+      return ExitCode::RuntimeFault;
+    case Verdict::Fault:
+      std::fprintf(stderr, "R0040: it is in fault: %s\n  hint: outputs are safe; bring in a mended program\n",
+                   verdict.detail.c_str());
+      return ExitCode::RuntimeFault;
+    case Verdict::Open:
+      break;
+  }
+  std::printf("it is not known whether it runs: %s; `stepwright status` says how it is\n",
+              verdict.detail.c_str());
+  return mode == DownloadMode::Replace ? ExitCode::RuntimeFault : ExitCode::BudgetExhausted;
+}
+
+// A program that a fault had ended, or that none was there before, starts as at a start of the cell.
+ExitCode start(service::Connection& connection, const config::CellConfig& config,
+               const host::RuntimeStatus& before) {
+  const bool stopped = before.state == RuntimeState::Stopped;
+  if (stopped || !config.boot.autostart) {
+    std::printf("%s: `stepwright start --config %s` starts it\n",
+                stopped ? "the program before was stopped" : "[runtime] autostart is not set",
+                config.file.c_str());
+    return ExitCode::BudgetExhausted;
+  }
+  const auto started = connection.call(service::Start{}, kPatience);
+  if (started) return ExitCode::Done;
+  static_cast<void>(process::fail(started.error(), ExitCode::RuntimeFault));
+  std::printf("it is loaded and does not run: `stepwright start --config %s` starts it\n",
+              config.file.c_str());
+  return ExitCode::BudgetExhausted;
+}
+
+// Until the runtime has said what runs: after a change, and where this command starts the program.
+ExitCode follow(service::Connection& connection, const config::CellConfig& config, const Arguments& arguments,
+                DownloadMode mode, const host::RuntimeStatus& before, const std::string& digest) {
+  if (mode == DownloadMode::Replace) {
+    if (!arguments.bring_in) return ExitCode::Done;
+    if (const ExitCode exit = start(connection, config, before); exit != ExitCode::Done) return exit;
+  } else if (config.change.trial_scans == 0) {
+    return ExitCode::Done;
+  }
+  return tell(await_verdict(connection, digest, std::max(config.change.trial_scans, 1u), kTrial), mode);
 }
 
 int download(const config::CellConfig& config, const Arguments& arguments) {
@@ -150,7 +205,9 @@ int download(const config::CellConfig& config, const Arguments& arguments) {
                   (*connection)->closed() ? ExitCode::RuntimeFault : ExitCode::BadInput);
   }
   print(*mode, *reply);
-  return to_int(write_report(arguments.json, report(*mode, *reply)));
+  const ExitCode verdict = follow(**connection, config, arguments, *mode, *status, reply->digest);
+  const ExitCode written = write_report(arguments.json, report(*mode, *reply));
+  return to_int(verdict == ExitCode::Done ? written : verdict);
 }
 
 }  // namespace
@@ -166,9 +223,18 @@ int run_download(int argc, char** argv) {
   auto* restart = app.add_flag("--restart-charts", arguments.restart_charts,
                                "the same, but every chart begins at its initial steps");
   auto* replace = app.add_flag("--replace", arguments.replace, "stop the running program and load this one");
+  auto* bring_in =
+      app.add_flag("--bring-in", arguments.bring_in,
+                   "what `up --watch` does: change a running program; after a fault, replace the "
+                   "program and start it");
+  bring_in->excludes(change)->excludes(restart)->excludes(replace);
   change->excludes(restart)->excludes(replace);
   restart->excludes(replace);
   app.add_option("--json", arguments.json, "write a report to this file");
+  app.footer(
+      "Exit codes: 0 done, after a change when its first scans are over; 1 it is refused, and nothing has "
+      "changed; 2 usage;\n4 it is brought in, and not known to run; 5 it trapped in its first scans, or the "
+      "runtime does not answer.");
   const auto config = config::parse_cell(app, options, argc, argv);
   return config ? download(*config, arguments) : config.error();
 }

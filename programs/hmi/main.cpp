@@ -85,6 +85,7 @@ int run(const config::CellConfig& config) {
   auto watch = hmi::RuntimeWatch::connect(config, (*source)->runtime(), **log);
   if (!watch) return fail(watch.error(), ExitCode::RuntimeFault);
   notify::CurlSender sender;
+  notify::ToldStore told(config.history.folder / "notified.json");
   std::unique_ptr<notify::Notifier> notifier;
   if (!config.notify.empty()) {
     if (!*records)
@@ -99,7 +100,8 @@ int run(const config::CellConfig& config) {
               (*log)->error("notify", "'" + channel + "' cannot be told of alarms: " + what);
             else
               (*log)->info("notify", "'" + channel + "' is told of alarms again");
-          });
+          },
+          &told);
   }
   hmi::DdsCellControl control(**source, tags::tag_notes(config.tags));
   hmi::SourceCache program((*source)->running());

@@ -4,16 +4,12 @@
 #include <chrono>
 #include <utility>
 
-#include "cell/hmi/monitor_alarms.h"
+#include "cell/hmi/alarm_list.h"
 #include "cell/tags/tag_notes.h"
-#include "hmi_web/alarms/definition_file.h"
 #include "hmi_web/storage/codes.h"
 
 namespace stepwright::hmi {
 namespace {
-
-// Alarms of the first ones; the panel of the monitors shows them all.
-constexpr std::uint32_t kMostMonitors = 128;
 
 std::int64_t real_time_ns() {
   return std::chrono::duration_cast<std::chrono::nanoseconds>(
@@ -24,9 +20,8 @@ std::int64_t real_time_ns() {
 result::Result<recorder::RecorderOptions> options_of(const config::CellConfig& config,
                                                      const protocol::Synoptic& synoptic) {
   const config::HistoryConfig& history = config.history;
-  recorder::BuiltInAlarms wanted;
-  wanted.supervisor = config.mission.table != nullptr;
-  wanted.monitors = wanted.supervisor && config.mission.table->has_monitors() ? kMostMonitors : 0;
+  auto alarms = alarms_of(config, synoptic);
+  if (!alarms) return result::forward(alarms);
   recorder::RecorderOptions options;
   options.folder = history.folder;
   options.real_time = config.clock.mode == config::ClockMode::Real;
@@ -34,14 +29,7 @@ result::Result<recorder::RecorderOptions> options_of(const config::CellConfig& c
   options.most_bytes = history.max_mb << 20;
   options.points = synoptic.points;
   options.notes = tags::tag_notes(config.tags);
-  options.alarms = recorder::built_in_alarms(synoptic, wanted);
-  for (alarms::AlarmDefinition& each : monitor_alarms(config)) options.alarms.push_back(std::move(each));
-  if (!history.alarms.empty()) {
-    auto more = alarms::load_alarms(history.alarms);
-    if (!more) return result::forward(more);
-    options.alarms.insert(options.alarms.end(), std::make_move_iterator(more->begin()),
-                          std::make_move_iterator(more->end()));
-  }
+  options.alarms = std::move(*alarms);
   return options;
 }
 

@@ -139,7 +139,10 @@ Field field_of(const TakenProject& project) {
       "[plant]\nkind = \"none\"                # inputs stay 0, outputs go nowhere, until there are devices: "
       "see below\n",
       example(project),
-      "They are 0 and go nowhere until `cell.toml` says what is there: it ends with an example for Modbus."};
+      project.signals.empty()
+          ? ""
+          : "They are 0 and go nowhere until `cell.toml` says what is there: it ends with an example for "
+            "Modbus."};
 }
 
 std::string table_of_signals(const TakenProject& project) {
@@ -159,8 +162,9 @@ std::string table_of_tasks(const TakenProject& project) {
     for (const graphic::ProgramInstance& each : project.model.instances)
       if (each.task == task.name)
         programs += (programs.empty() ? "" : ", ") + each.name + " (" + each.program + ")";
-    const std::string when =
-        task.single.empty() ? std::to_string(task.interval_us) + " µs" : "rising edge of " + task.single;
+    const std::string when = !task.single.empty()    ? "rising edge of " + task.single
+                             : task.interval_us == 0 ? "whenever there is time"
+                                                     : std::to_string(task.interval_us) + " µs";
     table +=
         "| " + task.name + " | " + when + " | " + std::to_string(task.priority) + " | " + programs + " |\n";
   }

@@ -186,6 +186,7 @@ processes::CellRecord CellKeeper::record() const {
   record.cell = setting_.config.name;
   record.config = std::filesystem::absolute(setting_.config.file).lexically_normal().string();
   record.pid = getpid();
+  record.clock = setting_.config.clock.mode == config::ClockMode::Real ? "real" : "simulated";
   record.ready = ready_;
   record.address = address_;
   for (const KeptProcess& each : members_)

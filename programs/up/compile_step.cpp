@@ -30,7 +30,7 @@ process::ChildOptions change_command(const config::CellConfig& config,
                        "--config",
                        config.file.string(),
                        image.string(),
-                       "--change"};
+                       "--bring-in"};
   for (const std::string& each : overrides)
     options.arguments.insert(options.arguments.end(), {"--set", each});
   return options;

@@ -3,11 +3,13 @@
 #include <utility>
 
 #include "programs/up/compile_step.h"
+#include "runtime/ground/result/exit_code.h"
 
 namespace stepwright::up {
 namespace {
 
 constexpr const char* kName = "watch";
+constexpr const char* kWhatIs = "`stepwright status`";
 
 // What the processes read at their start and never again.
 std::vector<std::filesystem::path> settings_of(const config::CellConfig& config) {
@@ -53,10 +55,13 @@ void SourceWatch::finish(int exit, Console& console) {
   for (const std::string& line : pipe_.last_lines()) console.line(kName, line);
   child_.reset();
   const Work done = std::exchange(work_, Work::None);
-  if (exit != 0) {
-    console.line(kName, done == Work::Compile
-                            ? "not brought in: the sources are wrong; the program before goes on"
-                            : "not brought in: the program before goes on");
+  // The runtime is in charge of a program that is loaded, also where it does not run yet.
+  const bool loaded = done == Work::Download && exit == result::to_int(result::ExitCode::BudgetExhausted);
+  if (exit != 0 && !loaded) {
+    console.line(kName, done == Work::Compile ? "not brought in: the sources are wrong; nothing has changed"
+                        : exit == result::to_int(result::ExitCode::RuntimeFault)
+                            ? "not brought in: " + std::string(kWhatIs) + " says what is"
+                            : "not brought in: nothing has changed");
     return;
   }
   if (done == Work::Compile) {
@@ -64,12 +69,13 @@ void SourceWatch::finish(int exit, Console& console) {
     image_.reset();
     if (unwritten.empty()) return begin(Work::Download, console);
     console.line(kName, result::to_string(unwritten));
-    return console.line(kName, "not brought in: the program before goes on");
+    return console.line(kName, "not brought in: nothing has changed");
   }
   std::error_code error;
   std::filesystem::rename(fresh_image(config_), config_.boot.program, error);
-  console.line(kName, error ? "brought in, but not kept for the next start: " + error.message()
-                            : "brought in: what was saved runs");
+  if (error) console.line(kName, "not kept for the next start: " + error.message());
+  console.line(kName, loaded ? "brought in, and not known to run: " + std::string(kWhatIs) + " says what is"
+                             : "brought in: what was saved runs");
 }
 
 void SourceWatch::turn(Console& console) {

@@ -36,20 +36,20 @@ bool has_runtime(const config::CellConfig& config, const CellRecord& record) {
   return !config.controller.loaded_by_hand && std::ranges::any_of(record.processes, scans);
 }
 
-ProgramRecord program_of(const host::RuntimeStatus& status, const config::CellConfig& config) {
+ProgramRecord program_of(const host::RuntimeStatus& status, const std::string& clock) {
   ProgramRecord program;
   program.state = host::name_of(status.state);
-  program.mode = config.clock.mode == config::ClockMode::Real ? "real clock" : "simulated clock";
+  program.mode = clock + " clock";
   if (status.waiting_for_supervisor) program.mode += ", waiting for the supervisor";
   program.detail = status.detail;
   return program;
 }
 
-ProgramRecord ask_program(const config::CellConfig& config) {
+ProgramRecord ask_program(const config::CellConfig& config, const std::string& clock) {
   auto connection = service::Connection::open(config.socket_path(), {.name = "status"});
   if (!connection) return {kNoAnswer, "no answer", result::to_string(connection.error())};
   while (auto message = (*connection)->receive(kPatience))
-    if (const auto* status = std::get_if<host::RuntimeStatus>(&*message)) return program_of(*status, config);
+    if (const auto* status = std::get_if<host::RuntimeStatus>(&*message)) return program_of(*status, clock);
   return {kNoAnswer, "no answer", "it is served, and sends no status"};
 }
 
@@ -101,7 +101,7 @@ int run_status(const Options& options) {
     return to_int(ExitCode::RuntimeFault);
   }
   CellRecord record = **found;
-  if (has_runtime(*config, record)) record.program = ask_program(*config);
+  if (has_runtime(*config, record)) record.program = ask_program(*config, record.clock);
   if (options.json) {
     std::fputs(processes::to_json(record).c_str(), stdout);
   } else {

@@ -1,5 +1,8 @@
 #include "programs/up/up_command.h"
 
+#include <unistd.h>
+
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <thread>
@@ -46,6 +49,11 @@ std::unique_ptr<log::RotatingFile> log_of(const config::CellConfig& config, cons
   return file ? std::move(*file) : nullptr;
 }
 
+bool sources_can_be_read(const config::CellConfig& config) {
+  return std::ranges::all_of(config.boot.sources,
+                             [](const auto& source) { return access(source.c_str(), R_OK) == 0; });
+}
+
 int keep_up(const config::CellConfig& config, const Options& options, Detached& detached) {
   const process::StopSignal stop;
   const std::filesystem::path programs = std::filesystem::read_symlink("/proc/self/exe").parent_path();
@@ -71,7 +79,9 @@ int keep_up(const config::CellConfig& config, const Options& options, Detached& 
     return exit;
   }
   if (*compiled != ExitCode::Done) {
-    console.say("the cell '" + config.name + "' is not up: its program does not compile");
+    console.say(
+        "the cell '" + config.name + "' is not up: " +
+        (sources_can_be_read(config) ? "its program does not compile" : "its sources cannot be read"));
     return to_int(*compiled);
   }
   return to_int((*keeper)->run(stop));

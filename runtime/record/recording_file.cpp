@@ -16,6 +16,16 @@ namespace {
 
 constexpr std::size_t kChunkBytes = 64u << 10;
 
+// A recording, or an empty file: what may be put aside, or given up for a newer one.
+bool is_recording(const std::string& path) {
+  const int file = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  if (file < 0) return false;
+  FileHeader found{};
+  const ssize_t size = ::read(file, found.magic.data(), found.magic.size());
+  ::close(file);
+  return size == 0 || (size == static_cast<ssize_t>(found.magic.size()) && found.magic == FileHeader{}.magic);
+}
+
 }  // namespace
 
 tl::unexpected<result::Diagnostics> RecordingFile::failed(int error) const {
@@ -30,7 +40,13 @@ result::Result<std::unique_ptr<RecordingFile>> RecordingFile::create(const std::
   if (::stat(path.c_str(), &info) == 0) {
     // Devices and folders are nobody's recording.
     if (!S_ISREG(info.st_mode)) return self->failed(S_ISDIR(info.st_mode) ? EISDIR : EINVAL);
-    if (::rename(path.c_str(), (path.string() + ".1").c_str()) != 0) return self->failed(errno);
+    const std::string aside = path.string() + ".1";
+    for (const std::string& each : {path.string(), aside}) {
+      if (::stat(each.c_str(), &info) != 0 || is_recording(each)) continue;
+      return result::fail("R0051", {each, 0, 0}, "this is no recording: it is neither moved nor replaced",
+                          "name a file for the recording alone");
+    }
+    if (::rename(path.c_str(), aside.c_str()) != 0) return self->failed(errno);
   }
   self->descriptor_ = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
   if (self->descriptor_ < 0) return self->failed(errno);

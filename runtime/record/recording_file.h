@@ -8,8 +8,9 @@
 //   (*file)->flush();                        // the chunk so far
 //   auto closed = (*file)->close();
 //
-// Threads: one. Invariants: a file that exists at its path is kept beside it as `<path>.1`; what has been
-// flushed survives the end of the process; a chunk that could not be written whole ends the file.
+// Threads: one. Invariants: a recording that exists at its path is kept beside it as `<path>.1`, and any
+// other file stays and is refused (R0051); what has been flushed survives the end of the process; a chunk
+// that could not be written whole ends the file.
 
 #include <cstddef>
 #include <cstdint>

@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cassert>
 #include <cerrno>
 #include <cstring>
@@ -99,7 +100,54 @@ tl::unexpected<result::Diagnostics> damaged(const std::filesystem::path& path, c
   return result::fail("R0023", {path.string(), 0, 0}, what, hint);
 }
 
+// Where a store may have its slots: enough for the names of the largest program.
+constexpr std::size_t kMostBlocks = 16'384;
+
+// The first bytes are those of a store, as far as there are any, or a slot of one stands at a block: a store
+// stays one when its header is damaged.
+bool is_store(int file, std::size_t size) {
+  char begin[sizeof kFileMagic] = {};
+  const std::size_t known = std::min(size, sizeof begin);
+  if (pread(file, begin, known, 0) == static_cast<ssize_t>(known) &&
+      std::memcmp(begin, kFileMagic, known) == 0)
+    return true;
+  for (std::size_t block = 1; block < kMostBlocks && block * kBlock < size; ++block) {
+    std::uint32_t magic = 0;
+    const auto at = static_cast<off_t>(block * kBlock);
+    if (pread(file, &magic, sizeof magic, at) == sizeof magic && magic == kSlotMagic) return true;
+  }
+  return false;
+}
+
+// A name beside the store that nothing has.
+std::filesystem::path free_name(const std::filesystem::path& path) {
+  std::filesystem::path aside = path.string() + ".damaged";
+  struct stat info {};
+  for (int number = 2; lstat(aside.c_str(), &info) == 0; ++number)
+    aside = path.string() + ".damaged-" + std::to_string(number);
+  return aside;
+}
+
 }  // namespace
+
+result::Result<void> RetainStore::check_place(const std::filesystem::path& path) {
+  const auto refused = [&](const char* what) {
+    return result::fail("R0024", {path.string(), 0, 0},
+                        std::string(what) + ": it is neither replaced nor moved",
+                        "[retain] file names a file for retained values alone");
+  };
+  const int file = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  if (file < 0 && errno == ENOENT) return {};
+  if (file < 0) return file_error(path, "the store cannot be read", errno);
+  struct stat info {};
+  const bool known = fstat(file, &info) == 0;
+  const bool plain = known && S_ISREG(info.st_mode);
+  const bool ours = plain && is_store(file, static_cast<std::size_t>(info.st_size));
+  close(file);
+  if (ours) return {};
+  if (plain) return refused("this file is no store of retained values");
+  return refused(known && S_ISDIR(info.st_mode) ? "this is a folder" : "this is no plain file");
+}
 
 result::Result<std::optional<StoredState>> RetainStore::read(const std::filesystem::path& path) {
   auto content = read_whole(path, kMaxFileBytes);
@@ -163,6 +211,7 @@ result::Result<std::optional<StoredState>> RetainStore::read(const std::filesyst
 result::Result<RetainStore> RetainStore::create(const std::filesystem::path& path, const StateLayout& layout,
                                                 std::span<const std::byte> payload, std::uint64_t sequence) {
   assert(payload.size() == layout.size());
+  if (auto place = check_place(path); !place) return result::forward(place);
   const std::vector<std::byte> names = layout.encoded();
   FileHeader header{};
   std::memcpy(header.magic, kFileMagic, sizeof kFileMagic);
@@ -195,7 +244,8 @@ result::Result<RetainStore> RetainStore::resume(const std::filesystem::path& pat
 }
 
 result::Result<std::filesystem::path> RetainStore::set_aside(const std::filesystem::path& path) {
-  const std::filesystem::path aside = path.string() + ".damaged";
+  if (auto place = check_place(path); !place) return result::forward(place);
+  const std::filesystem::path aside = free_name(path);
   if (rename(path.c_str(), aside.c_str()) != 0)
     return file_error(path, "the store cannot be moved aside", errno);
   return aside;

@@ -42,7 +42,13 @@ class RetainStore {
   // message.
   [[nodiscard]] static result::Result<std::optional<StoredState>> read(const std::filesystem::path& path);
 
-  // A file with these values in place of what is there, which stays if this fails (R0024).
+  // Refuses a place that a store must neither replace nor move: a folder, a device, a file that is no store,
+  // or one that cannot be read (R0024, with a hint). No file, an empty one and a store, however damaged, are
+  // right.
+  [[nodiscard]] static result::Result<void> check_place(const std::filesystem::path& path);
+
+  // A file with these values in place of what is there, which stays if this fails (R0024): as at check_place,
+  // too.
   [[nodiscard]] static result::Result<RetainStore> create(const std::filesystem::path& path,
                                                           const StateLayout& layout,
                                                           std::span<const std::byte> payload,
@@ -51,7 +57,8 @@ class RetainStore {
   [[nodiscard]] static result::Result<RetainStore> resume(const std::filesystem::path& path,
                                                           const StoredState& state);
 
-  // Moves what is there aside, to the path with ".damaged" behind it. Fails with R0024.
+  // Moves a damaged store aside, to the path with ".damaged" behind it, or ".damaged-N" if that is taken.
+  // Fails with R0024, where check_place does, too.
   [[nodiscard]] static result::Result<std::filesystem::path> set_aside(const std::filesystem::path& path);
 
   RetainStore(RetainStore&& other) noexcept;

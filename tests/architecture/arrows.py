@@ -221,7 +221,7 @@ ARROWS = {
     "cell/fleet": ["cell/config", "supervisor/fleet/mission", "supervisor/fleet/program"],
     "cell/gateway": ["cell/runtime", "runtime/metrics", "runtime/remote"],
     "cell/tags": ["cell/config", "hmi_web/tags"],
-    "cell/hmi": ["cell/config", "cell/hall", "hmi_web/alarms", "hmi_web/notify", "hmi_web/server", "plant_models/assemblies", "plant_models/bridge", "plant_models/components/library", "runtime/dds", "runtime/ground/markup", "supervisor/map"],
+    "cell/hmi": ["cell/config", "cell/hall", "hmi_web/alarms", "hmi_web/notify", "hmi_web/recorder", "hmi_web/server", "plant_models/assemblies", "plant_models/bridge", "plant_models/components/library", "runtime/dds", "runtime/ground/markup", "supervisor/map"],
     "cell/link": ["runtime/dds"],
     "cell/metrics_server": ["cell/config", "hmi_web/server", "runtime/metrics"],
     "cell/modbus_client": ["cell/device_status", "runtime/io_memory", "runtime/metrics", "runtime/modbus/client"],

@@ -16,6 +16,7 @@
 #include <system_error>
 #include <vector>
 
+#include "runtime/ground/process/overwritten_input.h"
 #include "runtime/ground/process/standard_output.h"
 
 namespace stepwright::process {
@@ -112,6 +113,8 @@ std::optional<int> parse(CLI::App& app, int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return to_int(app.exit(error) == 0 ? result::ExitCode::Done : result::ExitCode::Usage);
   }
+  if (const auto problems = overwritten_inputs(app); !problems.empty())
+    return fail(problems, result::ExitCode::BadInput);
   return std::nullopt;
 }
 

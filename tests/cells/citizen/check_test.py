@@ -121,6 +121,32 @@ class Check(unittest.TestCase):
         self.assertEqual(result.returncode, 1)
         self.assertIn("tags.csv:2:14: C0631", result.stderr)
 
+    def test_an_alarm_that_is_called_as_a_built_in_one_is_found(self):
+        (self.folder / "alarms.toml").write_text('[[alarm]]\nname = "runtime.lost"\nsource = "Main.x"\nwhen = "on"\n', encoding="utf-8")
+        result = self.check('[cell]\nname = "line"\n[plant]\nkind = "none"\n[history]\nfolder = "h"\nalarms = "alarms.toml"\n')
+        self.assertEqual(result.returncode, 1)
+        self.assertRegex(result.stderr, r"alarms\.toml:1:\d+: C0601: there are two alarms runtime\.lost")
+        self.assertIn("built in", result.stderr)
+
+    def test_two_servers_on_one_port_are_found(self):
+        cell = '[cell]\nname = "line"\n[plant]\nkind = "none"\n[hmi]\nport = 8502\n[modbus.server]\nenabled = true\nport = {}\n[modbus.server.metrics]\nport = {}\n'
+        result = self.check(cell.format(8502, 9502))
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("cell.toml:9:8: C0473: port 8502 is that of [hmi], too", result.stderr)
+        result = self.check(cell.format(8503, 8503))
+        self.assertIn("cell.toml:11:8: C0473: port 8503 is that of [modbus.server], too", result.stderr)
+        self.assertEqual(self.check(cell.format(0, 0)).returncode, 0)
+        self.assertEqual(self.check(cell.format(8503, 9502)).returncode, 0)
+
+    def test_a_retain_file_of_somebody_else_is_found(self):
+        (self.folder / "notes.txt").write_text("of somebody\n", encoding="utf-8")
+        (self.folder / "mine").mkdir()
+        for name, what in (("notes.txt", "this file is no store"), ("mine", "this is a folder")):
+            result = self.check(f'[cell]\nname = "line"\nstate_dir = "."\n[plant]\nkind = "none"\n[retain]\nfile = "{name}"\n')
+            self.assertEqual(result.returncode, 1)
+            self.assertRegex(result.stderr, rf"cell\.toml:7:8: R0024: .*{what}.*: it is neither replaced nor moved")
+        self.assertEqual((self.folder / "notes.txt").read_text(encoding="utf-8"), "of somebody\n")
+
     def test_checking_leaves_nothing_behind(self):
         self.check('[cell]\nname = "line"\nstate_dir = "state"\n')
         self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["cell.toml", "check.json"])

@@ -182,7 +182,7 @@ TEST(RetainProcess, WhenTheProgramIsThatOfTheConfiguration_ThenItIsNotKeptAsADow
 TEST(RetainProcess, WhenTheStoreIsDamaged_ThenItIsKeptAsideAndTheStatusSaysSo) {
   TestCell cell(95, kReal);
   std::filesystem::create_directories(cell.folder() / "state");
-  std::ofstream(cell.folder() / "state" / "retain.store") << "no store";
+  std::ofstream(cell.folder() / "state" / "retain.store") << "SWRETAIN and no more";
   const TestProcess runtime = cell.start_runtime();
   const auto client = cell.attach(service::Role::Controller);
   const std::string detail = status(*client).detail;

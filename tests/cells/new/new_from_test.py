@@ -73,6 +73,14 @@ class From(unittest.TestCase):
         lamp = lambda: "instance0.lamp = TRUE" in stepwright("snapshot", "--config", "cell.toml", "instance0.lamp", cwd=folder).stdout
         self.assertTrue(eventually(lamp), "the ladder runs")
 
+    def test_a_task_without_an_interval_and_a_project_without_addresses_are_told_as_that(self):
+        task = '<task name="free" priority="1"><pouInstance name="run" typeName="Main"/></task>'
+        folder, _ = self.take(self.write(project([("n", "", "<INT/>")], "n := n + 1;", task=task)))
+        readme = (folder / "README.md").read_text(encoding="utf-8")
+        self.assertIn("| free | whenever there is time | 1 | run (Main) |", readme)
+        self.assertIn("The project has no variable with an address.", readme)
+        self.assertNotIn("They are 0", readme)
+
     def test_addresses_that_are_apart_there_are_apart_here(self):
         folder, _ = self.take(EXAMPLE)
         xml = (folder / "main.xml").read_text(encoding="utf-8")

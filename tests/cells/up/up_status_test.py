@@ -33,6 +33,12 @@ class Status(unittest.TestCase):
         self.assertEqual(status.returncode, 0, status.stdout)
         self.assertRegex(status.stdout, r"(?m)^  program running \(real clock\)")
 
+    def test_the_clock_is_the_one_that_up_was_told(self):
+        cell = self.kept()
+        cell.ready("--set", "clock.mode=simulated")
+        self.assertTrue(eventually(lambda: self.program(cell) == "running"), cell.status())
+        self.assertRegex(cell.run("status").stdout, r"(?m)^  program running \(simulated clock")
+
     def test_a_program_in_fault_is_told_with_its_reason_and_by_the_exit_code(self):
         cell = self.kept(program=TRAPS)
         cell.ready()

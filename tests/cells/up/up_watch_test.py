@@ -38,6 +38,39 @@ class Watch(unittest.TestCase):
         (cell.folder / "main.st").write_text(PROGRAM.replace("n + 1", "n + 2"), encoding="utf-8")
         process.wait_for("brought in: what was saved runs")
 
+    # The divisor is 0 in the fifth scan behind the swap: within the trial.
+    def test_what_traps_on_trial_is_not_said_to_run(self):
+        cell = self.kept()
+        process = cell.ready("--watch")
+        trapping = PROGRAM.replace("n : UDINT;", "n : UDINT; left : INT := 5; q : INT;").replace("lamp :=", "left := left - 1; q := 100 / left; lamp :=")
+        (cell.folder / "main.st").write_text(trapping, encoding="utf-8")
+        process.wait_for(r"R0040: it trapped on trial: .*; the program before goes on")
+        process.wait_for("not brought in: `stepwright status` says what is")
+        self.assertNotIn("brought in: what was saved runs", process.output().replace("not brought in", ""))
+        before = int(self.value(cell, "Main.n"))
+        self.assertTrue(eventually(lambda: int(self.value(cell, "Main.n")) > before))
+        self.assertNotIn(b"left", (cell.state / "program.swb").read_bytes())
+
+    def test_a_mended_program_takes_over_after_a_fault(self):
+        trapping = PROGRAM.replace("n : UDINT;", "n : UDINT; left : INT := 60; q : INT;").replace("lamp :=", "left := left - 1; q := 100 / left; lamp :=")
+        cell = self.kept(program=trapping)
+        process = cell.ready("--watch")
+        self.assertTrue(eventually(lambda: "fault" in cell.run("status").stdout))
+        (cell.folder / "main.st").write_text(PROGRAM, encoding="utf-8")
+        process.wait_for("brought in: what was saved runs")
+        before = int(self.value(cell, "Main.n"))
+        self.assertTrue(eventually(lambda: int(self.value(cell, "Main.n")) > before))
+
+    def test_a_stopped_program_is_replaced_and_the_command_that_starts_it_is_told(self):
+        cell = self.kept()
+        process = cell.ready("--watch")
+        self.assertEqual(stepwright("stop", "--config", cell.config).returncode, 0)
+        (cell.folder / "main.st").write_text(PROGRAM.replace("n + 1", "n + 2"), encoding="utf-8")
+        process.wait_for("the program before was stopped: `stepwright start --config ")
+        process.wait_for("brought in, and not known to run")
+        self.assertEqual(stepwright("start", "--config", cell.config).returncode, 0)
+        self.assertTrue(eventually(lambda: int(self.value(cell, "Main.n") or 0) > 0))
+
     def test_what_names_a_removed_variable_is_in_the_log(self):
         cell = self.kept(more=NO_PLANT + RUNS + PAGE + 'recipes = "recipes.toml"\n', program=PROGRAM.replace("n : UDINT;", "n : UDINT; level : INT;"))
         (cell.folder / "recipes.toml").write_text('[[tag]]\nname = "Main.level"\ntype = "INT"\nmin = 0\nmax = 9\n', encoding="utf-8")

@@ -54,6 +54,35 @@ TEST(CellConfigBench, WhenThereIsNoFile_ThenTheErrorNamesIt) {
   EXPECT_EQ(config.error()[0].where.file, "/nonexistent/cell.toml");
 }
 
+TEST_F(CellConfigTest, WhenAFileThatIsWrittenIsOneThatIsRead_ThenItsLineSaysSo) {
+  std::ofstream(folder_ / "main.st") << "PROGRAM Main END_PROGRAM\n";
+  const std::string sources = "[runtime]\nsources = [\"main.st\"]\n";
+  for (const char* text :
+       {"program = \"./main.st\"\n", "program = \"cell.toml\"\n", "program = \"../\"\n",
+        "[retain]\nfile = \"../main.st\"\n", "[log]\nfile = \"main.st\"\n",
+        "[record]\nfile = \"../cell.toml\"\n", "[retain]\nfile = \"../x\"\n[log]\nfile = \"x\"\n"}) {
+    const auto config = load_cell_config(write("cell.state_dir = \"state\"\n" + sources + text));
+    ASSERT_FALSE(config.has_value()) << text;
+    EXPECT_EQ(config.error().front().code, "C0472") << text;
+    EXPECT_GE(config.error().front().where.line, 4u) << text;
+    EXPECT_NE(config.error().front().hint, "") << text;
+  }
+}
+
+TEST_F(CellConfigTest, WhenTheProgramIsAFileOfSomebodyElse_ThenItIsNotTaken) {
+  std::ofstream(folder_ / "main.st") << "PROGRAM Main END_PROGRAM\n";
+  const std::string text = "[runtime]\nsources = [\"main.st\"]\nprogram = \"line.swb\"\n";
+  for (const char* content : {"SWB1 and more", ""}) {
+    std::ofstream(folder_ / "line.swb") << content;
+    EXPECT_TRUE(load_cell_config(write(text)).has_value()) << content;
+  }
+  std::ofstream(folder_ / "line.swb") << "a letter";
+  const auto config = load_cell_config(write(text));
+  ASSERT_FALSE(config.has_value());
+  EXPECT_EQ(config.error().front().code, "C0472");
+  EXPECT_EQ(config.error().front().where.line, 3u);
+}
+
 TEST_F(CellConfigTest, WhenAnOperatorStartsRuns_ThenThatIsSoOfAFleetToo) {
   const auto planned = load_cell_config(write("[executive]\nstart = \"operator\"\nwhat_if_ms = 2_000\n"));
   ASSERT_TRUE(planned.has_value()) << result::to_string(planned.error());

@@ -55,6 +55,20 @@ std::array<std::uint8_t, 16> safe(const Read& read, SafeCause cause) {
   return bytes;
 }
 
+TEST(SafetyConfig, WhenAValueStandsAlone_ThenItIsWhatTheOutputTakes) {
+  const Read rules = read(
+      "[safe_state.outputs]\n\"%QX0.0\" = 1\n\"%QX0.1\" = 0\n\"%QX0.2\" = { value = 1 }\n"
+      "\"%QW1\" = 300\n\"%QB4\" = 7\n");
+  const auto bytes = safe(rules, SafeCause::Trap);
+  EXPECT_EQ(bytes[0], 0b101);
+  EXPECT_EQ(bytes[2] + 256 * bytes[3], 300);
+  EXPECT_EQ(bytes[4], 7);
+  EXPECT_EQ(read("[safe_state.outputs]\n\"%QX0.0\" = 2\n").found(), Found{"2:12 C0443"});
+  EXPECT_EQ(read("[safe_state.outputs]\n\"%QW1\" = 70_000\n").found(), Found{"2:10 C0443"});
+  EXPECT_EQ(read("[safe_state.outputs]\n\"%QW1\" = true\n").found(), Found{"2:10 C0003"});
+  EXPECT_EQ(read("[safe_state.outputs]\n\"%QX0.0\" = \"on\"\n").found(), Found{"2:12 C0006"});
+}
+
 TEST(SafetyConfig, WhenLostIoIsToComeBackByItself_ThenAfterWhatTimeAndHowOften) {
   EXPECT_FALSE(read("").safety.io.restart.automatic);
   const Read own = read(
@@ -146,7 +160,7 @@ TEST(SafetyConfig, WhenARuleIsWrong_ThenItsPlaceIsTold) {
       {"\"%QD4\" = \"hold\"", {"2:10 C0303"}},
       {"\"%QL0\" = \"hold\"", {"2:10 C0303"}},
       {"\"%QX0.0\" = \"on\"", {"2:12 C0006"}},
-      {"\"%QX0.0\" = 1", {"2:12 C0003"}},
+      {"\"%QX0.0\" = true", {"2:12 C0003"}},
       {"\"%QW0\" = {}", {"2:10 C0442"}},
       {"\"%QW0\" = { value = 1, ramp_to = 0, per_second = 1 }", {"2:10 C0442"}},
       {"\"%QW0\" = { ramp_to = 0 }", {"2:10 C0442"}},

@@ -18,6 +18,7 @@ TEST(CellRecord, WhenItIsWritten_ThenItIsReadTheSame) {
   record.address = "http://127.0.0.1:8080/";
   record.ready = true;
   record.processes = {{"runtime", 42, "ready", 3, "ended with 5"}, {"link", 0, "failed", 5, "ended with 1"}};
+  record.clock = "simulated";
   record.killed = {"link"};
   ASSERT_TRUE(write_record(folder.path() / "up.json", record).empty());
   const auto read = read_record(folder.path() / "up.json");

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <atomic>
 #include <condition_variable>
+#include <filesystem>
+#include <fstream>
 #include <mutex>
 #include <nlohmann/json.hpp>
 
@@ -129,6 +131,26 @@ TEST(CurlSender, WhenNobodyListens_ThenItSaysWhereAndWhatToLookAt) {
     EXPECT_NE(sent.error().front().message.find("127.0.0.1:1"), std::string::npos);
     EXPECT_NE(sent.error().front().hint.find("is the server running"), std::string::npos);
   }
+}
+
+TEST(ToldStoreFile, WhenItIsOpenedAgain_ThenItHasWhatWasKept) {
+  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "notified.json";
+  std::filesystem::remove(file);
+  {
+    ToldStore told(file);
+    EXPECT_EQ(told.of("shift"), ToldAlarms());
+    EXPECT_TRUE(told.keep("shift", {{"runtime.lost", 7}}));
+    EXPECT_TRUE(told.keep("chat", {{"a", 1}, {"b", 2}}));
+    EXPECT_TRUE(told.keep("chat", {{"b", 2}}));
+  }
+  const ToldStore again(file);
+  EXPECT_EQ(again.of("shift"), (ToldAlarms{{"runtime.lost", 7}}));
+  EXPECT_EQ(again.of("chat"), (ToldAlarms{{"b", 2}}));
+  for (const char* damaged : {"", "[]", R"({"chat": {"b": "x"}})"}) {
+    std::ofstream(file) << damaged;
+    EXPECT_EQ(ToldStore(file).of("chat"), ToldAlarms()) << damaged;
+  }
+  std::filesystem::remove(file);
 }
 
 }  // namespace

@@ -47,6 +47,30 @@ TEST_F(ScheduleTest, WhenAnAlarmStandsForTheDelay_ThenItIsToldOnceAndAgainAfterT
   EXPECT_EQ(due(961, {alarm("a")}), "a ");
 }
 
+// A restart of the page's server, while nobody has acknowledged.
+TEST_F(ScheduleTest, WhenAnEarlierOneHasToldOnce_ThenTheSameOccurrenceIsNotToldAgain) {
+  Channel once = channel();
+  once.repeat = seconds(0);
+  Schedule first(once);
+  EXPECT_TRUE(first.due({alarm("a")}, begin_).empty());
+  EXPECT_EQ(first.due({alarm("a")}, begin_ + seconds(60)).size(), 1u);
+  first.sent(true, begin_ + seconds(60));
+  const ToldAlarms told = first.told();
+  EXPECT_EQ(told, (ToldAlarms{{"a", 1}}));
+  Schedule next(once, told);
+  const auto due_of_next = [&](int at, const std::vector<StandingAlarm>& standing) {
+    std::string names;
+    for (const StandingAlarm& each : next.due(standing, begin_ + seconds(at))) names += each.name + " ";
+    next.sent(true, begin_ + seconds(at));
+    return names;
+  };
+  EXPECT_EQ(due_of_next(100, {alarm("a"), alarm("b")}), "");
+  EXPECT_EQ(due_of_next(5'000, {alarm("a"), alarm("b")}), "b ");
+  EXPECT_EQ(next.told(), (ToldAlarms{{"a", 1}, {"b", 1}}));
+  EXPECT_EQ(due_of_next(5'001, {alarm("a", Priority::High, 2)}), "") << "it has come again";
+  EXPECT_EQ(due_of_next(5'061, {alarm("a", Priority::High, 2)}), "a ");
+}
+
 TEST_F(ScheduleTest, WhenItIsAcknowledgedBeforeTheDelay_ThenNobodyIsTold) {
   EXPECT_EQ(due(0, {alarm("a")}), "");
   EXPECT_EQ(due(30, {}), "");

@@ -114,6 +114,15 @@ TEST_F(TrendStoreTest, WhenTheFileIsDamaged_ThenItIsPutAsideAndToldAndNothingSto
     EXPECT_TRUE(fs::exists(folder_ / "trends.json.damaged"));
     EXPECT_TRUE(store->save(group("new")));
   }
+  EXPECT_TRUE(fs::exists(folder_ / "trends.json.damaged-4")) << "the ones before stay";
+}
+
+TEST_F(TrendStoreTest, WhenAFolderHasTheName_ThenItStaysAndIsRefused) {
+  fs::create_directory(folder_ / "trends.json");
+  const auto refused = TrendStore::open(folder_ / "trends.json");
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().front().code, "H0021");
+  EXPECT_TRUE(fs::is_directory(folder_ / "trends.json"));
 }
 
 TEST(TrendGroup, WhenSomethingOfItCannotBe_ThenItIsRefusedWithWhatIsMeant) {

@@ -28,6 +28,31 @@ TEST_F(CompileCommand, WhenTheReportGoesToADash_ThenItIsStandardOutput) {
   EXPECT_THAT(output, HasSubstr("image_hash"));
 }
 
+// A slip of the fingers costs nobody a file.
+TEST_F(CompileCommand, WhenAnOutputIsASource_ThenItStays) {
+  const std::string source = write("main.st", kMain);
+  const std::string notes = write("notes.txt", "of somebody");
+  const auto size = std::filesystem::file_size(source);
+  for (const std::string& outputs : {" -o " + source, " -o " + path("./main.st"), " -o " + notes,
+                                     " --check --json " + source, " --check --json=" + notes}) {
+    EXPECT_EQ(run("compile " + source + outputs), 1) << outputs;
+    EXPECT_THAT(errors, HasSubstr("E0004")) << outputs;
+    EXPECT_EQ(std::filesystem::file_size(source), size) << outputs;
+    EXPECT_EQ(std::filesystem::file_size(notes), 11u) << outputs;
+  }
+  for (int round = 0; round < 2; ++round)
+    EXPECT_EQ(run("compile " + source + " -o " + path("main.swb") + " --json " + path("r.json")), 0)
+        << errors;
+}
+
+// As a shell opens it: what stands there is added to.
+TEST_F(CompileCommand, WhenAStreamLeadsToAFile_ThenAReportIsAddedToIt) {
+  const std::string source = write("main.st", kMain);
+  write("log.txt", "the one before\n");
+  EXPECT_EQ(run("compile --check " + source + " --json /dev/fd/3 3>>" + path("log.txt")), 0) << errors;
+  EXPECT_GT(std::filesystem::file_size(path("log.txt")), 20u);
+}
+
 TEST_F(CompileCommand, WhenOptionsStandBetweenSources_ThenEachTakesOneValue) {
   const std::string source = write("main.st", kMain);
   const std::string block = write("block.st", "FUNCTION f : INT\nf := 1;\nEND_FUNCTION\n");

@@ -177,15 +177,34 @@ TEST(Recording, WhenItIsBounded_ThenTheNewestScansAreKeptInTwoFiles) {
 TEST(Recording, WhenTheFileExists_ThenItIsPutAside) {
   TemporaryFolder folder;
   const std::string file = folder / "run";
-  std::ofstream(file) << "precious";
-  Recorder recorder;
-  RecordedRun run;
-  ASSERT_TRUE(run.begin(recorder, {.file = file}));
-  run.tap.end("test");
-  finished(recorder);
-  std::string kept;
-  std::getline(std::ifstream(file + ".1"), kept);
-  EXPECT_EQ(kept, "precious");
+  for (int round = 0; round < 3; ++round) {
+    Recorder recorder;
+    RecordedRun run;
+    ASSERT_TRUE(run.begin(recorder, {.file = file}));
+    run.scans(10);
+    run.tap.end("test");
+    finished(recorder);
+  }
+  EXPECT_EQ(replayed(file + ".1").last_scan, 10u);
+  EXPECT_EQ(replayed(file).last_scan, 10u);
+}
+
+TEST(Recording, WhenTheFileIsNoRecording_ThenItStaysAndIsRefused) {
+  for (const char* name : {"run", "run.1"}) {
+    TemporaryFolder folder;
+    const std::string file = folder / "run";
+    std::ofstream(file) << "";
+    std::ofstream(folder / name) << "precious";
+    Recorder recorder;
+    RecordedRun run;
+    const auto refused = run.begin(recorder, {.file = file});
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error()[0].code, "R0051");
+    EXPECT_EQ(refused.error()[0].where.file, folder / name);
+    std::string kept;
+    std::getline(std::ifstream(folder / name), kept);
+    EXPECT_EQ(kept, "precious");
+  }
 }
 
 TEST(Recording, WhenTheFileCannotBeMade_ThenItIsRefusedWithItsPlace) {

@@ -166,7 +166,7 @@ TEST(RetainManager, WhenALocatedBitIsRetained_ThenItsNeighboursAreNot) {
 
 TEST(RetainManager, WhenTheStoreIsDamaged_ThenItIsKeptAsideAndTheStartHasInitialValues) {
   const TestFolder folder;
-  std::ofstream(folder.store()) << "no store";
+  std::ofstream(folder.store()) << "SWRETAIN of which the rest is lost";
   {
     RetainedMachine machine(kNumbers, {.store = folder.store()});
     EXPECT_TRUE(machine.start().empty());
@@ -181,6 +181,46 @@ TEST(RetainManager, WhenTheStoreIsDamaged_ThenItIsKeptAsideAndTheStartHasInitial
   RetainedMachine machine(kNumbers, {.store = folder.store()});
   machine.start();
   EXPECT_EQ(machine.get("MAIN.n"), 6);
+}
+
+TEST(RetainManager, WhenTheStoreBeforeIsStillAside_ThenItStays) {
+  const TestFolder folder;
+  std::ofstream(folder.store()) << "SWRETAIN of which the rest is lost";
+  std::ofstream(folder.path() / "retain.store.damaged") << "the one before";
+  RetainedMachine machine(kNumbers, {.store = folder.store()});
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "retain.store.damaged-2"));
+  EXPECT_EQ(std::filesystem::file_size(folder.path() / "retain.store.damaged"), 14u);
+}
+
+// Of a wrong path in the configuration: what is there belongs to somebody else.
+TEST(RetainManager, WhenAForeignFileIsThere_ThenItStaysAndIsSaid) {
+  const TestFolder folder;
+  const std::string text = "notes of somebody\n";
+  std::ofstream(folder.store()) << text;
+  {
+    RetainedMachine machine(kNumbers, {.store = folder.store(), .period_ns = 1'000'000});
+    EXPECT_TRUE(machine.start().empty());
+    machine.set("MAIN.n", 6);
+    machine.stop();
+    EXPECT_NE(machine.retain().note().find("R0023"), std::string::npos) << machine.retain().note();
+  }
+  std::string kept;
+  std::getline(std::ifstream(folder.store()), kept);
+  EXPECT_EQ(kept + "\n", text);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
+}
+
+TEST(RetainManager, WhenAFolderIsThere_ThenItStaysAndIsSaid) {
+  const TestFolder folder;
+  std::filesystem::create_directory(folder.store());
+  {
+    RetainedMachine machine(kNumbers, {.store = folder.store(), .period_ns = 1'000'000});
+    EXPECT_TRUE(machine.start().empty());
+    machine.stop();
+    EXPECT_NE(machine.retain().note().find("R0024"), std::string::npos) << machine.retain().note();
+  }
+  EXPECT_TRUE(std::filesystem::is_directory(folder.store()));
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
 }
 
 TEST(RetainManager, WhenItRuns_ThenValuesAreWrittenAndAcknowledged) {

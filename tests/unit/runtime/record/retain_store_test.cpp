@@ -182,6 +182,20 @@ TEST_F(RetainStoreWritten, WhenItIsForeignOrOfAnotherVersion_ThenItIsRefusedWith
   EXPECT_EQ(found.error()[0].code, "R0024");
 }
 
+TEST_F(RetainStoreWritten, WhenItsHeaderIsDamaged_ThenItIsStillAStore) {
+  Bytes bytes = after;
+  bytes[0] = std::byte{'x'};
+  put(folder.store(), bytes);
+  EXPECT_TRUE(RetainStore::check_place(folder.store()));
+  put(folder.store(), Bytes(after.size(), std::byte{'x'}));
+  const auto refused = RetainStore::check_place(folder.store());
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error()[0].code, "R0024");
+  EXPECT_NE(refused.error()[0].hint.find("[retain] file"), std::string::npos);
+  EXPECT_FALSE(RetainStore::check_place("/dev/null"));
+  EXPECT_FALSE(RetainStore::set_aside("/dev/null"));
+}
+
 // A BOOL, two numbers of 0..10, a number of 1..18446744073709551615 and a STRING[3].
 StateLayout typed_layout() {
   std::vector<StateType> types(4);
