@@ -49,11 +49,11 @@ void collect(const CLI::App& app, Files& files) {
     collect(*part, files);
 }
 
-// Blanks, then "{"; or nothing.
+// Blanks, then an object or a list; or nothing.
 bool is_report(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   for (char c = 0; file.get(c);)
-    if (std::isspace(static_cast<unsigned char>(c)) == 0) return c == '{';
+    if (std::isspace(static_cast<unsigned char>(c)) == 0) return c == '{' || c == '[';
   return true;
 }
 
@@ -77,7 +77,7 @@ result::Diagnostics overwritten_inputs(const CLI::App& app) {
     if (std::ranges::any_of(files.read, is_same))
       problems.push_back(refusal(output, "the command reads it"));
     else if (std::ranges::find(files.reports, output) != files.reports.end() && !is_report(output))
-      problems.push_back(refusal(output, "it is no JSON object"));
+      problems.push_back(refusal(output, "it is no JSON"));
   }
   return problems;
 }

@@ -15,7 +15,7 @@ namespace stepwright::process {
 
 // Of the arguments that `app` has parsed. Outputs are the options --json, --out, --output, --svg and --csv;
 // all others count as inputs as far as they name a file. What --json names is replaced only where it is
-// empty or a JSON object. E0004 for each file that would be lost.
+// empty, an object or a list. E0004 for each file that would be lost.
 result::Diagnostics overwritten_inputs(const CLI::App& app);
 
 }  // namespace stepwright::process
