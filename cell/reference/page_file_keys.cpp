@@ -56,9 +56,9 @@ constexpr std::array kRecipeKeys = {
     KeyWords{"tag", "One variable that recipes set; 1 to 128 of them."},
     KeyWords{"tag.name", "The path of the variable, or its address (`%MW4`), as the program spells it."},
     KeyWords{"tag.type", "Its type in the program."},
-    KeyWords{"tag.min", "The least value; a BOOL has none.", "that of `unit`; of a TIME s"},
-    KeyWords{"tag.max", "The greatest value; a BOOL has none.", "that of `unit`; of a TIME s"},
-    KeyWords{"tag.unit", "For people; a BOOL has none.", "", "`s` of a TIME, else none"},
+    KeyWords{"tag.min", "The least value; a BOOL and a text have none.", "that of `unit`; of a TIME s"},
+    KeyWords{"tag.max", "The greatest value; a BOOL and a text have none.", "that of `unit`; of a TIME s"},
+    KeyWords{"tag.unit", "For people; a BOOL and a text have none.", "", "`s` of a TIME, else that of the tag"},
     KeyWords{"tag.comment", "What it is, for people."},
 };
 
