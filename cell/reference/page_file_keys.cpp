@@ -58,7 +58,8 @@ constexpr std::array kRecipeKeys = {
     KeyWords{"tag.type", "Its type in the program."},
     KeyWords{"tag.min", "The least value; a BOOL and a text have none.", "that of `unit`; of a TIME s"},
     KeyWords{"tag.max", "The greatest value; a BOOL and a text have none.", "that of `unit`; of a TIME s"},
-    KeyWords{"tag.unit", "For people; a BOOL and a text have none.", "", "`s` of a TIME, else that of the tag"},
+    KeyWords{"tag.unit", "For people; a BOOL and a text have none.", "",
+             "`s` of a TIME, else that of the tag"},
     KeyWords{"tag.comment", "What it is, for people."},
 };
 
