@@ -114,7 +114,7 @@ std::optional<int> parse(CLI::App& app, int argc, char** argv) {
     return to_int(app.exit(error) == 0 ? result::ExitCode::Done : result::ExitCode::Usage);
   }
   if (const auto problems = overwritten_inputs(app); !problems.empty())
-    return fail(problems, result::ExitCode::BadInput);
+    return fail(problems, result::ExitCode::Usage);
   return std::nullopt;
 }
 

@@ -32,8 +32,8 @@ void end_with_a_word();
 // Parses the arguments, after the two above and tell_lost_output(): every process begins with it. The name of
 // the command, which `stepwright` leaves in front of its arguments, is skipped: it is the last word of the
 // app's name. Returns the exit code with which the process is to end now: Done after --help, Usage after a
-// wrong command line, BadInput where an output would overwrite an input (its message went to stderr); nothing
-// if it goes on.
+// wrong command line, also one with an output that would overwrite an input (its message went to stderr);
+// nothing if it goes on.
 [[nodiscard]] std::optional<int> parse(CLI::App& app, int argc, char** argv);
 
 // Checks an option's text as a number of seconds above 0: the error, empty if there is none. For

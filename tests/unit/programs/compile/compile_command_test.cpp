@@ -33,9 +33,13 @@ TEST_F(CompileCommand, WhenAnOutputIsASource_ThenItStays) {
   const std::string source = write("main.st", kMain);
   const std::string notes = write("notes.txt", "of somebody");
   const auto size = std::filesystem::file_size(source);
-  for (const std::string& outputs : {" -o " + source, " -o " + path("./main.st"), " -o " + notes,
-                                     " --check --json " + source, " --check --json=" + notes}) {
-    EXPECT_EQ(run("compile " + source + outputs), 1) << outputs;
+  const std::pair<std::string, int> wrong[] = {{" -o " + source, 2},
+                                               {" -o " + path("./main.st"), 2},
+                                               {" -o " + notes, 1},
+                                               {" --check --json " + source, 2},
+                                               {" --check --json=" + notes, 2}};
+  for (const auto& [outputs, exit] : wrong) {
+    EXPECT_EQ(run("compile " + source + outputs), exit) << outputs;
     EXPECT_THAT(errors, HasSubstr("E0004")) << outputs;
     EXPECT_EQ(std::filesystem::file_size(source), size) << outputs;
     EXPECT_EQ(std::filesystem::file_size(notes), 11u) << outputs;
