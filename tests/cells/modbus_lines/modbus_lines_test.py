@@ -209,7 +209,7 @@ class Units(OnALine):
         names = [f"unit{each}" for each in living]
         client = self.cell.start("modbus-client")
         self.assertTrue(eventually(lambda: self.all_good(names), PATIENCE_S), client.output())
-        client.wait_for("on 1 connections")
+        client.wait_for("on 1 connection")
         gone = f"unit{dead}"
         self.assertTrue(eventually(lambda: self.devices()[gone]["timeouts"] >= 3, PATIENCE_S))
         before = self.devices()
