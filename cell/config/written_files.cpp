@@ -1,13 +1,10 @@
 #include "cell/config/written_files.h"
 
-#include <array>
-#include <cstring>
-#include <fstream>
 #include <string>
 #include <vector>
 
 #include "cell/config/cell_config.h"
-#include "runtime/bytecode/container_format.h"
+#include "runtime/bytecode/reader/container_file.h"
 
 namespace stepwright::config {
 namespace {
@@ -70,10 +67,7 @@ bool replaces_no_program(const BootSection& boot) {
   if (boot.sources.empty() || boot.program_where.file.empty()) return false;
   std::error_code error;
   if (!fs::is_regular_file(boot.program, error)) return fs::exists(boot.program, error);
-  std::array<char, sizeof bytecode::kMagic> begin{};
-  std::ifstream file(boot.program, std::ios::binary);
-  if (!file.read(begin.data(), begin.size())) return file.gcount() > 0;
-  return std::memcmp(begin.data(), &bytecode::kMagic, begin.size()) != 0;
+  return !reader::is_container_or_empty(boot.program);
 }
 
 }  // namespace

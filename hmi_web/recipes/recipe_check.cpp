@@ -11,6 +11,7 @@
 #include "runtime/bytecode/reader/parse_string.h"
 #include "runtime/bytecode/reader/parse_value.h"
 #include "runtime/bytecode/reader/read_value.h"
+#include "runtime/bytecode/whole_number.h"
 #include "runtime/ground/result/closest.h"
 
 namespace stepwright::recipes {
@@ -61,10 +62,6 @@ void append(result::Diagnostics& problems, result::Diagnostics more) {
   problems.insert(problems.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
 }
 
-bool may_be_enumeration(ElementaryType type) {
-  return type >= ElementaryType::Sint && type <= ElementaryType::Lword;
-}
-
 // "Auto", "Mode#Hand".
 bool is_word(std::string_view literal) {
   return !literal.empty() && !(literal.front() >= '0' && literal.front() <= '9') &&
@@ -105,7 +102,7 @@ result::Result<std::string> check_value(const RecipeTag& tag, std::string_view l
   variable.enumerators = tag.names;
   if (bytecode::is_string(tag.type)) return check_text(tag, variable, literal);
   const auto bits = reader::parse_value(variable, literal);
-  if (!bits && tag.program_unknown && may_be_enumeration(tag.type) && is_word(literal))
+  if (!bits && tag.program_unknown && bytecode::is_whole_number(tag.type) && is_word(literal))
     return std::string(literal);
   if (!bits) return wrong(tag, bits.error().front());
   std::array<std::byte, sizeof *bits> image{};

@@ -15,6 +15,7 @@
 #include "runtime/bytecode/reader/parse_string.h"
 #include "runtime/bytecode/reader/parse_value.h"
 #include "runtime/bytecode/reader/resolve_name.h"
+#include "runtime/bytecode/whole_number.h"
 #include "runtime/ground/naming/ascii_names.h"
 #include "runtime/ground/result/closest.h"
 
@@ -50,10 +51,6 @@ const char* word_of(PartKind kind) {
   }
 }
 
-bool is_whole(ElementaryType type) {
-  return type >= ElementaryType::Sint && type <= ElementaryType::Lword;
-}
-
 // What a set point or a slider can write at most: a TIME in seconds. Nothing: no number.
 std::optional<Limits> limits_of(const reader::Variable& variable) {
   if (variable.enumerators != nullptr && !variable.enumerators->empty())
@@ -71,7 +68,7 @@ std::optional<Limits> limits_of(const reader::Variable& variable) {
     default:
       break;
   }
-  if (!is_whole(variable.type)) return std::nullopt;
+  if (!bytecode::is_whole_number(variable.type)) return std::nullopt;
   const int bits = 8 * static_cast<int>(bytecode::size_of(bytecode::mem_type(variable.type)));
   if (bytecode::is_unsigned(variable.type)) return Limits{0, std::ldexp(1.0, bits) - 1};
   return Limits{-std::ldexp(1.0, bits - 1), std::ldexp(1.0, bits - 1) - 1};
@@ -210,7 +207,8 @@ class PartCheck {
       return tell("has the range " + range + ", and " + written.name + " of the type " + type +
                       " does not take all of it",
                   "data-from and data-to within " + text_of(limits->least) + " to " + text_of(limits->most));
-    if (is_whole(written.variable.type) && std::ceil(*part_->least) > std::floor(*part_->most))
+    if (bytecode::is_whole_number(written.variable.type) &&
+        std::ceil(*part_->least) > std::floor(*part_->most))
       tell("has the range " + range + ", and " + written.name + " takes whole numbers",
            "there is none in it");
   }

@@ -10,6 +10,7 @@
 #include "hmi_web/recipes/definition_file.h"
 #include "hmi_web/recorder/cell_alarms.h"
 #include "runtime/bytecode/reader/resolve_name.h"
+#include "runtime/bytecode/whole_number.h"
 #include "runtime/ground/naming/ascii_names.h"
 #include "runtime/ground/result/closest.h"
 
@@ -21,10 +22,6 @@ using result::Location;
 
 constexpr std::string_view kFigures = "cell.";
 
-bool is_whole(ElementaryType type) {
-  return type >= ElementaryType::Sint && type <= ElementaryType::Lword;
-}
-
 bool is_real(ElementaryType type) {
   return type == ElementaryType::Real || type == ElementaryType::Lreal;
 }
@@ -32,8 +29,9 @@ bool is_real(ElementaryType type) {
 // Whether a variable reads literals as they are written for the other type.
 bool takes(ElementaryType variable, ElementaryType literal) {
   if (variable == literal) return true;
-  if (is_real(variable)) return is_whole(literal) || is_real(literal);
-  return is_whole(variable) ? is_whole(literal) : bytecode::is_string(variable);
+  if (is_real(variable)) return bytecode::is_whole_number(literal) || is_real(literal);
+  return bytecode::is_whole_number(variable) ? bytecode::is_whole_number(literal)
+                                             : bytecode::is_string(variable);
 }
 
 class FitCheck {

@@ -1,16 +1,13 @@
 #include "programs/compile/compile_command.h"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "cell/monitors/cell_monitors.h"
 #include "ladder/source_files/source_files.h"
-#include "runtime/bytecode/container_format.h"
+#include "runtime/bytecode/reader/container_file.h"
 #include "runtime/ground/process/diagnostics_json.h"
 #include "runtime/ground/process/files.h"
 
@@ -88,12 +85,7 @@ std::vector<std::byte> compile(const CompileArguments& arguments, sources::Sourc
 result::Diagnostics check_image(const std::string& path) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error) || process::is_stream(path)) return {};
-  std::array<char, sizeof bytecode::kMagic> begin{};
-  std::ifstream file(path, std::ios::binary);
-  file.read(begin.data(), begin.size());
-  const auto known = static_cast<std::size_t>(file.gcount());
-  if (known == 0 || (known == begin.size() && std::memcmp(begin.data(), &bytecode::kMagic, known) == 0))
-    return {};
+  if (reader::is_container_or_empty(path)) return {};
   return result::fail("E0004", {path, 0, 0}, "the file is no compiled program: it is not replaced",
                       "name another file, or remove this one")
       .value();

@@ -2,6 +2,7 @@
 
 #include "runtime/bytecode/member_bit.h"
 #include "runtime/bytecode/utf8.h"
+#include "runtime/bytecode/whole_number.h"
 
 namespace stepwright::bytecode {
 
@@ -130,12 +131,12 @@ class TableChecker {
         return is_string(elementary) && r.first == 0 && no_bounds && r.count <= kMaxStringCapacity &&
                r.size == string_bytes(elementary, r.count);
       case TypeKind::Enumeration:
-        return scalar && is_integer(elementary) && no_bounds && enumerators(r);
+        return scalar && is_whole_number(elementary) && no_bounds && enumerators(r);
       case TypeKind::Reference:
         return r.elementary == 0 && r.size == size_of(MemType::Ref) && r.count == 0 && no_bounds &&
                r.first < view_.count<Section::Types>();
       case TypeKind::Subrange:
-        return scalar && is_integer(elementary) && no_parts &&
+        return scalar && is_whole_number(elementary) && no_parts &&
                (is_unsigned(elementary)
                     ? static_cast<std::uint64_t>(r.lower) <= static_cast<std::uint64_t>(r.upper)
                     : r.lower <= r.upper);
@@ -144,10 +145,6 @@ class TableChecker {
   }
 
   static bool is_i32(std::int64_t value) { return value == static_cast<std::int32_t>(value); }
-
-  static bool is_integer(ElementaryType type) {
-    return type >= ElementaryType::Sint && type <= ElementaryType::Lword;
-  }
 
   bool enumerators(const TypeRecord& r) {
     if (!next_range(next_member_, r.first, r.count, view_.count<Section::Members>())) return false;
