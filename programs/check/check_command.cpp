@@ -18,6 +18,7 @@
 #include "hmi_web/recipes/definition_file.h"
 #include "hmi_web/screens/codes.h"
 #include "hmi_web/screens/screen_store.h"
+#include "programs/check/check_addresses.h"
 #include "programs/check/check_plant.h"
 #include "programs/check/check_ports.h"
 #include "programs/check/check_processes.h"
@@ -149,6 +150,7 @@ CheckReport check_cell(const std::filesystem::path& file, const std::vector<std:
   add(report.problems, check_plant(cell.config));
   add(report.problems, check_processes(cell.config));
   add(report.problems, check_ports(cell.config));
+  add(report.problems, check_addresses(cell.config));
   add(report.problems, check_texts(cell.config));
   if (const auto trusted = config::check_state_dir(cell.config); !trusted)
     add(report.problems, trusted.error());

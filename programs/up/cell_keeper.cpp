@@ -8,6 +8,7 @@
 
 #include "cell/processes/process_list.h"
 #include "cell/processes/setup_token.h"
+#include "programs/up/ask_program.h"
 #include "runtime/ground/process/command_line.h"
 
 namespace stepwright::up {
@@ -59,6 +60,14 @@ result::Result<void> check_program(const std::filesystem::path& programs, const 
   if (access(program.c_str(), X_OK) == 0) return {};
   return result::fail("M0001", {program, 0, 0}, "the program of '" + name + "' is missing",
                       "is it built, or installed? (scripts/build release programs)");
+}
+
+// Why the program that the cell names is not loaded; empty: it is, or the cell names none.
+std::string missing_program(const config::CellConfig& config, const std::string& clock) {
+  if (config.boot.program.empty() || config.controller.remote()) return "";
+  const processes::ProgramRecord program = ask_program(config, clock);
+  if (!is_missing(program, config)) return "";
+  return program.detail.empty() ? "`stepwright status` says what is" : program.detail;
 }
 
 }  // namespace
@@ -163,13 +172,19 @@ void CellKeeper::become_ready() {
       std::ranges::all_of(members_, [](const KeptProcess& each) { return each.phase() == Phase::Ready; });
   if (ready_ || !all) return;
   ready_ = true;
-  console_.say("the cell '" + setting_.config.name + "' is ready: " + address_);
+  const std::string missing = missing_program(setting_.config, record().clock);
+  if (missing.empty()) {
+    console_.say("the cell '" + setting_.config.name + "' is ready: " + address_);
+  } else {
+    console_.say("the cell '" + setting_.config.name + "' is up without its program: " + missing);
+    console_.say("its page is " + address_ + "; a program that is downloaded is taken");
+  }
   tell_token();
   const std::string down = "`stepwright down " + setting_.config.file.string() + "`";
   console_.say(setting_.terminal ? "Ctrl-C ends it; so does " + down : down + " ends it");
   keep_record();
   init_.ready(address_);
-  setting_.on_ready();
+  setting_.on_up(missing.empty() ? ExitCode::Done : ExitCode::RuntimeFault);
 }
 
 void CellKeeper::tell_failure(const KeptProcess& member) {

@@ -36,7 +36,8 @@ struct KeeperSetting {
   std::filesystem::path programs = {};      // the folder of the executables
   bool watch = false;
   bool terminal = true;  // somebody can press Ctrl-C
-  std::function<void()> on_ready = [] {};
+  // Every process is ready. RuntimeFault: the program that the cell names is not loaded.
+  std::function<void(result::ExitCode)> on_up = [](result::ExitCode) {};
 };
 
 class CellKeeper {

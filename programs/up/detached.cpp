@@ -11,8 +11,6 @@
 #include <cstring>
 #include <fstream>
 
-#include "runtime/ground/result/exit_code.h"
-
 namespace stepwright::up {
 namespace {
 
@@ -96,14 +94,15 @@ result::Result<std::optional<int>> Detached::leave(const std::filesystem::path& 
   while ((length = read(ends[0], &word, 1)) < 0 && errno == EINTR) {
   }
   close(ends[0]);
-  const int exit = length == 1 ? to_int(result::ExitCode::Done) : exit_of(child);
-  print(log, length == 1 ? stdout : stderr);
+  const int exit = length == 1 ? word : exit_of(child);
+  print(log, exit == to_int(result::ExitCode::Done) ? stdout : stderr);
   return std::optional(exit);
 }
 
-void Detached::ready() {
+void Detached::up(result::ExitCode exit) {
   if (waiter_ < 0) return;
-  [[maybe_unused]] const ssize_t written = write(waiter_, "r", 1);
+  const char word = static_cast<char>(to_int(exit));
+  [[maybe_unused]] const ssize_t written = write(waiter_, &word, 1);
   close(waiter_);
   waiter_ = -1;
 }

@@ -1,15 +1,14 @@
 #include "programs/up/status_command.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 
 #include "cell/processes/kept_process.h"
+#include "programs/up/ask_program.h"
 #include "programs/up/cell_lock.h"
 #include "runtime/ground/process/command_line.h"
 #include "runtime/ground/result/counted.h"
 #include "runtime/host/state_name.h"
-#include "runtime/service/connection.h"
 
 namespace stepwright::up {
 namespace {
@@ -17,12 +16,7 @@ namespace {
 using process::fail;
 using processes::CellRecord;
 using processes::ProcessRecord;
-using processes::ProgramRecord;
 using result::ExitCode;
-
-// A runtime sends its status ten times a second, and the first with its greeting.
-constexpr std::chrono::seconds kPatience{2};
-constexpr const char* kNoAnswer = "unknown";
 
 bool is_ready(const ProcessRecord& each) {
   return each.phase == to_string(processes::Phase::Ready);
@@ -36,26 +30,9 @@ bool has_runtime(const config::CellConfig& config, const CellRecord& record) {
   return !config.controller.loaded_by_hand && std::ranges::any_of(record.processes, scans);
 }
 
-ProgramRecord program_of(const host::RuntimeStatus& status, const std::string& clock) {
-  ProgramRecord program;
-  program.state = host::name_of(status.state);
-  program.mode = clock + " clock";
-  if (status.waiting_for_supervisor) program.mode += ", waiting for the supervisor";
-  program.detail = status.detail;
-  return program;
-}
-
-ProgramRecord ask_program(const config::CellConfig& config, const std::string& clock) {
-  auto connection = service::Connection::open(config.socket_path(), {.name = "status"});
-  if (!connection) return {kNoAnswer, "no answer", result::to_string(connection.error())};
-  while (auto message = (*connection)->receive(kPatience))
-    if (const auto* status = std::get_if<host::RuntimeStatus>(&*message)) return program_of(*status, clock);
-  return {kNoAnswer, "no answer", "it is served, and sends no status"};
-}
-
-bool has_failed(const CellRecord& record) {
+bool has_failed(const CellRecord& record, const config::CellConfig& config) {
   return record.program && (record.program->state == host::name_of(host::RuntimeState::Fault) ||
-                            record.program->state == kNoAnswer);
+                            is_missing(*record.program, config));
 }
 
 void print(const CellRecord& record) {
@@ -107,7 +84,7 @@ int run_status(const Options& options) {
   } else {
     print(record);
   }
-  const bool whole = record.ready && std::ranges::all_of(record.processes, is_ready) && !has_failed(record);
+  const bool whole = record.ready && std::ranges::all_of(record.processes, is_ready) && !has_failed(record, *config);
   return to_int(whole ? ExitCode::Done : ExitCode::RuntimeFault);
 }
 

@@ -65,7 +65,7 @@ int keep_up(const config::CellConfig& config, const Options& options, Detached& 
                                   .programs = programs,
                                   .watch = options.watch,
                                   .terminal = !options.detach,
-                                  .on_ready = [&detached] { detached.ready(); }},
+                                  .on_up = [&detached](ExitCode exit) { detached.up(exit); }},
                                  console);
   if (!keeper) {
     const int exit = fail(keeper.error(), ExitCode::RuntimeFault);

@@ -33,7 +33,7 @@ ARROWS = {
     "runtime/host": ["runtime/native", "runtime/scan", "runtime/bytecode/reader", "runtime/ground/naming", "runtime/record"],
     "runtime/record": ["runtime/scan", "runtime/bytecode/reader"],
     "runtime/service": ["runtime/host"],
-    "runtime/dds": ["runtime/service"],
+    "runtime/dds": ["runtime/ground/network", "runtime/service"],
     "runtime/modbus/control": ["runtime/base"],
     "runtime/modbus/line": [],
     "runtime/modbus/pdu": [],

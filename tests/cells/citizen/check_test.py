@@ -128,6 +128,15 @@ class Check(unittest.TestCase):
         self.assertRegex(result.stderr, r"alarms\.toml:1:\d+: C0601: there are two alarms runtime\.lost")
         self.assertIn("built in", result.stderr)
 
+    def test_addresses_that_this_machine_lacks_are_told(self):
+        # Of the blocks that are kept for documents (RFC 5737, RFC 3849).
+        result = self.check(
+            '[cell]\nname = "line"\n[plant]\nkind = "none"\n[modbus.server]\nenabled = true\nbind = "2001:db8::1"\n[dds]\ninterfaces = ["127.0.0.1", "192.0.2.1"]\n')
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("cell.toml:7:8: warning C0474: no interface of this machine has the address 2001:db8::1", result.stderr)
+        self.assertRegex(result.stderr, r"cell\.toml:9:14: warning C0474: .*192\.0\.2\.1.*\n.*127\.0\.0\.1")
+        self.assertRegex(result.stdout, r"2 warnings")
+
     def test_two_servers_on_one_port_are_found(self):
         cell = '[cell]\nname = "line"\n[plant]\nkind = "none"\n[hmi]\nport = 8502\n[modbus.server]\nenabled = true\nport = {}\n[modbus.server.metrics]\nport = {}\n'
         result = self.check(cell.format(8502, 9502))

@@ -51,6 +51,17 @@ class Status(unittest.TestCase):
         self.assertEqual(record["program"]["mode"], "real clock")
         self.assertIn("zero", record["program"]["detail"])
 
+    def test_a_cell_without_its_program_is_not_called_ready(self):
+        cell = self.kept(program=MANY)
+        up = cell.run("up", "--detach", "--set", "runtime.memory_limit_mb=1")
+        self.assertEqual(up.returncode, 5, up.stdout + up.stderr)
+        self.assertRegex(up.stderr, r"the cell '\w+' is up without its program: .*R0076: ")
+        self.assertRegex(up.stderr, r"its page is http")
+        self.assertNotIn("is ready", up.stderr)
+        status = cell.run("status")
+        self.assertEqual(status.returncode, 5, status.stdout)
+        self.assertRegex(status.stdout, r"(?m)^  program empty \(real clock\): .*R0076: ")
+
 
 class FullDisk(unittest.TestCase):
     def cell(self):
