@@ -208,6 +208,10 @@ void ProjectScope::error(const char* code, std::uint32_t where, std::string mess
   context_.sink.error(code, {file_, where}, pou + message, std::move(hint));
 }
 
+void ProjectScope::warning(const char* code, std::uint32_t where, std::string message, std::string hint) {
+  context_.sink.warning(code, {file_, where}, std::move(message), std::move(hint));
+}
+
 source::FileId add_text(source::SourceSet& sources, source::FileId file, const std::string& name,
                         const graphic::SourceText& text) {
   if (text.anchors.empty()) return sources.add(name, text.text);

@@ -52,6 +52,7 @@ class ProjectScope final : public lowering::DiagramScope {
   void note(std::uint32_t where, const std::string& what) override;
   std::string piece(const graphic::SourceText& text, syntax::PieceKind kind, std::uint32_t where) override;
   void error(const char* code, std::uint32_t where, std::string message, std::string hint) override;
+  void warning(const char* code, std::uint32_t where, std::string message, std::string hint) override;
   std::string new_wire() override { return "__W" + std::to_string(wires_++) + "_"; }
 
   // The texts that people see: no marks.

@@ -82,6 +82,7 @@ DiagramGraph::DiagramGraph(const graphic::Diagram& diagram, DiagramScope& scope)
     for (const Element* each : networks_[i].elements)
       scope.note(each->where, "network " + std::to_string(i + 1) + ", " + title_of(*each));
   add_notes();
+  tell_loose_ends();
   circles_ = find_circles();
 }
 
@@ -153,6 +154,7 @@ void DiagramGraph::connect(std::size_t element, const Pin& pin) {
                    "a connector and its continuations have the same name");
       continue;
     }
+    read_.insert(origin.element);
     if (in_networks(consumer) && in_networks(*origin.element))
       parents_[root_of(element)] = root_of(index_.at(origin.element->id));
     if (consumer.kind == ElementKind::RightPowerRail || consumer.kind == ElementKind::Connector) continue;
@@ -213,6 +215,25 @@ void DiagramGraph::add_notes() {
     } else {
       networks_[at].comment += (networks_[at].comment.empty() ? "" : " ") + note->name.text;
     }
+  }
+}
+
+// They are legal, and hardly meant: an editor leaves them behind when a wire is deleted.
+void DiagramGraph::tell_loose_ends() const {
+  for (const Element& element : diagram_.elements) {
+    const bool link = element.kind == ElementKind::Contact || element.kind == ElementKind::Coil;
+    if (!link && element.kind != ElementKind::OutVariable) continue;
+    const Pin* const input = element.inputs.empty() ? nullptr : &element.inputs.front();
+    const bool fed = input != nullptr && (!input->connections.empty() || !input->expression.text.empty());
+    if (!fed)
+      scope_.warning(source::code::kLooseEnd, element.where,
+                     "no wire leads to this " + title_of(element) +
+                         (link ? ": it never has power" : ": it is not written"),
+                     "connect its left side, or delete it");
+    if (element.kind == ElementKind::Contact && !read_.contains(&element))
+      scope_.warning(source::code::kLooseEnd, element.where,
+                     "no wire leads on from this " + title_of(element) + ": it does nothing",
+                     "connect its right side, or delete it");
   }
 }
 

@@ -38,7 +38,8 @@ struct Origin {
 
 class DiagramGraph {
  public:
-  // Reports connections to nothing and connectors without a partner (E0803). The diagram must outlive this.
+  // Reports connections to nothing and connectors without a partner (E0803), and what hangs on nothing
+  // (W0021). The diagram must outlive this.
   DiagramGraph(const graphic::Diagram& diagram, DiagramScope& scope);
 
   const std::vector<Network>& networks() const { return networks_; }
@@ -55,6 +56,7 @@ class DiagramGraph {
   void index();
   void join();
   void add_notes();
+  void tell_loose_ends() const;
   std::set<const graphic::Element*> find_circles() const;
   // The output that a connection without a name means: the first one that is not ENO.
   static std::string output_name(const graphic::Element& element, const std::string& wanted);
@@ -69,6 +71,7 @@ class DiagramGraph {
   std::map<std::string, const graphic::Element*> connectors_;  // upper case
   mutable std::vector<std::size_t> parents_;                   // union-find
   std::map<std::pair<const graphic::Element*, std::string>, std::vector<const graphic::Element*>> readers_;
+  std::set<const graphic::Element*> read_;  // whose output leads somewhere
   std::set<const graphic::Element*> circles_;
   std::vector<Network> networks_;
   bool has_order_ = false;

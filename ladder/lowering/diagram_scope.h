@@ -51,6 +51,7 @@ class DiagramScope {
   // reported, at `where` if the text does not know its place, and becomes empty.
   virtual std::string piece(const graphic::SourceText& text, syntax::PieceKind kind, std::uint32_t where) = 0;
   virtual void error(const char* code, std::uint32_t where, std::string message, std::string hint = {}) = 0;
+  virtual void warning(const char* code, std::uint32_t where, std::string message, std::string hint = {}) = 0;
   // The name of a variable that nothing else in the POU has.
   virtual std::string new_wire() = 0;
 };

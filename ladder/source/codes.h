@@ -101,5 +101,6 @@ inline constexpr const char* kForeignCode = "W0017";
 inline constexpr const char* kAccessPath = "W0018";
 inline constexpr const char* kInputWritten = "W0019";
 inline constexpr const char* kLoneTagPragma = "W0020";
+inline constexpr const char* kLooseEnd = "W0021";
 
 }  // namespace stepwright::source::code

@@ -1,7 +1,7 @@
 #pragma once
 
-// Finds addresses of this machine in a cell's file that this machine does not have now: what is to listen there
-// would not start. A warning, since the cell may be meant for another machine.
+// Finds addresses of this machine in a cell's file that this machine does not have now: what is to listen
+// there would not start. A warning, since the cell may be meant for another machine.
 //
 // Threads: any. Reads the cell's file for the lines.
 

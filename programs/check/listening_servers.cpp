@@ -17,7 +17,8 @@ std::vector<ListeningServer> listening_servers(const config::CellConfig& config)
   if (config.modbus_server.enabled) {
     const config::ModbusAcceptors& acceptors = config.modbus_server.acceptors;
     if (acceptors.plain)
-      servers.push_back({"modbus.server", "bind", config.modbus_server.tcp.bind, config.modbus_server.tcp.port});
+      servers.push_back(
+          {"modbus.server", "bind", config.modbus_server.tcp.bind, config.modbus_server.tcp.port});
     if (acceptors.tls)
       servers.push_back({"modbus.server.tls", "bind", acceptors.tls->tcp.bind, acceptors.tls->tcp.port});
     add_figures(servers, "modbus.server.metrics", config.modbus_server.metrics);

@@ -1,6 +1,7 @@
 #pragma once
 
-// The servers of a cell, as its file has them: the page, Modbus, and the figures for monitoring. Threads: any.
+// The servers of a cell, as its file has them: the page, Modbus, and the figures for monitoring. Threads:
+// any.
 
 #include <cstdint>
 #include <string>

@@ -114,6 +114,25 @@ void tell_idle_blocks(const graphic::Project& project, std::vector<std::string>&
   }
 }
 
+bool says_something(const std::string& text) {
+  return text.find_first_not_of(" \t\r\n") != std::string::npos;
+}
+
+bool has_body(const graphic::Pou& pou) {
+  if (const auto* text = std::get_if<graphic::StBody>(&pou.body)) return says_something(text->text);
+  const auto* drawn = std::get_if<graphic::DrawnBody>(&pou.body);
+  if (drawn == nullptr || says_something(drawn->body.text.text)) return true;
+  return std::ranges::any_of(drawn->body.diagram.elements, [](const graphic::Element& each) {
+    using enum graphic::ElementKind;
+    return each.kind != Comment && each.kind != LeftPowerRail && each.kind != RightPowerRail;
+  });
+}
+
+void tell_empty_pous(const graphic::Project& project, std::vector<std::string>& left) {
+  for (const graphic::Pou& pou : project.pous)
+    if (!has_body(pou)) left.push_back(pou.name + ": it has no body, so it does nothing");
+}
+
 void tell_vendor_data(const std::string& text, std::vector<std::string>& left) {
   constexpr std::string_view kData = "<data name=";
   std::set<std::string> names;
@@ -170,7 +189,8 @@ void try_program(TakenProject& taken, const source::Dialect& dialect) {
     return;
   }
   for (const result::Diagnostic& each : output->warnings)
-    if (each.code == source::code::kForeignCode) taken.left.push_back(line_of(each));
+    if (each.code == source::code::kForeignCode || each.code == source::code::kLooseEnd)
+      taken.left.push_back(line_of(each));
 }
 
 }  // namespace
@@ -206,6 +226,7 @@ result::Result<TakenProject> read_project(const std::filesystem::path& path, con
   for (const std::string& each : plan.unknown()) taken.left.push_back("an address that no cell has: " + each);
   try_program(taken, *dialect);
   tell_idle_blocks(taken.model, taken.left);
+  tell_empty_pous(taken.model, taken.left);
   tell_vendor_data(*text, taken.left);
   tell_neighbours(file.parent_path(), taken.left);
   tell_signals_without_device(taken);

@@ -84,7 +84,8 @@ int run_status(const Options& options) {
   } else {
     print(record);
   }
-  const bool whole = record.ready && std::ranges::all_of(record.processes, is_ready) && !has_failed(record, *config);
+  const bool whole =
+      record.ready && std::ranges::all_of(record.processes, is_ready) && !has_failed(record, *config);
   return to_int(whole ? ExitCode::Done : ExitCode::RuntimeFault);
 }
 

@@ -158,6 +158,22 @@ class From(unittest.TestCase):
         self.assertIn("main.xml:", said, "what does not compile has its place")
         self.assertEqual(stepwright("check", cwd=made).returncode, 1)
 
+    def test_what_is_drawn_and_hangs_on_nothing_is_said_and_so_is_a_program_without_a_body(self):
+        contact = ('<contact localId="2"><position x="50" y="10"/><connectionPointIn/><connectionPointOut/><variable>a</variable></contact>'
+                   '<coil localId="3"><position x="90" y="10"/><connectionPointIn><connection refLocalId="2"/></connectionPointIn><connectionPointOut/>'
+                   '<variable>b</variable></coil>')
+        drawn = f'<LD><leftPowerRail localId="1"><position x="0" y="0"/><connectionPointOut formalParameter=""/></leftPowerRail>{contact}</LD>'
+        idle = ('<pou name="Idle" pouType="program"><interface/><body><ST><xhtml:p><![CDATA[ ]]></xhtml:p></ST></body></pou>'
+                '<pou name="Rail" pouType="program"><interface/><body><LD><leftPowerRail localId="1"><position x="0" y="0"/>'
+                '<connectionPointOut formalParameter=""/></leftPowerRail></LD></body></pou>')
+        text = project([("a", "", "<BOOL/>"), ("b", "", "<BOOL/>")], "@@").replace("<ST><xhtml:p><![CDATA[@@]]></xhtml:p></ST>", drawn)
+        made, said = self.take(self.write(text.replace("</pous>", idle + "</pous>")))
+        for words in (said, (made / "README.md").read_text(encoding="utf-8")):
+            self.assertRegex(words, r"main\.xml:\d+:\d+: W0021: no wire leads to this contact 'a': it never has power")
+            self.assertIn("Idle: it has no body", words)
+            self.assertIn("Rail: it has no body", words)
+            self.assertNotIn("all of it was taken", words)
+
     def test_an_instruction_list_is_left_out_and_the_rest_runs(self):
         lists = ('<pou name="OldIL" pouType="program"><interface/><body><IL><xhtml:p><![CDATA[LD a (* </pou> *)]]></xhtml:p></IL></body></pou>'
                  '<pou name="Idle" pouType="functionBlock"><interface/><body><IL><xhtml:p>RET</xhtml:p></IL></body></pou>')
