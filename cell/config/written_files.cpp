@@ -5,6 +5,7 @@
 
 #include "cell/config/cell_config.h"
 #include "runtime/bytecode/reader/container_file.h"
+#include "runtime/ground/log/log_file.h"
 
 namespace stepwright::config {
 namespace {
@@ -70,6 +71,13 @@ bool replaces_no_program(const BootSection& boot) {
   return !reader::is_container_or_empty(boot.program);
 }
 
+// A log is appended to, and what it becomes too large for is renamed. Terminals, pipes and links are
+// somebody's wish.
+bool replaces_no_log(const log::LogConfig& log) {
+  std::error_code error;
+  return !log.file.empty() && fs::is_regular_file(log.file, error) && !log::is_log_or_empty(log.file);
+}
+
 }  // namespace
 
 result::Diagnostics check_written_files(const CellConfig& config) {
@@ -87,6 +95,9 @@ result::Diagnostics check_written_files(const CellConfig& config) {
     problems.push_back(refusal({"[runtime] program", config.boot.program, config.boot.program_where},
                                "which is no compiled program",
                                "name a file of its own: it is made from [runtime] sources"));
+  if (problems.empty() && replaces_no_log(config.log))
+    problems.push_back(refusal({"[log] file", config.log.file, config.log.where}, "which is no log of a cell",
+                               "name a file of its own"));
   return problems;
 }
 

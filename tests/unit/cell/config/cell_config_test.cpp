@@ -83,6 +83,19 @@ TEST_F(CellConfigTest, WhenTheProgramIsAFileOfSomebodyElse_ThenItIsNotTaken) {
   EXPECT_EQ(config.error().front().where.line, 3u);
 }
 
+TEST_F(CellConfigTest, WhenTheLogIsAFileOfSomebodyElse_ThenItIsNotTaken) {
+  const std::string text = "[log]\nfile = \"cell.log\"\n";
+  for (const char* content : {"", "2026-11-30T10:00:00.000Z info    runtime: ends\n"}) {
+    std::ofstream(folder_ / "cell.log") << content;
+    EXPECT_TRUE(load_cell_config(write(text)).has_value()) << content;
+  }
+  std::ofstream(folder_ / "cell.log") << "a thesis";
+  const auto config = load_cell_config(write(text));
+  ASSERT_FALSE(config.has_value());
+  EXPECT_EQ(config.error().front().code, "C0472");
+  EXPECT_EQ(config.error().front().where.line, 2u);
+}
+
 TEST_F(CellConfigTest, WhenAnOperatorStartsRuns_ThenThatIsSoOfAFleetToo) {
   const auto planned = load_cell_config(write("[executive]\nstart = \"operator\"\nwhat_if_ms = 2_000\n"));
   ASSERT_TRUE(planned.has_value()) << result::to_string(planned.error());
