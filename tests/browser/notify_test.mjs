@@ -37,6 +37,17 @@ password_file = "hook.secret"
 delay_s = 0
 `;
 
+// Limits of times are in seconds.
+const SOAK_ALARM = `
+[[alarm]]
+name = "soak.long"
+source = "Main.soak"
+when = "high"
+limit = 60
+priority = "low"
+text = "It soaks for too long"
+`;
+
 // Without what the alarm watches.
 const LACKING = PROGRAM.replaceAll('level', 'filled');
 
@@ -51,6 +62,23 @@ async function tellsOfAnAlarm(page, cell) {
   check(post.method === 'POST' && post.type === 'application/json' && post.secret === 'Bearer s3cret', 'with its secret');
   check(post.body.kind === 'alarms' && post.body.alarms[0].name === 'level.high' && post.body.alarms[0].value === 60, 'and the alarm');
   check((await asksApi(page, '/api/alarms/acknowledge-all', { names: ['level.high'] })) === '200', 'somebody acknowledges it');
+}
+
+// People read a time as they write it; programs get seconds.
+async function tellsATime(page) {
+  check((await asksApi(page, '/api/tags/write', { name: 'Main.soak', value: 'T#90s', reason: 'test of notifications' })) === '200', 'it is to soak for longer');
+  const told = () => mail.mails.find(({ text }) => text.includes('It soaks for too long'));
+  await until('the shift gets a mail about it', () => told() !== undefined);
+  check(/T#1m30s/i.test(told().text), `which says the time as people write it (${told().text.split('\n').slice(-6).join(' | ')})`);
+  const posted = () => hook.posts.flatMap(({ body }) => body.alarms ?? []).find(({ name }) => name === 'soak.long');
+  await until('the chat is told', () => posted() !== undefined);
+  check(posted().value === 90, `in seconds (${JSON.stringify(posted())})`);
+  await page.getByRole('button', { name: 'Alarms' }).click();
+  await waitFor(page, 'and the list of alarms has it', () => document.querySelector('[data-alarm="soak.long"]') !== null);
+  const row = await page.locator('[data-alarm="soak.long"]').innerText();
+  check(/T#1m30s/i.test(row) && !row.includes('90000000000'), `the list of alarms, too (${row.replaceAll('\n', ' ').replaceAll('\t', ' ')})`);
+  await page.keyboard.press('Escape');
+  check((await asksApi(page, '/api/alarms/acknowledge-all', { names: ['soak.long'] })) === '200', 'it is acknowledged');
 }
 
 async function sendsATest(page) {
@@ -82,10 +110,11 @@ async function losesItsVariable(page, cell) {
 try {
   await leadOverPage(given, {
     name: 'notify',
-    start: () => startMixer(given.server, { 'alarms.toml': LEVEL_ALARM, 'hook.secret': 's3cret\n', 'lacking.st': LACKING }, KEEPS_RECORDS + NOTIFIES),
+    start: () => startMixer(given.server, { 'alarms.toml': LEVEL_ALARM + SOAK_ALARM, 'hook.secret': 's3cret\n', 'lacking.st': LACKING }, KEEPS_RECORDS + NOTIFIES),
     steps: async (page, cell) => {
       await claims(page, await cell.setupToken());
       await tellsOfAnAlarm(page, cell);
+      await tellsATime(page);
       await sendsATest(page);
       await losesItsVariable(page, cell);
     },

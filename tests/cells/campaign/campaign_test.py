@@ -117,6 +117,15 @@ class Campaign(unittest.TestCase):
         self.run_campaign(cell, "--runs", 2, "--seconds", 5, "--faults", "none")
         self.assertEqual(processes_with(mark), [])
 
+    def test_a_limit_of_a_time_is_in_seconds(self):
+        (self.folder / "alarms.toml").write_text(
+            "".join(f'[[alarm]]\nname = "after_{limit}"\nsource = "Main.ran"\nwhen = "high"\nlimit = {limit}\n' for limit in (2, 3_000)), encoding="utf-8")
+        cell = self.write_cell('[plant]\nkind = "tank_bench"\n[runtime]\nsources = ["main.st"]\n[history]\nfolder = "h"\nalarms = "alarms.toml"\n')
+        (self.folder / "main.st").write_text("PROGRAM Main\nVAR ran : TIME; END_VAR\nran := ran + T#10ms;\nEND_PROGRAM\n", encoding="utf-8")
+        figures, text = self.run_campaign(cell, "--only", 1, "--seconds", 5, "--faults", "none")
+        self.assertEqual([each["name"] for each in figures["last"]["alarms"]], ["after_2"], text)
+        self.assertAlmostEqual(figures["last"]["alarms"][0]["at_s"], 2.0, delta=0.1)
+
     def test_a_plant_that_cannot_be_solved_is_told_as_that(self):
         plant = '[types.bomb]\nparameters.tick = { unit = "s", default = "1 s" }\nstates.x = { start = "1", derivative = "x * x / tick" }\n'
         plant += 'outputs.hot = { switch = true, value = "x > 2" }\n[components.b]\ntype = "bomb"\n[terminals]\nHOT = { address = "%IX0.0", from = "b.hot" }\n'
