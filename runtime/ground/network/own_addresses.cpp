@@ -1,40 +1,30 @@
 #include "runtime/ground/network/own_addresses.h"
 
+#include <arpa/inet.h>
 #include <ifaddrs.h>
 #include <netinet/in.h>
 
 #include <algorithm>
-#include <cstring>
+#include <array>
 #include <memory>
 #include <optional>
 
 namespace stepwright::network {
 namespace {
 
-constexpr std::size_t kMappedBytes = 12;
-
 std::optional<IpAddress> address_of(const sockaddr* address) {
-  IpAddress found{};
-  if (address != nullptr && address->sa_family == AF_INET6) {
-    sockaddr_in6 v6{};
-    std::memcpy(&v6, address, sizeof v6);
-    std::memcpy(found.data(), &v6.sin6_addr, found.size());
-    return found;
+  std::array<char, INET6_ADDRSTRLEN> text{};
+  if (address == nullptr) return std::nullopt;
+  if (address->sa_family == AF_INET) {
+    inet_ntop(AF_INET, &reinterpret_cast<const sockaddr_in*>(address)->sin_addr, text.data(), text.size());
+  } else if (address->sa_family == AF_INET6) {
+    inet_ntop(AF_INET6, &reinterpret_cast<const sockaddr_in6*>(address)->sin6_addr, text.data(), text.size());
   }
-  if (address == nullptr || address->sa_family != AF_INET) return std::nullopt;
-  sockaddr_in v4{};
-  std::memcpy(&v4, address, sizeof v4);
-  found[10] = found[11] = 0xFF;
-  std::memcpy(found.data() + kMappedBytes, &v4.sin_addr, sizeof v4.sin_addr);
-  return found;
+  return parse_ip(text.data());
 }
 
 bool is_in(const char* range, const IpAddress& address) {
   return IpRange::parse(range)->contains(address);
-}
-
-bool is_v4(const IpAddress& address) {
-  return is_in("::ffff:0:0/96", address);
 }
 
 }  // namespace
@@ -58,8 +48,9 @@ bool is_own(const IpAddress& address, const std::vector<IpAddress>& own) {
 std::string list_of(const std::vector<IpAddress>& addresses, bool v4) {
   std::string list;
   for (const IpAddress& each : addresses) {
-    if (v4 && !is_v4(each)) continue;
-    list += (list.empty() ? "" : ", ") + to_string(each);
+    const std::string text = to_string(each);
+    if (v4 && text.find(':') != std::string::npos) continue;
+    list += (list.empty() ? "" : ", ") + text;
   }
   return list;
 }
