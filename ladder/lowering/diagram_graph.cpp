@@ -227,12 +227,10 @@ void DiagramGraph::tell_loose_ends() const {
     const bool fed = input != nullptr && (!input->connections.empty() || !input->expression.text.empty());
     if (!fed)
       scope_.warning(source::code::kLooseEnd, element.where,
-                     "no wire leads to this " + title_of(element) +
-                         (link ? ": it never has power" : ": it is not written"),
+                     std::string("no wire leads to it: it ") + (link ? "never has power" : "is not written"),
                      "connect its left side, or delete it");
     if (element.kind == ElementKind::Contact && !read_.contains(&element))
-      scope_.warning(source::code::kLooseEnd, element.where,
-                     "no wire leads on from this " + title_of(element) + ": it does nothing",
+      scope_.warning(source::code::kLooseEnd, element.where, "no wire leads on from it: it does nothing",
                      "connect its right side, or delete it");
   }
 }

@@ -44,7 +44,7 @@ name = "soak.long"
 source = "Main.soak"
 when = "high"
 limit = 60
-priority = "low"
+priority = "high"
 text = "It soaks for too long"
 `;
 

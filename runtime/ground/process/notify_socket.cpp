@@ -81,7 +81,7 @@ void NotifySocket::flush() {
 }
 
 void NotifySocket::ready(std::string_view status) {
-  send("READY=1\nSTATUS=" + one_line(status));
+  send("READY=1\nSTATUS=" + one_line(status) + (watchdog_ ? "\nWATCHDOG=1" : ""));
 }
 void NotifySocket::reloading() {
   send("RELOADING=1\nMONOTONIC_USEC=" + monotonic_usec());

@@ -32,6 +32,7 @@ class NotifySocket {
   // After this time without a sign of life this process is killed and started again; none: nobody watches.
   std::optional<std::chrono::microseconds> watchdog_interval() const { return watchdog_; }
 
+  // The first sign of life, too, where somebody watches for them.
   void ready(std::string_view status);
   // Followed by ready().
   void reloading();

@@ -123,8 +123,7 @@ class Campaign(unittest.TestCase):
         cell = self.write_cell('[plant]\nkind = "tank_bench"\n[runtime]\nsources = ["main.st"]\n[history]\nfolder = "h"\nalarms = "alarms.toml"\n')
         (self.folder / "main.st").write_text("PROGRAM Main\nVAR ran : TIME; END_VAR\nran := ran + T#10ms;\nEND_PROGRAM\n", encoding="utf-8")
         figures, text = self.run_campaign(cell, "--only", 1, "--seconds", 5, "--faults", "none")
-        self.assertEqual([each["name"] for each in figures["last"]["alarms"]], ["after_2"], text)
-        self.assertAlmostEqual(figures["last"]["alarms"][0]["at_s"], 2.0, delta=0.1)
+        self.assertEqual(figures["last"]["alarms"], ["after_2"], text)
 
     def test_a_plant_that_cannot_be_solved_is_told_as_that(self):
         plant = '[types.bomb]\nparameters.tick = { unit = "s", default = "1 s" }\nstates.x = { start = "1", derivative = "x * x / tick" }\n'

@@ -133,8 +133,8 @@ class Check(unittest.TestCase):
         result = self.check(
             '[cell]\nname = "line"\n[plant]\nkind = "none"\n[modbus.server]\nenabled = true\nbind = "2001:db8::1"\n[dds]\ninterfaces = ["127.0.0.1", "192.0.2.1"]\n')
         self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertIn("cell.toml:7:8: warning C0474: no interface of this machine has the address 2001:db8::1", result.stderr)
-        self.assertRegex(result.stderr, r"cell\.toml:9:14: warning C0474: .*192\.0\.2\.1.*\n.*127\.0\.0\.1")
+        self.assertIn("cell.toml:7:8: warning: C0474: no interface of this machine has the address 2001:db8::1", result.stderr)
+        self.assertRegex(result.stderr, r"cell\.toml:9:14: warning: C0474: .*192\.0\.2\.1.*\n.*127\.0\.0\.1")
         self.assertRegex(result.stdout, r"2 warnings")
 
     def test_two_servers_on_one_port_are_found(self):

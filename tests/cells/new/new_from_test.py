@@ -169,7 +169,7 @@ class From(unittest.TestCase):
         text = project([("a", "", "<BOOL/>"), ("b", "", "<BOOL/>")], "@@").replace("<ST><xhtml:p><![CDATA[@@]]></xhtml:p></ST>", drawn)
         made, said = self.take(self.write(text.replace("</pous>", idle + "</pous>")))
         for words in (said, (made / "README.md").read_text(encoding="utf-8")):
-            self.assertRegex(words, r"main\.xml:\d+:\d+: W0021: no wire leads to this contact 'a': it never has power")
+            self.assertRegex(words, r"main\.xml:\d+:\d+: W0021: POU 'Main', network 1, contact 'a': no wire leads to it: it never has power")
             self.assertIn("Idle: it has no body", words)
             self.assertIn("Rail: it has no body", words)
             self.assertNotIn("all of it was taken", words)

@@ -55,7 +55,7 @@ class Status(unittest.TestCase):
         cell = self.kept(program=MANY)
         up = cell.run("up", "--detach", "--set", "runtime.memory_limit_mb=1")
         self.assertEqual(up.returncode, 5, up.stdout + up.stderr)
-        self.assertRegex(up.stderr, r"the cell '\w+' is up without its program: .*R0076: ")
+        self.assertRegex(up.stderr, r"the cell '[\w-]+' is up without its program: .*R0076: ")
         self.assertRegex(up.stderr, r"its page is http")
         self.assertNotIn("is ready", up.stderr)
         status = cell.run("status")

@@ -37,17 +37,17 @@ TEST(LooseEnds, WhenEverythingIsWired_ThenNothingIsSaid) {
 
 TEST(LooseEnds, WhenNoWireLeadsToAnElement_ThenItIsTold) {
   EXPECT_THAT(loose_ends(contact(2, 50, 10, "", "a") + coil(3, 200, 10, "2", "q")),
-              ElementsAre("no wire leads to this contact 'a': it never has power"));
+              ElementsAre("POU 'main', network 1, contact 'a': no wire leads to it: it never has power"));
   EXPECT_THAT(loose_ends(coil(3, 200, 10, "", "q")),
-              ElementsAre("no wire leads to this coil 'q': it never has power"));
+              ElementsAre("POU 'main', network 1, coil 'q': no wire leads to it: it never has power"));
   EXPECT_THAT(loose_ends(output(3, 200, 10, "", "q")),
-              ElementsAre("no wire leads to this outVariable 'q': it is not written"));
+              ElementsAre("POU 'main', network 1, outVariable 'q': no wire leads to it: it is not written"));
 }
 
 TEST(LooseEnds, WhenNoWireLeadsOnFromAContact_ThenItIsTold) {
   EXPECT_THAT(
       loose_ends(contact(2, 50, 10, "1", "a") + contact(4, 90, 10, "1", "b") + coil(3, 200, 10, "2", "q")),
-      ElementsAre("no wire leads on from this contact 'b': it does nothing"));
+      ElementsAre("POU 'main', network 2, contact 'b': no wire leads on from it: it does nothing"));
 }
 
 TEST(LooseEnds, WhenThereAreSome_ThenTheRestRuns) {

@@ -84,6 +84,15 @@ TEST_F(NotifySocketTest, WhenTheInitSystemIsBusy_ThenWhatItDidNotTakeComesLater)
   EXPECT_EQ(take(), "WATCHDOG=1");
 }
 
+// One that hangs right behind is noticed.
+TEST_F(NotifySocketTest, WhenSomebodyWatches_ThenToBeReadyIsASignOfLife) {
+  listen("@stepwright-notify-" + std::to_string(getpid()));
+  setenv("WATCHDOG_USEC", "2000000", 1);
+  NotifySocket init;
+  init.ready("listens");
+  EXPECT_EQ(take(), "READY=1\nSTATUS=listens\nWATCHDOG=1");
+}
+
 TEST_F(NotifySocketTest, WhenNobodyStartedIt_ThenNothingHappens) {
   NotifySocket init;
   EXPECT_FALSE(init.present());
