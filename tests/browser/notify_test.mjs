@@ -69,14 +69,14 @@ async function tellsATime(page) {
   check((await asksApi(page, '/api/tags/write', { name: 'Main.soak', value: 'T#90s', reason: 'test of notifications' })) === '200', 'it is to soak for longer');
   const told = () => mail.mails.find(({ text }) => text.includes('It soaks for too long'));
   await until('the shift gets a mail about it', () => told() !== undefined);
-  check(/T#1m30s/i.test(told().text), `which says the time as people write it (${told().text.split('\n').slice(-6).join(' | ')})`);
+  check(/1 min 30 s/.test(told().text), `which says the time as people write it (${told().text.split('\n').slice(-6).join(' | ')})`);
   const posted = () => hook.posts.flatMap(({ body }) => body.alarms ?? []).find(({ name }) => name === 'soak.long');
   await until('the chat is told', () => posted() !== undefined);
   check(posted().value === 90, `in seconds (${JSON.stringify(posted())})`);
   await page.getByRole('button', { name: 'Alarms' }).click();
   await waitFor(page, 'and the list of alarms has it', () => document.querySelector('[data-alarm="soak.long"]') !== null);
   const row = await page.locator('[data-alarm="soak.long"]').innerText();
-  check(/T#1m30s/i.test(row) && !row.includes('90000000000'), `the list of alarms, too (${row.replaceAll('\n', ' ').replaceAll('\t', ' ')})`);
+  check(/1 min 30 s/.test(row) && !row.includes('90000000000'), `the list of alarms, too (${row.replaceAll('\n', ' ').replaceAll('\t', ' ')})`);
   await page.keyboard.press('Escape');
   check((await asksApi(page, '/api/alarms/acknowledge-all', { names: ['soak.long'] })) === '200', 'it is acknowledged');
 }
