@@ -187,10 +187,12 @@ export class Cell {
     return this.unread.of(index) ? null : (this.tags[index] ?? null);
   }
 
-  // A value of a tag as people read it, with its unit.
-  told(index: number, value: TagValue | undefined): string {
+  // A value of a tag as people read it, with its unit, or with that of the drawing that shows it (`unit`), which comes first.
+  told(index: number, value: TagValue | undefined, unit = ''): string {
     const tag = this.program?.tags[index];
-    return tag ? told(value, tag.type, this.notes.of(tag.name), enumerationOf(this.program, index)) : told(value, '');
+    if (!tag) return told(value, '');
+    const note = this.notes.of(tag.name);
+    return told(value, tag.type, unit === '' ? note : { ...note, name: tag.name, unit }, enumerationOf(this.program, index));
   }
 
   // What is said of a point of the plant: its unit, its name for people. `decimals`: where the cell says none.

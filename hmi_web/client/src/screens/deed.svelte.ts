@@ -8,6 +8,13 @@ import { t } from './texts';
 
 const TOLD_MS = 2_500; // how long "written" stands
 
+// Those under way. Who leaves a screen and comes back finds them as they are.
+const underWay = new Map<string, Deed>();
+
+export function deedOf(session: Session, screen: string, part: string): Deed {
+  return underWay.get(`${screen}/${part}`) ?? new Deed(session, screen, part);
+}
+
 export class Deed {
   state = $state<'idle' | 'pending' | 'done' | 'refused'>('idle');
   problem = $state('');
@@ -26,7 +33,9 @@ export class Deed {
     this.state = 'pending';
     this.problem = '';
     const once = [...crypto.getRandomValues(new Uint8Array(16))].map((byte) => byte.toString(16).padStart(2, '0')).join('');
+    underWay.set(`${this.screen}/${this.part}`, this);
     const reply = await this.session.ask<unknown>('POST', `${pathOf(this.screen)}/write`, { part: this.part, value, once, confirmed });
+    underWay.delete(`${this.screen}/${this.part}`);
     // Nobody has answered, and who has not may have obeyed.
     this.problem = reply.ok ? '' : reply.status === 0 ? own(t('notKnown')) : sentences(reply.problems);
     this.state = reply.ok ? 'done' : 'refused';
