@@ -49,6 +49,16 @@ const Field kConfirmed{.name = "confirmed",
                        .required = false,
                        .description = "the question of the part was answered with yes"};
 
+const Field kWrites{.name = "writes",
+                    .required = false,
+                    .most = 512,
+                    .description = "the variable that the part wrote when it was shown: if it writes another one "
+                                   "by now, nothing is written"};
+const Field kQuestion{.name = "question",
+                      .required = false,
+                      .most = 512,
+                      .description = "likewise, the question that it asked"};
+
 constexpr const char* kScreens = R"({"type": "object", "required": ["screens", "start"], "properties": {
   "start": {"type": "string"}, "starts": {"type": "object"}, "screens": {"type": "array", "items": {"type": "object",
     "required": ["name", "version", "saved_by", "saved_ms", "comment", "least", "symbol", "removed"]}}}})";
@@ -216,6 +226,10 @@ Answer set_start(ScreenService& service, const Call& call) {
   return answer;
 }
 
+std::optional<std::string> given(const Body& body, const char* name) {
+  return body.has(name) ? std::optional(body.text(name)) : std::nullopt;
+}
+
 Answer write(ScreenService& service, const Call& call) {
   const std::string& screen = call.parameter("name");
   const auto written = service.write({.screen = screen,
@@ -223,7 +237,9 @@ Answer write(ScreenService& service, const Call& call) {
                                       .value = call.body.text("value"),
                                       .once = call.who.user + " " + call.body.text("once"),
                                       .confirmed = call.body.boolean("confirmed"),
-                                      .role = call.who.role});
+                                      .role = call.who.role,
+                                      .writes = given(call.body, "writes"),
+                                      .question = given(call.body, "question")});
   if (!written) {
     Answer answer = refused(written.error());
     answer.target = screen + ": " + call.body.text("part");
@@ -268,7 +284,7 @@ std::vector<Route> screen_routes(const Services& services) {
                              "Writes what a part of a screen may write, once", kWritten);
   writing.least = Role::Operator;
   writing.lane = Lane::Runtime;
-  writing.body = {"WritePart", {kPart, kValue, kOnce, kConfirmed}};
+  writing.body = {"WritePart", {kPart, kValue, kOnce, kConfirmed, kWrites, kQuestion}};
   return {
       with_service(
           service,

@@ -12,7 +12,8 @@
 // been here is answered again as it was, and nothing is written a second time.
 //
 // Diagnostics: those of screen_store.h and CellControl; H0125 no such part, H0126 the part does not write
-// that value, H0127 it asks for a confirmation, H0128 it takes another role.
+// that value, H0127 it asks for a confirmation, H0128 it takes another role, H0129 it has
+// been changed since it was shown.
 
 #include <deque>
 #include <mutex>
@@ -34,6 +35,7 @@ inline constexpr const char* kNoSuchPart = "H0125";
 inline constexpr const char* kNotOfPart = "H0126";
 inline constexpr const char* kNotConfirmed = "H0127";
 inline constexpr const char* kPartOfOtherRole = "H0128";
+inline constexpr const char* kPartChanged = "H0129";
 
 // What somebody does with a part.
 struct PartWrite {
@@ -43,6 +45,9 @@ struct PartWrite {
   std::string once = {};   // names the deed; the same deed is done once
   bool confirmed = false;
   access::Role role = access::Role::None;
+  // What the page has shown: the variable, and the question. Nothing: whatever they are.
+  std::optional<std::string> writes = {};
+  std::optional<std::string> question = {};
 };
 
 struct PartWritten {

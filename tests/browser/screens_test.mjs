@@ -134,8 +134,11 @@ async function operates(page, mixer) {
   await logsIn(page, 'olga');
   check((await page.getByRole('button', { name: 'Edit', exact: true }).count()) === 0, 'an operator draws nothing');
   check((await asks(page, 'PUT', '/api/screens/Mixer', { svg: '<svg/>', version: 1 })).status === 403, 'and would be refused');
-  await part(page, 'p2').locator('button').first().click();
-  await dialog(page).getByLabel('New value').fill('120');
+  await part(page, 'p2').locator('button').first().focus();
+  await page.keyboard.press('Enter');
+  await waitFor(page, 'a set point that is opened with the keys has the focus in its field', () => document.activeElement?.closest('dialog') !== null && document.activeElement?.tagName === 'INPUT');
+  await page.keyboard.type('120');
+  check((await dialog(page).getByLabel('New value').inputValue()) === '120', 'and takes what is typed in place of the value');
   await page.keyboard.press('Enter');
   await waitFor(page, 'what is out of range is told at once', () => document.querySelector('[data-testid=problem]').innerText.includes('0 to 100 %'));
   await isAccessible(page, 'the dialog of a set point');
@@ -158,6 +161,8 @@ async function operates(page, mixer) {
   await pressesOnce(page);
   const direct = await asks(page, 'POST', '/api/screens/Mixer/write', { part: 'p2', value: '100.1', once: 'by-the-api' });
   check(codeOf(direct) === '400 H0126', `the server looks at the range itself: ${codeOf(direct)}`);
+  const other = await asks(page, 'POST', '/api/screens/Mixer/write', { part: 'p2', value: '50', once: 'of-an-old-page', writes: 'Main.batches', question: '' });
+  check(codeOf(other) === '409 H0129', `what somebody has seen before it was changed writes nothing: ${codeOf(other)}`);
   await part(page, 'p7').locator('input').focus();
   for (const key of ['ArrowRight', 'ArrowRight', 'Tab', 'Enter']) await page.keyboard.press(key);
   await until('a slider is set with the keys', async () => (await part(page, 'p2').innerText()).includes('%') && !(await part(page, 'p2').innerText()).includes('40.5'));

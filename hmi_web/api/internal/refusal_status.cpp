@@ -40,6 +40,7 @@ constexpr Status kStatuses[] = {
     {kNoSuchPart, kNotFound},
     {kPartOfOtherRole, kForbidden},
     {screens::kSavedMeanwhile, kConflict},
+    {kPartChanged, kConflict},
     {screens::kNoRoomForScreen, kConflict},
     {screens::kScreenDamaged, kConflict},
     {access::kLastAdministrator, kConflict},

@@ -3,7 +3,7 @@
 
 const DOUBLE_MS = 500; // as long as most systems wait for the second click
 const NEAR_PX = 10;
-const CONTROLS = 'button, a, input, select, textarea, summary, label, [role=button], [role=switch]';
+const CONTROLS = ['button', 'a', 'input', 'select', 'textarea', 'summary', 'label', '[role=button]', '[role=switch]'].join();
 
 interface Click {
   at: number; // ms

@@ -147,6 +147,10 @@ export function numberText(value: number): string {
   return grouped(language.locale).format(value);
 }
 
+export function decimalMark(): string {
+  return plain(language.locale, '1').formatToParts(0.5).find(({ type }) => type === 'decimal')?.value ?? '.';
+}
+
 // With exactly so many digits behind the point, and thousands not set apart; nothing has no sign.
 export function fixedText(value: number, digits: number): string {
   return plain(language.locale, String(digits)).format(Number(value.toFixed(digits)) === 0 ? 0 : value);

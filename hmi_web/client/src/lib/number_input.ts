@@ -1,16 +1,22 @@
 // Numbers as people type them, in every form alike: decimals behind a point or a comma, and nothing between the thousands. What
-// an English reader would take for a thousand is none: "1,000" is refused rather than read as 1.
+// the page itself writes for a thousand is none: "1,000" in English, "1.000" in German and Spanish are refused rather than read as 1.
 
-import { language } from './language.svelte';
+import { decimalMark, language, type Language } from './language.svelte';
 
 const PLAIN = /^-?\d+(?:[.,]\d+)?$/;
-const THOUSANDS = /^-?[1-9]\d{0,2},\d{3}$/;
+const THOUSANDS: Partial<Record<Language, RegExp>> = { en: /^-?[1-9]\d{0,2},\d{3}$/, de: /^-?[1-9]\d{0,2}\.\d{3}$/, es: /^-?[1-9]\d{0,2}\.\d{3}$/ };
 
 // With a point, as programs write it; null for what is no number.
 export function decimalText(text: string): string | null {
   const typed = text.trim();
-  const isThousands = language.code === 'en' && THOUSANDS.test(typed);
-  return PLAIN.test(typed) && !isThousands ? typed.replace(',', '.') : null;
+  return PLAIN.test(typed) && !THOUSANDS[language.code]?.test(typed) ? typed.replace(',', '.') : null;
+}
+
+// The same number again, as somebody would type it: all its digits, without a power of ten.
+export function typedText(value: number): string {
+  const digits = 8 - Math.floor(Math.log10(Math.abs(value) || 1));
+  const plain = !String(value).includes('e') ? String(value) : Math.abs(value) < 1 ? value.toFixed(Math.min(digits, 100)).replace(/0+$/, '') : BigInt(value).toString();
+  return plain.replace('.', decimalMark());
 }
 
 export function readNumber(text: string): number | null {

@@ -3,6 +3,7 @@
 
 import { own, sentences } from '../access/api';
 import type { Session } from '../access/session.svelte';
+import type { Part } from './parts';
 import { pathOf } from './screens';
 import { t } from './texts';
 
@@ -12,7 +13,7 @@ const TOLD_MS = 2_500; // how long "written" stands
 const underWay = new Map<string, Deed>();
 
 export function deedOf(session: Session, screen: string, part: string): Deed {
-  return underWay.get(`${screen}/${part}`) ?? new Deed(session, screen, part);
+  return underWay.get(`${screen}/${part}`) ?? new Deed(session, screen);
 }
 
 export class Deed {
@@ -23,19 +24,19 @@ export class Deed {
   constructor(
     private readonly session: Session,
     private readonly screen: string,
-    private readonly part: string,
   ) {}
 
-  // '' = done, else why not.
-  async write(value: string, confirmed = false): Promise<string> {
+  // '' = done, else why not. `part`: as somebody has seen it; one that writes something else by now writes nothing.
+  async write(part: Part, value: string, confirmed = false): Promise<string> {
     if (this.state === 'pending') return '';
+    const { key, write, confirm } = part;
     window.clearTimeout(this.timer);
     this.state = 'pending';
     this.problem = '';
     const once = [...crypto.getRandomValues(new Uint8Array(16))].map((byte) => byte.toString(16).padStart(2, '0')).join('');
-    underWay.set(`${this.screen}/${this.part}`, this);
-    const reply = await this.session.ask<unknown>('POST', `${pathOf(this.screen)}/write`, { part: this.part, value, once, confirmed });
-    underWay.delete(`${this.screen}/${this.part}`);
+    underWay.set(`${this.screen}/${key}`, this);
+    const reply = await this.session.ask<unknown>('POST', `${pathOf(this.screen)}/write`, { part: key, value, once, confirmed, writes: write, question: confirm });
+    underWay.delete(`${this.screen}/${key}`);
     // Nobody has answered, and who has not may have obeyed.
     this.problem = reply.ok ? '' : reply.status === 0 ? own(t('notKnown')) : sentences(reply.problems);
     this.state = reply.ok ? 'done' : 'refused';

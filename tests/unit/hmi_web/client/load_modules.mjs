@@ -23,8 +23,8 @@ function runes(esbuild, { compile, compileModule }) {
   };
 }
 
-// A component is known by the name of its file, and is drawn by draw().
-const exported = (name) => (name.endsWith('.svelte') ? `{ default as ${basename(name, '.svelte')} }` : '*');
+// A component, whose name begins with a capital, is known by the name of its file, and is drawn by draw().
+const exported = (name) => (/^[A-Z].*\.svelte$/.test(basename(name)) ? `{ default as ${basename(name, '.svelte')} }` : '*');
 
 // `client`: the folder in which the client is built. `names`: modules below its src, without their ending; components with it.
 export async function load(client, names) {

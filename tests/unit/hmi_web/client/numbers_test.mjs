@@ -7,7 +7,7 @@ import { test } from 'node:test';
 
 import { load } from './load_modules.mjs';
 
-const { cornersOf, dateText, decimalText, durationText, inUnits, language, literalText, marks, readNumber, short, tagValue, tickNumber, unitOf } = await load(process.env.CLIENT, [
+const { cornersOf, dateText, decimalText, durationText, inUnits, language, literalText, marks, readNumber, short, tagValue, tickNumber, typedText, unitOf } = await load(process.env.CLIENT, [
   'access/corners', 'lib/axis', 'lib/format', 'lib/language.svelte', 'lib/number_input',
 ]);
 
@@ -24,6 +24,22 @@ test('Number_WhenItIsTyped_ThenPointAndCommaAreDecimalsInEveryLanguage', () => {
   }
   speak('en');
   assert.equal(readNumber('1,000'), null, 'a thousand, not one');
+  for (const code of ['de', 'es']) {
+    speak(code);
+    assert.equal(readNumber('2.500'), null, `what the page writes for a thousand (${code})`);
+    assert.equal(readNumber('2,500'), 2.5);
+    assert.equal(readNumber('0.500'), 0.5);
+  }
+});
+
+test('Number_WhenItIsTypedAgain_ThenItIsTheSame', () => {
+  for (const code of ['en', 'de', 'fr', 'es']) {
+    speak(code);
+    for (const value of [0, -3, 0.00456, 1234.5677, 1e-7, 4.25e-12, -2.5e-9, 123456789012, 1.1e21, 0.1 + 0.2])
+      assert.ok(Math.abs(readNumber(typedText(value)) - value) <= 1e-8 * Math.abs(value), `${value}: ${typedText(value)} (${code})`);
+  }
+  speak('de');
+  assert.equal(typedText(1234.5677), '1234,5677');
 });
 
 test('Literal_WhenAVariableIsANumber_ThenItsDecimalCommaBecomesAPoint', () => {
