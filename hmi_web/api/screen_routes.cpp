@@ -52,8 +52,9 @@ const Field kConfirmed{.name = "confirmed",
 const Field kWrites{.name = "writes",
                     .required = false,
                     .most = 512,
-                    .description = "the variable that the part wrote when it was shown: if it writes another one "
-                                   "by now, nothing is written"};
+                    .description =
+                        "the variable that the part wrote when it was shown: if it writes another one "
+                        "by now, nothing is written"};
 const Field kQuestion{.name = "question",
                       .required = false,
                       .most = 512,

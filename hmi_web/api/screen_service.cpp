@@ -149,10 +149,11 @@ Result<PartWritten> ScreenService::obey(const PartWrite& deed, bool& tried) {
         kNoSuchPart, {},
         "the screen '" + deed.screen + "' has no part '" + deed.part.substr(0, 40) + "' that writes",
         "somebody may have changed the screen: load it again");
-  if (deed.writes.value_or(part->write) != part->write || deed.question.value_or(part->confirm) != part->confirm)
+  if (deed.writes.value_or(part->write) != part->write ||
+      deed.question.value_or(part->confirm) != part->confirm)
     return result::fail(kPartChanged, {},
-                        "the part '" + part->key + "' was changed meanwhile: it writes '" + part->write + "' now" +
-                            (part->confirm.empty() ? "" : " and asks: " + part->confirm),
+                        "the part '" + part->key + "' was changed meanwhile: it writes '" + part->write +
+                            "' now" + (part->confirm.empty() ? "" : " and asks: " + part->confirm),
                         "nothing was written; look at the screen again");
   if (part->engineer && deed.role < Role::Engineer)
     return result::fail(kPartOfOtherRole, {}, "the part '" + part->key + "' takes the role engineer");

@@ -44,7 +44,8 @@ struct UnreadDevice {
 };
 
 struct CellState {
-  bool runtime_alive = false;  // the link and the runtime behind it answer
+  bool runtime_alive = false;     // the link and the runtime behind it answer
+  bool runtime_unlinked = false;  // a runtime runs beside the server, and no link
   bool supervisor_alive = false;
   std::string runtime_state;   // "empty", "stopped", "running", "fault"; empty = not known
   std::string runtime_detail;  // a sentence about a fault

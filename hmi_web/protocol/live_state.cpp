@@ -38,8 +38,9 @@ json to_json(const std::vector<UnreadDevice>& unread) {
 }
 
 // What travels whole whenever it changes.
-std::array<std::pair<const char*, json>, 13> whole_fields(const CellState& state) {
+std::array<std::pair<const char*, json>, 14> whole_fields(const CellState& state) {
   return {{{"runtime_alive", state.runtime_alive},
+           {"runtime_unlinked", state.runtime_unlinked},
            {"supervisor_alive", state.supervisor_alive},
            {"runtime_state", state.runtime_state},
            {"runtime_detail", state.runtime_detail},

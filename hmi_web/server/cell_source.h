@@ -60,6 +60,7 @@ struct UnreadInputs {
 
 struct Observation {
   bool runtime_alive = false;
+  bool runtime_unlinked = false;  // it runs on this machine, and nothing carries it here
   bool supervisor_alive = false;
   std::optional<RuntimeReport> report;
   // Both of one program, the one that `layout` describes; without a layout the image cannot be read.

@@ -85,6 +85,7 @@ CellView CellViewer::view(const Observation& observation) {
   view.pictures = observation.pictures;
   protocol::CellState& state = view.state;
   state.runtime_alive = observation.runtime_alive;
+  state.runtime_unlinked = observation.runtime_unlinked;
   state.supervisor_alive = observation.supervisor_alive;
   state.points.resize(points_.size());
   if (observation.report) add_report(*observation.report, state);

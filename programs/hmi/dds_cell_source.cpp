@@ -33,12 +33,14 @@ result::Result<std::unique_ptr<DdsCellSource>> DdsCellSource::connect(const conf
   auto plans = dds::PlanSubscriber::create(participant);
   if (!plans) return result::forward(plans);
   return std::unique_ptr<DdsCellSource>(
-      new DdsCellSource(std::move(*runtime), std::move(*plans), config.modbus_client, log));
+      new DdsCellSource(std::move(*runtime), std::move(*plans), config, log));
 }
 
 server::Observation DdsCellSource::observe() {
   server::Observation seen;
   seen.runtime_alive = runtime_->runtime_alive();
+  if (seen.runtime_alive) local_.heard();
+  seen.runtime_unlinked = !seen.runtime_alive && local_.is_there(std::chrono::steady_clock::now());
   seen.supervisor_alive = plans_->supervisor_alive();
   seen.plan = plans_->latest();
   seen.pictures = plans_->pictures();

@@ -11,6 +11,7 @@
 
 #include "cell/config/cell_config.h"
 #include "hmi_web/server/cell_source.h"
+#include "programs/hmi/local_runtime.h"
 #include "programs/hmi/running_program.h"
 #include "runtime/dds/plan_channel.h"
 #include "runtime/dds/runtime_client.h"
@@ -39,8 +40,12 @@ class DdsCellSource : public server::CellSource {
 
  private:
   DdsCellSource(std::unique_ptr<dds::RuntimeClient> runtime, std::unique_ptr<dds::PlanSubscriber> plans,
-                modbus::client::ClientSettings devices, log::Logger& log)
-      : runtime_(std::move(runtime)), plans_(std::move(plans)), devices_(std::move(devices)), log_(log) {}
+                const config::CellConfig& config, log::Logger& log)
+      : runtime_(std::move(runtime)),
+        plans_(std::move(plans)),
+        devices_(config.modbus_client),
+        local_(config.socket_path()),
+        log_(log) {}
 
   // True if it had to ask, which takes its time.
   bool fetch_program(const std::string& digest);
@@ -48,6 +53,7 @@ class DdsCellSource : public server::CellSource {
   std::unique_ptr<dds::RuntimeClient> runtime_;
   std::unique_ptr<dds::PlanSubscriber> plans_;
   modbus::client::ClientSettings devices_;
+  LocalRuntime local_;
   log::Logger& log_;
   RunningProgram running_;
   std::shared_ptr<const server::ProgramLayout> layout_;  // of the program with its digest; shared with views

@@ -229,6 +229,16 @@ async function theRuntimeIsKilled(page, cell) {
   await waitFor(page, 'what was forced has ended with the runtime, and the banner with it', () => document.querySelector('[data-testid=forces]') === null);
 }
 
+// The runtime goes on, and nobody brings it to the page.
+async function theLinkIsKilled(page, cell) {
+  await cell.stop('link', 'SIGKILL');
+  await tells(page, 'the page says that the runtime runs and a link is missing, and what starts one', 'A runtime runs here, but no link carries it to this page: `stepwright up`');
+  await shot(page, 'link');
+  cell.start('link');
+  await tellsNothing(page, 'the page comes back by itself');
+  await wasNotLoadedAgain(page);
+}
+
 const replans = (page) => page.locator('[data-panel=replans] li p:not(.after), [aria-label="replans"] li p:not(.after)').allInnerTexts();
 const phaseIs = (page, what, ...phases) => waitFor(page, what, (words) => words.includes(document.querySelector('[data-testid=phase]')?.innerText), phases);
 
@@ -297,6 +307,7 @@ try {
   await imagesAreNotSent(page, cell);
   await imagesAreLost(page, cell);
   await theRuntimeIsKilled(page, cell);
+  await theLinkIsKilled(page, cell);
   await endsWell();
   cell = await startBench(given.server, given.cell);
   page = await opens(cell.url, cell.setupToken);

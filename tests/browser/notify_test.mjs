@@ -77,7 +77,8 @@ async function tellsATime(page) {
   await waitFor(page, 'and the list of alarms has it', () => document.querySelector('[data-alarm="soak.long"]') !== null);
   const row = await page.locator('[data-alarm="soak.long"]').innerText();
   check(/1 min 30 s/.test(row) && !row.includes('90000000000'), `the list of alarms, too (${row.replaceAll('\n', ' ').replaceAll('\t', ' ')})`);
-  await page.keyboard.press('Escape');
+  await page.getByRole('button', { name: 'Alarms' }).click();
+  await waitFor(page, 'which closes again', () => document.querySelector('[data-alarm="soak.long"]') === null);
   check((await asksApi(page, '/api/alarms/acknowledge-all', { names: ['soak.long'] })) === '200', 'it is acknowledged');
 }
 

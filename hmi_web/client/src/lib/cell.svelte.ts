@@ -37,6 +37,7 @@ function onCellTime(document: PlanDocument): PlanDocument {
 
 const NOTHING: LiveFields = {
   runtime_alive: false,
+  runtime_unlinked: false,
   supervisor_alive: false,
   runtime_state: '',
   runtime_detail: '',

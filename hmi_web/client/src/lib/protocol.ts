@@ -241,6 +241,7 @@ export type { TagValue, Value };
 // What travels whole whenever it changes.
 export interface LiveFields {
   runtime_alive: boolean;
+  runtime_unlinked: boolean; // it runs beside the server, and no link
   supervisor_alive: boolean;
   runtime_state: string;
   runtime_detail: string;

@@ -7,6 +7,7 @@ export interface Standing {
   link: LinkState;
   seen: boolean; // the page has shown the cell before
   runtime_alive: boolean;
+  runtime_unlinked: boolean;
   runtime_state: string;
   scan: number;
   supervisor_alive: boolean;
@@ -14,7 +15,7 @@ export interface Standing {
   phase: string | null; // of the supervisor's plan; null: there is none
 }
 
-export type Doubt = '' | 'loggedOut' | 'sessionEnded' | 'onlyLooks' | 'staleServer' | 'noServer' | 'staleRuntime' | 'runtimeToCome' | 'fault' | 'staleSupervisor';
+export type Doubt = '' | 'loggedOut' | 'sessionEnded' | 'onlyLooks' | 'staleServer' | 'noServer' | 'staleRuntime' | 'runtimeToCome' | 'unlinked' | 'fault' | 'staleSupervisor';
 
 // A supervisor whose run has ended may end, too.
 const OVER = ['done', 'safe'];
@@ -23,6 +24,7 @@ export function doubtOf(standing: Standing): Doubt {
   if (standing.link === 'connecting') return '';
   if (standing.link === 'closed') return !standing.seen ? '' : standing.ended ? 'sessionEnded' : 'loggedOut';
   if (standing.link === 'lost') return standing.seen ? 'staleServer' : 'noServer';
+  if (standing.runtime_unlinked) return 'unlinked';
   if (!standing.runtime_alive) return standing.scan > 0 ? 'staleRuntime' : 'runtimeToCome';
   if (standing.runtime_state === 'fault') return 'fault';
   if (standing.phase !== null && !standing.supervisor_alive && !OVER.includes(standing.phase)) return 'staleSupervisor';

@@ -37,6 +37,7 @@ export default {
   staleRuntime: 'Das Laufzeitsystem antwortet nicht. Angezeigt wird seine letzte Meldung (Zyklus {scan}).',
   staleSupervisor: 'Der Supervisor antwortet nicht. Bis er wieder da ist, wird nicht neu geplant; der Plan ist der seiner letzten Meldung.',
   runtimeToCome: 'Noch ist kein Laufzeitsystem da. Sobald eines startet, füllt sich diese Seite.',
+  unlinked: 'Hier läuft ein Laufzeitsystem, aber kein Link bringt es auf diese Seite: `stepwright up` startet alles, was die Zelle braucht, `stepwright link` nur den Link.',
   stopPressed: 'Der Not-Halt ist gedrückt.',
   stopMeans: 'Bis er an der Anlage entriegelt und quittiert ist, darf sich nichts bewegen.',
   fault: 'Störung im Laufzeitsystem:',

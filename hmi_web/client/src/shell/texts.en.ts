@@ -34,6 +34,7 @@ export default {
   staleRuntime: 'The runtime does not answer. What you see is its last report (scan {scan}).',
   staleSupervisor: 'The supervisor does not answer. Nothing is replanned until it is back; its plan is of its last report.',
   runtimeToCome: 'No runtime is there yet. This page fills itself as soon as one starts.',
+  unlinked: 'A runtime runs here, but no link carries it to this page: `stepwright up` starts all that the cell needs, `stepwright link` the link alone.',
   stopPressed: 'The emergency stop is pressed.',
   stopMeans: 'Nothing is to move until it has been released and reset at the plant.',
   fault: 'Fault in the runtime:',

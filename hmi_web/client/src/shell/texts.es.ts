@@ -37,6 +37,7 @@ export default {
   staleRuntime: 'El autómata no responde. Se muestra su último informe (ciclo {scan}).',
   staleSupervisor: 'El supervisor no responde. Nada se vuelve a planificar hasta que regrese; el plan es el de su último informe.',
   runtimeToCome: 'Todavía no hay ningún autómata. Esta página se llenará en cuanto arranque uno.',
+  unlinked: 'Aquí funciona un autómata, pero ningún enlace lo trae a esta página: `stepwright up` arranca todo lo que la célula necesita, `stepwright link` solo el enlace.',
   stopPressed: 'La parada de emergencia está pulsada.',
   stopMeans: 'Nada debe moverse hasta que se desbloquee y se rearme en la planta.',
   fault: 'Fallo del autómata:',

@@ -37,6 +37,7 @@ export default {
   staleRuntime: 'L’automate ne répond pas. Affichage de son dernier rapport (cycle {scan}).',
   staleSupervisor: 'Le superviseur ne répond pas. Rien n’est replanifié avant son retour ; le plan est celui de son dernier rapport.',
   runtimeToCome: 'Aucun automate pour l’instant. Cette page se remplira dès qu’il y en aura un.',
+  unlinked: 'Un automate tourne ici, mais aucun lien ne l’amène à cette page : `stepwright up` lance tout ce qu’il faut à la cellule, `stepwright link` le lien seul.',
   stopPressed: 'L’arrêt d’urgence est enfoncé.',
   stopMeans: 'Rien ne doit bouger avant son déverrouillage et son réarmement sur l’installation.',
   fault: 'Défaut de l’automate :',

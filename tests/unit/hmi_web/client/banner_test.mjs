@@ -9,7 +9,7 @@ import { load } from './load_modules.mjs';
 
 const { doubtOf } = await load(process.env.CLIENT, ['shell/banner']);
 
-const well = { link: 'live', seen: true, runtime_alive: true, runtime_state: 'running', scan: 9, supervisor_alive: true, ended: false, phase: 'executing' };
+const well = { link: 'live', seen: true, runtime_alive: true, runtime_unlinked: false, runtime_state: 'running', scan: 9, supervisor_alive: true, ended: false, phase: 'executing' };
 const of = (more) => doubtOf({ ...well, ...more });
 
 test('Banner_WhenAllIsWell_ThenItSaysNothing', () => {
@@ -37,6 +37,7 @@ test('Banner_WhenAProcessIsLost_ThenItIsThatOne', () => {
   assert.equal(of({ link: 'lost', seen: false }), 'noServer');
   assert.equal(of({ runtime_alive: false, supervisor_alive: false }), 'staleRuntime');
   assert.equal(of({ runtime_alive: false, scan: 0 }), 'runtimeToCome');
+  for (const scan of [0, 9]) assert.equal(of({ runtime_alive: false, runtime_unlinked: true, scan }), 'unlinked');
   assert.equal(of({ supervisor_alive: false }), 'staleSupervisor');
   assert.equal(of({ runtime_state: 'fault', supervisor_alive: false }), 'fault');
 });
