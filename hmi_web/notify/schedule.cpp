@@ -7,11 +7,27 @@
 
 namespace stepwright::notify {
 
-Schedule::Schedule(const Channel& channel, ToldAlarms told)
+namespace {
+
+std::int64_t ms_of(Schedule::WallTime wall) {
+  return std::chrono::duration_cast<std::chrono::milliseconds>(wall.time_since_epoch()).count();
+}
+
+}  // namespace
+
+Schedule::Schedule(const Channel& channel, ToldAlarms told, WallTime wall)
     : at_least_(channel.at_least),
       delay_(channel.delay),
       repeat_(channel.repeat),
-      told_before_(std::move(told)) {}
+      told_before_(std::move(told)),
+      begun_ms_(ms_of(wall)) {}
+
+// A clock that was set back makes it no longer than a whole repetition.
+std::chrono::milliseconds Schedule::rest_of(const Told& before) const {
+  const std::chrono::milliseconds whole = repeat_;
+  return std::clamp(whole - std::chrono::milliseconds(begun_ms_ - before.told_ms),
+                    std::chrono::milliseconds(0), whole);
+}
 
 std::vector<StandingAlarm> Schedule::due(const std::vector<StandingAlarm>& unacknowledged, Time now) {
   std::set<std::string_view> standing;
@@ -23,9 +39,9 @@ std::vector<StandingAlarm> Schedule::due(const std::vector<StandingAlarm>& unack
     Watched& watched = at->second;
     if (is_new || watched.raised_ns != alarm.raised_ns) watched = {alarm.raised_ns, now + delay_};
     const auto before = is_new ? told_before_.find(alarm.name) : told_before_.end();
-    if (before != told_before_.end() && before->second == alarm.raised_ns) {
-      watched.told = true;
-      if (repeat_.count() == 0) watched.next = Time::max();
+    if (before != told_before_.end() && before->second.raised_ns == alarm.raised_ns) {
+      watched.told_ms = std::max<std::int64_t>(before->second.told_ms, 1);
+      watched.next = repeat_.count() == 0 ? Time::max() : now + rest_of(before->second);
     }
     if (now < watched.next || now < not_before_) continue;
     watched.sending = true;
@@ -35,12 +51,12 @@ std::vector<StandingAlarm> Schedule::due(const std::vector<StandingAlarm>& unack
   return due;
 }
 
-void Schedule::sent(bool arrived, Time now) {
+void Schedule::sent(bool arrived, Time now, WallTime wall) {
   retry_ = arrived ? std::chrono::seconds(0) : std::clamp(2 * retry_, kFirstRetry, kLongestRetry);
   not_before_ = now + retry_;
   for (auto& [name, watched] : watched_) {
     if (!std::exchange(watched.sending, false) || !arrived) continue;
-    watched.told = true;
+    watched.told_ms = ms_of(wall);
     watched.next = repeat_.count() > 0 ? now + repeat_ : Time::max();
   }
 }
@@ -48,7 +64,7 @@ void Schedule::sent(bool arrived, Time now) {
 ToldAlarms Schedule::told() const {
   ToldAlarms told;
   for (const auto& [name, watched] : watched_)
-    if (watched.told) told.emplace(name, watched.raised_ns);
+    if (watched.told_ms != 0) told.emplace(name, Told{watched.raised_ns, watched.told_ms});
   return told;
 }
 

@@ -27,27 +27,34 @@ class Schedule {
   static constexpr std::chrono::seconds kFirstRetry{60};
   static constexpr std::chrono::seconds kLongestRetry{900};
 
-  // `told` is what an earlier one has told of: who is told once is not told of that again.
-  explicit Schedule(const Channel& channel, ToldAlarms told = {});
+  using WallTime = std::chrono::system_clock::time_point;
+
+  // `told` is what an earlier one has told of, as seen at `wall`: its repetitions go on as if it were that
+  // one.
+  explicit Schedule(const Channel& channel, ToldAlarms told = {},
+                    WallTime wall = std::chrono::system_clock::now());
 
   // Of all that are unacknowledged, those to tell of now.
   std::vector<StandingAlarm> due(const std::vector<StandingAlarm>& unacknowledged, Time now);
   // What became of those that were due last.
-  void sent(bool arrived, Time now);
-  // Of all that are unacknowledged, those that were told of, and when they were raised.
+  void sent(bool arrived, Time now, WallTime wall = std::chrono::system_clock::now());
+  // Of all that are unacknowledged, those that were told of.
   ToldAlarms told() const;
 
  private:
   struct Watched {
     std::int64_t raised_ns = 0;  // another one: it has come again
     Time next{};
-    bool sending = false;  // in the message that is under way
-    bool told = false;
+    bool sending = false;      // in the message that is under way
+    std::int64_t told_ms = 0;  // 0: it was not
   };
+  // Until one that was told of before is told of again.
+  std::chrono::milliseconds rest_of(const Told& before) const;
 
   const alarms::Priority at_least_;
   const std::chrono::seconds delay_, repeat_;
   const ToldAlarms told_before_;
+  const std::int64_t begun_ms_;
   std::map<std::string, Watched, std::less<>> watched_;
   std::chrono::seconds retry_{0};  // 0: the last message has arrived
   Time not_before_{};

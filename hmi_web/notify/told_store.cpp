@@ -12,11 +12,27 @@ using nlohmann::json;
 
 constexpr std::size_t kLargestFile = std::size_t{4} << 20;
 
+Told told_of(const json& entry) {
+  // A number alone: of a version that did not know when.
+  if (entry.is_number_integer()) return {entry.get<std::int64_t>(), 0};
+  return {entry.at("raised_ns").get<std::int64_t>(), entry.at("told_ms").get<std::int64_t>()};
+}
+
+json to_json(const ToldAlarms& alarms) {
+  json entries = json::object();
+  for (const auto& [name, told] : alarms)
+    entries[name] = {{"raised_ns", told.raised_ns}, {"told_ms", told.told_ms}};
+  return entries;
+}
+
 std::map<std::string, ToldAlarms> read_told(const std::filesystem::path& file) {
   const auto text = access::read_bounded(file, kLargestFile);
   if (!text || text->size() > kLargestFile) return {};
   try {
-    return json::parse(*text).get<std::map<std::string, ToldAlarms>>();
+    std::map<std::string, ToldAlarms> channels;
+    for (const auto& [channel, alarms] : json::parse(*text).items())
+      for (const auto& [name, entry] : alarms.items()) channels[channel][name] = told_of(entry);
+    return channels;
   } catch (const json::exception&) {
     return {};
   }
@@ -35,8 +51,10 @@ ToldAlarms ToldStore::of(const std::string& channel) const {
 result::Result<void> ToldStore::keep(const std::string& channel, ToldAlarms alarms) {
   const std::lock_guard lock(mutex_);
   channels_[channel] = std::move(alarms);
-  return access::replace_private_file(
-      file_, json(channels_).dump(1, ' ', false, json::error_handler_t::replace) + "\n");
+  json whole = json::object();
+  for (const auto& [name, told] : channels_) whole[name] = to_json(told);
+  return access::replace_private_file(file_,
+                                      whole.dump(1, ' ', false, json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace stepwright::notify

@@ -1,10 +1,10 @@
 #pragma once
 
-// Of which alarms each channel has told, kept over restarts of the page's server: whoever is told once is not
-// told again of the same occurrence.
+// Of which alarms each channel has told, and when, kept over restarts of the page's server: a restart is no
+// reason to tell again of the same occurrence.
 //
 //   ToldStore told(folder / "notified.json");
-//   told.keep("shift", {{"runtime.lost", raised_ns}});
+//   told.keep("shift", {{"runtime.lost", {raised_ns, told_ms}}});
 //
 // Threads: every function from any. keep() waits for the disk.
 
@@ -19,8 +19,13 @@
 
 namespace stepwright::notify {
 
-// Alarms and when they were raised: that is the occurrence.
-using ToldAlarms = std::map<std::string, std::int64_t, std::less<>>;
+struct Told {
+  std::int64_t raised_ns = 0;  // which occurrence, on the history's clock
+  std::int64_t told_ms = 0;    // when it was told of last, since 1970
+
+  friend bool operator==(const Told&, const Told&) = default;
+};
+using ToldAlarms = std::map<std::string, Told, std::less<>>;
 
 class ToldStore {
  public:

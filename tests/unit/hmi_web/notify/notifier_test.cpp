@@ -139,13 +139,13 @@ TEST(ToldStoreFile, WhenItIsOpenedAgain_ThenItHasWhatWasKept) {
   {
     ToldStore told(file);
     EXPECT_EQ(told.of("shift"), ToldAlarms());
-    EXPECT_TRUE(told.keep("shift", {{"runtime.lost", 7}}));
-    EXPECT_TRUE(told.keep("chat", {{"a", 1}, {"b", 2}}));
-    EXPECT_TRUE(told.keep("chat", {{"b", 2}}));
+    EXPECT_TRUE(told.keep("shift", {{"runtime.lost", {7, 70}}}));
+    EXPECT_TRUE(told.keep("chat", {{"a", {1, 10}}, {"b", {2, 20}}}));
+    EXPECT_TRUE(told.keep("chat", {{"b", {2, 20}}}));
   }
   const ToldStore again(file);
-  EXPECT_EQ(again.of("shift"), (ToldAlarms{{"runtime.lost", 7}}));
-  EXPECT_EQ(again.of("chat"), (ToldAlarms{{"b", 2}}));
+  EXPECT_EQ(again.of("shift"), (ToldAlarms{{"runtime.lost", {7, 70}}}));
+  EXPECT_EQ(again.of("chat"), (ToldAlarms{{"b", {2, 20}}}));
   for (const char* damaged : {"", "[]", R"({"chat": {"b": "x"}})"}) {
     std::ofstream(file) << damaged;
     EXPECT_EQ(ToldStore(file).of("chat"), ToldAlarms()) << damaged;

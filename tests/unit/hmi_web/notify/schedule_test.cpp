@@ -54,21 +54,38 @@ TEST_F(ScheduleTest, WhenAnEarlierOneHasToldOnce_ThenTheSameOccurrenceIsNotToldA
   Schedule first(once);
   EXPECT_TRUE(first.due({alarm("a")}, begin_).empty());
   EXPECT_EQ(first.due({alarm("a")}, begin_ + seconds(60)).size(), 1u);
-  first.sent(true, begin_ + seconds(60));
+  const Schedule::WallTime wall{std::chrono::hours(24)};
+  first.sent(true, begin_ + seconds(60), wall);
   const ToldAlarms told = first.told();
-  EXPECT_EQ(told, (ToldAlarms{{"a", 1}}));
-  Schedule next(once, told);
+  EXPECT_EQ(told, (ToldAlarms{{"a", {1, 86'400'000}}}));
+  Schedule next(once, told, wall);
   const auto due_of_next = [&](int at, const std::vector<StandingAlarm>& standing) {
     std::string names;
     for (const StandingAlarm& each : next.due(standing, begin_ + seconds(at))) names += each.name + " ";
-    next.sent(true, begin_ + seconds(at));
+    next.sent(true, begin_ + seconds(at), wall);
     return names;
   };
   EXPECT_EQ(due_of_next(100, {alarm("a"), alarm("b")}), "");
   EXPECT_EQ(due_of_next(5'000, {alarm("a"), alarm("b")}), "b ");
-  EXPECT_EQ(next.told(), (ToldAlarms{{"a", 1}, {"b", 1}}));
+  EXPECT_EQ(next.told(), (ToldAlarms{{"a", {1, 86'400'000}}, {"b", {1, 86'400'000}}}));
   EXPECT_EQ(due_of_next(5'001, {alarm("a", Priority::High, 2)}), "") << "it has come again";
   EXPECT_EQ(due_of_next(5'061, {alarm("a", Priority::High, 2)}), "a ");
+}
+
+TEST_F(ScheduleTest, WhenAnEarlierOneHasToldMinutesAgo_ThenItsRepetitionGoesOn) {
+  const Schedule::WallTime wall{std::chrono::hours(24)};
+  const auto told_s_ago = [&](int s) {
+    const std::int64_t ms = 86'400'000 - s * 1'000;
+    return Schedule(channel(), {{"a", {1, ms}}}, wall);
+  };
+  for (const auto& [ago, first_due] :
+       {std::pair{0, 900}, {300, 600}, {899, 1}, {900, 0}, {5'000, 0}, {-50, 900}}) {
+    Schedule next = told_s_ago(ago);
+    std::vector<int> due;
+    for (int at = 0; at <= 1'000 && due.empty(); ++at)
+      if (!next.due({alarm("a")}, begin_ + seconds(at)).empty()) due.push_back(at);
+    EXPECT_EQ(due, std::vector{first_due}) << ago;
+  }
 }
 
 TEST_F(ScheduleTest, WhenItIsAcknowledgedBeforeTheDelay_ThenNobodyIsTold) {
