@@ -330,6 +330,7 @@ async function repeatsAFace(page) {
   check(json.svg.includes('data-text="Main.batches"') && json.svg.includes('data-text="Main.torn"'), 'each copy has its own name');
   await editor(page).getByRole('button', { name: 'Symbol Face', exact: true }).click();
   await waitFor(page, 'the symbol is open', () => document.querySelector('[data-testid=screen-editor] input')?.value === 'Face');
+  check((await page.locator('[data-face]').count()) === 0, 'a face is not put into a face, which would grow with each save');
   await item(page, 'p1').focus();
   await field(page, 'Label').fill('So many');
   await page.getByRole('button', { name: 'Save', exact: true }).click();

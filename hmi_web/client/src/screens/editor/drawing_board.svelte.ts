@@ -2,7 +2,7 @@
 
 import { recall, remember } from '../../lib/remembered';
 import { freePlace, ownBox, pasted, snapped, withGroups, type Box, type Measure } from './arrange';
-import { EMPTY, nextKey, type Content, type Faces, type Item, type Settings } from './model';
+import { EMPTY, nextKey, type Content, type Face, type Faces, type Item, type Settings } from './model';
 import type { Point } from './points';
 import { isByPoints, through } from './sizing';
 import { templateOf, usualOf } from './symbols';
@@ -108,7 +108,12 @@ export class DrawingBoard {
     this.choose(keys);
   }
 
+  // Those that may be put in: a face in a face would grow with each save of either.
+  get offered(): Face[] {
+    return this.content.settings.symbol ? [] : [...this.faces.values()];
+  }
   private sizeOf(symbol: string, params: Params): { width: number; height: number } | undefined {
+    if (symbol === 'face' && this.offered.length === 0) return undefined;
     return (symbol === 'face' ? this.faces.get(params.face ?? '') : undefined) ?? templateOf(symbol);
   }
 
@@ -191,7 +196,7 @@ export class DrawingBoard {
   }
   private put(copies: readonly Item[]): void {
     if (copies.length === 0) return;
-    const { items, keys } = pasted(this.content.items, copies, BESIDE);
+    const { items, keys } = pasted(this.content.items, copies.filter(({ symbol }) => symbol !== 'face' || this.offered.length > 0), BESIDE);
     this.setItems(items);
     this.choose(keys);
   }
