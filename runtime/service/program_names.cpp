@@ -45,6 +45,17 @@ std::vector<host::ImageBits> parts_of(std::uint32_t address, std::span<const std
   return parts;
 }
 
+// The code has its value: whatever stands in the image, the program goes on with that.
+result::Result<reader::NamedVariable> writable(const reader::ProgramInfo& info, std::string_view name) {
+  auto found = reader::resolve_name(info, name);
+  if (!found) return found;
+  const auto& tags = info.tags();
+  const auto tag = std::ranges::find(tags, found->name, &reader::Tag::name);
+  if (tag == tags.end() || (tag->flags & bytecode::kSymbolConstant) == 0) return found;
+  return result::fail(kNoSuchValue, {found->name, 0, 0}, "`" + found->name + "` is a constant of the program",
+                      "a variable without CONSTANT can be written and forced");
+}
+
 }  // namespace
 
 std::string ForcedValue::text() const {
@@ -52,7 +63,7 @@ std::string ForcedValue::text() const {
 }
 
 result::Result<NamedBits> ProgramNames::value(std::string_view name, std::string_view text) const {
-  auto found = reader::resolve_name(info_, name);
+  auto found = writable(info_, name);
   if (!found) return result::forward(found);
   const reader::Variable& variable = found->variable;
   auto parsed = reader::parse_value(variable, text, kNoSuchValue, {found->name, 0, 0});
@@ -64,7 +75,7 @@ result::Result<NamedBits> ProgramNames::value(std::string_view name, std::string
 }
 
 result::Result<NamedWrite> ProgramNames::written(std::string_view name, std::string_view text) const {
-  auto found = reader::resolve_name(info_, name);
+  auto found = writable(info_, name);
   if (!found) return result::forward(found);
   const reader::Variable& variable = found->variable;
   if (!bytecode::is_string(variable.type)) {

@@ -56,6 +56,26 @@ reader::ProgramInfo program_with_a_text() {
   return reader::ProgramInfo::read(writer::write_container(model).value()).value();
 }
 
+TEST(WrittenConstant, WhenItIsWrittenOrForced_ThenItIsRefused) {
+  writer::ContainerModel model = support::one_program(8, [](auto&) {});
+  const auto type = model.add_type(writer::elementary(bytecode::ElementaryType::Int));
+  model.symbols.push_back({.name = "limit",
+                           .flags = bytecode::kSymbolConstant,
+                           .type = type,
+                           .address = 0,
+                           .direct_address = {}});
+  model.symbols.push_back({.name = "level", .type = type, .address = 2, .direct_address = {}});
+  const auto info = reader::ProgramInfo::read(writer::write_container(model).value()).value();
+  const ProgramNames names(std::string(64, 'c'), info);
+  EXPECT_TRUE(names.written("level", "7"));
+  for (const auto& refused : {names.written("LIMIT", "7").error(), names.value("limit", "7").error(),
+                              names.as_forced("limit", "7").error()}) {
+    EXPECT_EQ(refused.front().code, "R0058");
+    EXPECT_EQ(refused.front().message, "`limit` is a constant of the program");
+  }
+  EXPECT_TRUE(names.forceable("limit")) << "what was forced before can be released";
+}
+
 TEST(WrittenText, WhenItIsWritten_ThenItsPartsAreTheWholeTextAndNothingElse) {
   const std::string digest(64, 'b');
   const reader::ProgramInfo info = program_with_a_text();
