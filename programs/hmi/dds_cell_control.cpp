@@ -80,8 +80,12 @@ Result<void> DdsCellControl::stop_runtime(const std::string& reason) {
 Result<std::string> DdsCellControl::read(const std::string& name) {
   auto names = RunningNames::of(source_);
   if (!names) return result::forward(names);
+  if (auto written = recent_.of(name, images())) return std::move(*written);
   const auto snapshot = source_.client().snapshot();
-  if (!snapshot || snapshot->program_digest != names->digest())
+  const auto status = source_.client().status();
+  // A runtime that was started again has other values than the one before.
+  const bool is_old = snapshot && status && snapshot->incarnation != status->incarnation;
+  if (!snapshot || is_old || snapshot->program_digest != names->digest())
     return result::fail(api::kNobodyAnswers, {}, "no values of this program have arrived");
   return (**names).read(name, snapshot->image);
 }
@@ -111,6 +115,7 @@ Result<std::string> DdsCellControl::write(const std::string& name, const std::st
   if (!wanted) return result::forward(wanted);
   if (auto done = source_.client().ask(request_of(std::move(wanted->block))); !done)
     return result::forward(done);
+  recent_.note(name, wanted->text, images());
   return std::move(wanted->text);
 }
 

@@ -11,6 +11,7 @@
 
 #include "hmi_web/api/cell_control.h"
 #include "programs/hmi/dds_cell_source.h"
+#include "programs/hmi/written_values.h"
 
 namespace stepwright::hmi {
 
@@ -39,7 +40,10 @@ class DdsCellControl : public api::CellControl {
   result::Result<api::ForcedPlace> as_forced(const std::string& name, const std::string& value) override;
 
  private:
+  std::uint64_t images() const { return source_.client().snapshot_traffic().received; }
+
   DdsCellSource& source_;
+  WrittenValues recent_;
   const std::vector<protocol::TagNote> said_;
 };
 

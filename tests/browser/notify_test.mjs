@@ -1,6 +1,8 @@
 // People are told of an alarm that nobody acknowledges, by mail and by a web hook; a server that never answers holds up nothing; a
 // button sends a test. An online change that takes away what an alarm watches is told on the page and in the log.
 
+import { readFileSync } from 'node:fs';
+
 import { leadOverPage } from './page_run.mjs';
 import { asksApi, claims, isAccessible } from './people.mjs';
 import { startMailServer, startSilentServer, startWebHook } from './receivers.mjs';
@@ -82,6 +84,14 @@ async function tellsATime(page) {
   check((await asksApi(page, '/api/alarms/acknowledge-all', { names: ['soak.long'] })) === '200', 'it is acknowledged');
 }
 
+// However quickly one follows the other.
+async function tellsWhatWasThere(page, cell) {
+  for (const value of ['4', '5', '6'])
+    check((await asksApi(page, '/api/tags/write', { name: 'Main.batches', value, reason: 'test of the trail' })) === '200', `${value} is written`);
+  const told = readFileSync(cell.trail, 'utf8').trim().split('\n').map((line) => JSON.parse(line)).filter(({ action, target }) => action === 'tag.write' && target === 'Main.batches');
+  check(told.map(({ before, after }) => `${before}>${after}`).join(' ') === '3>4 4>5 5>6', `the trail has what each has replaced (${told.map(({ before }) => before).join(' ')})`);
+}
+
 async function sendsATest(page) {
   await page.getByRole('button', { name: 'Alarms' }).click();
   await page.getByRole('button', { name: 'Notifications' }).click();
@@ -116,6 +126,7 @@ try {
       await claims(page, await cell.setupToken());
       await tellsOfAnAlarm(page, cell);
       await tellsATime(page);
+      await tellsWhatWasThere(page, cell);
       await sendsATest(page);
       await losesItsVariable(page, cell);
     },
