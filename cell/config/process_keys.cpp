@@ -41,7 +41,9 @@ constexpr std::array kProcessKeys = {
 
     KeyWords{"tasks", "Settings of single tasks, by the names that the program gives them."},
     KeyWords{"tasks.NAME", "One task."},
-    KeyWords{"tasks.NAME.phase_us", "The task starts so much later than others of its interval."},
+    KeyWords{"tasks.NAME.phase_us",
+             "Its turns come so much later than those of other tasks of its interval; of more than an "
+             "interval the rest counts."},
     KeyWords{"tasks.NAME.overrun",
              "When the task is late for its next turn: leave turns out, do them all, or stop with a fault."},
     KeyWords{"tasks.NAME.cpu", "The only processor of the task's thread.", "", "that of `[runtime]`",
