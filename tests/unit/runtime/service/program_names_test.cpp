@@ -60,9 +60,9 @@ TEST(WrittenConstant, WhenItIsWrittenOrForced_ThenItIsRefused) {
   writer::ContainerModel model = support::one_program(8, [](auto&) {});
   const auto type = model.add_type(writer::elementary(bytecode::ElementaryType::Int));
   model.symbols.push_back({.name = "limit",
-                           .flags = bytecode::kSymbolConstant,
                            .type = type,
                            .address = 0,
+                           .flags = bytecode::kSymbolConstant,
                            .direct_address = {}});
   model.symbols.push_back({.name = "level", .type = type, .address = 2, .direct_address = {}});
   const auto info = reader::ProgramInfo::read(writer::write_container(model).value()).value();
