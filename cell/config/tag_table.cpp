@@ -173,13 +173,19 @@ class TagTable {
     tag.range = settings::Range{*least, *greatest};
   }
 
+  // "off|by hand"; `\|` and `\\` are signs of a name.
   void read_values(TagConfig& tag) const {
-    std::string_view rest = field("values");
-    while (!rest.empty()) {
-      const std::size_t end = std::min(rest.find('|'), rest.size());
-      tag.values.emplace_back(rest.substr(0, end));
-      rest.remove_prefix(std::min(end + 1, rest.size()));
+    const std::string_view text = field("values");
+    std::string name;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+      if (text[i] == '|') {
+        tag.values.push_back(std::exchange(name, {}));
+        continue;
+      }
+      if (text[i] == '\\' && i + 1 < text.size() && (text[i + 1] == '|' || text[i + 1] == '\\')) ++i;
+      name += text[i];
     }
+    if (!name.empty()) tag.values.push_back(std::move(name));
   }
 
   static bool says_something(const TagConfig& tag) {

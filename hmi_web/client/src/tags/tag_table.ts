@@ -5,6 +5,8 @@ import { TagNotes } from '../lib/tag_notes';
 
 const COLUMNS = ['name', 'type', 'address', 'unit', 'description', 'group', 'decimals', 'least', 'greatest', 'values'];
 
+// A name may have the sign that stands between names.
+const escaped = (name: string) => name.replace(/[\\|]/g, '\\$&');
 const field = (text: string) => (/[",\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
 
 // Every tag of the program in its order, then what else is described: points of the plant, tags of other programs. What is said of
@@ -19,7 +21,7 @@ export function tagTable(tags: readonly Tag[], said: readonly TagNote[]): string
     const [least, greatest] = note?.normal ?? ['', ''];
     rows.push([
       name, tag?.type ?? '', tag?.address ?? '', note?.unit ?? '', note?.description ?? tag?.comment ?? '', note?.group ?? '',
-      String(note?.decimals ?? ''), String(least), String(greatest), note?.values?.join('|') ?? '',
+      String(note?.decimals ?? ''), String(least), String(greatest), note?.values?.map(escaped).join('|') ?? '',
     ]);
   };
   for (const tag of tags) {

@@ -83,15 +83,16 @@ TEST(TagTable, WhenASpreadsheetSavesIt_ThenAllOfItIsRead) {
   const Read whole = read_table(
       "\xEF\xBB\xBFname,type,unit,description,group,decimals,least,greatest,values\r\n"
       "Main.level,REAL,l,\"level, \"\"net\"\"\",buffer,1,0,200.5,\r\nMain.other,REAL,,,,,,,\r\n"
-      "Main.mode,INT,,,,,,,off|by hand\r\n");
+      "Main.mode,INT,,,,,,,off|by hand\r\nMain.way,INT,,,,,,,a\\|b|c\\\\||\\d\r\n");
   EXPECT_TRUE(whole.problems.empty());
-  ASSERT_EQ(whole.tags.size(), 2u) << "a row that says nothing is none";
+  ASSERT_EQ(whole.tags.size(), 3u) << "a row that says nothing is none";
   EXPECT_EQ(whole.tags[0].description, "level, \"net\"");
   EXPECT_EQ(whole.tags[0].decimals, 1);
   ASSERT_TRUE(whole.tags[0].range);
   EXPECT_EQ(whole.tags[0].range->high, 200.5);
   EXPECT_EQ(whole.tags[0].where.line, 2u);
   EXPECT_EQ(whole.tags[1].values, (std::vector<std::string>{"off", "by hand"}));
+  EXPECT_EQ(whole.tags[2].values, (std::vector<std::string>{"a|b", "c\\", "", "\\d"}));
 }
 
 TEST(TagTable, WhenThereIsNone_ThenNothingIsSaid) {

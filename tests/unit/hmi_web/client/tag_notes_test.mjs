@@ -143,6 +143,7 @@ test('Table_WhenTagsAndPointsAreDescribed_ThenEachHasARowAndAnArrayOne', () => {
     '',
   ].join('\r\n'));
   assert.match(tagTable(tags, []), /Main\.level,REAL,,,how full/);
+  assert.match(tagTable(tags, [{ name: 'Main.mode', values: ['a|b', 'c\\', 'd'] }]), /Main\.mode,INT,,,,,,,,a\\\|b\|c\\\\\|d\r/);
 });
 
 test('Value_WhenAnIntegerHasMoreDigitsThanANumber_ThenAllOfThemAreShown', () => {
