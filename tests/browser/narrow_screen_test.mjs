@@ -47,6 +47,11 @@ await leadOverPage(given, {
       check(wide <= WIDTH, `nothing sticks out of the page in ${language} (${wide})`);
       const cut = await page.evaluate(unreadable);
       check(cut.length === 0, `all can be read in ${language} ${cut.join('; ')}`);
+      const beyond = await page.evaluate(() => {
+        const room = document.querySelector('[data-panel=tags] .values');
+        return room ? room.scrollWidth - room.clientWidth : -1;
+      });
+      check(beyond === 0, `nor is a value of the table of tags in ${language} (${beyond} px)`);
       await isAccessible(page, `the page in ${language}`);
     }
   },

@@ -76,6 +76,9 @@ async function tellsATime(page) {
   await until('the chat is told', () => posted() !== undefined);
   check(posted().value === 90, `in seconds (${JSON.stringify(posted())})`);
   await page.getByRole('button', { name: 'Alarms' }).click();
+  await page.getByRole('button', { name: 'Journal' }).click();
+  await waitFor(page, 'the journal tells it in its words', () => document.querySelector('[data-testid=journal] tbody')?.innerText.includes('It soaks for too long'));
+  await page.getByRole('button', { name: 'Standing' }).click();
   await waitFor(page, 'and the list of alarms has it', () => document.querySelector('[data-alarm="soak.long"]') !== null);
   const row = await page.locator('[data-alarm="soak.long"]').innerText();
   check(/1 min 30 s/.test(row) && !row.includes('90000000000'), `the list of alarms, too (${row.replaceAll('\n', ' ').replaceAll('\t', ' ')})`);
