@@ -30,7 +30,8 @@ std::map<std::string, ToldAlarms> read_told(const std::filesystem::path& file) {
   if (!text || text->size() > kLargestFile) return {};
   try {
     std::map<std::string, ToldAlarms> channels;
-    for (const auto& [channel, alarms] : json::parse(*text).items())
+    const json whole = json::parse(*text);
+    for (const auto& [channel, alarms] : whole.items())
       for (const auto& [name, entry] : alarms.items()) channels[channel][name] = told_of(entry);
     return channels;
   } catch (const json::exception&) {
