@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
+#include <map>
 #include <set>
 #include <string_view>
 #include <tuple>
@@ -126,14 +126,19 @@ void tell_neighbours(const std::filesystem::path& folder, std::vector<std::strin
   }
 }
 
-// Where devices are known, what none of them has.
-void tell_signals_without_device(TakenProject& taken) {
+// Where devices are known, what none of them has, or not all of.
+void tell_signals_without_device(TakenProject& taken, const std::map<std::string, std::uint32_t>& lengths) {
   taken.left.insert(taken.left.end(), taken.devices.left.begin(), taken.devices.left.end());
   if (taken.devices.devices.empty()) return;
   for (const Signal& each : taken.signals) {
     const auto address = naming::parse_direct_address(each.address);
-    if (!address || address->area == naming::Area::Marker || object_at(taken.devices, each.before)) continue;
-    taken.left.push_back(each.name + " at " + each.before + ": no request of a device reads or writes it");
+    if (!address || address->area == naming::Area::Marker) continue;
+    const auto length = lengths.find(each.before);
+    if (!object_at(taken.devices, each.before))
+      taken.left.push_back(each.name + " at " + each.before + ": no request of a device reads or writes it");
+    else if (length != lengths.end() && length->second > address->bits)
+      taken.left.push_back(each.name + " at " + each.before + ": " + each.type +
+                           ", of which only the first value has a tag in cell.toml");
   }
 }
 
@@ -181,7 +186,8 @@ result::Result<TakenProject> read_project(const std::filesystem::path& path, con
   if (!read) return result::forward(read);
   TakenProject taken;
   const std::string kept = without_instruction_lists(*read, taken.left);
-  const AddressPlan plan(addresses_in(kept), located_lengths(*read, *dialect, taken.left));
+  const auto lengths = located_lengths(*read, *dialect, taken.left);
+  const AddressPlan plan(addresses_in(kept), lengths);
   taken.name = read->name;
   taken.dialect = options.dialect;
   taken.xml = with_addresses(kept, [&](const std::string& each) { return plan.address(each); });
@@ -201,7 +207,7 @@ result::Result<TakenProject> read_project(const std::filesystem::path& path, con
   tell_empty_pous(taken.model, taken.left);
   tell_vendor_data(*text, taken.left);
   tell_neighbours(file.parent_path(), taken.left);
-  tell_signals_without_device(taken);
+  tell_signals_without_device(taken, lengths);
   return taken;
 }
 

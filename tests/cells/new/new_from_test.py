@@ -179,7 +179,8 @@ class From(unittest.TestCase):
     def test_devices_over_modbus_that_beremiz_keeps_beside_the_project_are_taken(self):
         folder = self.root / "project"
         self.write(project([("level", ' address="%IW2.0.1.7"', "<WORD/>"), ("valve", ' address="%QX2.0.0.3"', "<BOOL/>"),
-                            ("flag", ' address="%QX2.0.0.0.0"', "<BOOL/>")], "valve := level < WORD#500;"), "project/plc.xml")
+                            ("flag", ' address="%QX2.0.0.0.0"', "<BOOL/>"),
+                            ("rows", ' address="%IW2.0.1.10"', '<array><dimension lower="0" upper="3"/><baseType><INT/></baseType></array>')], "valve := level < WORD#500;"), "project/plc.xml")
         node = lambda name, channel, settings: (self.write(f'<BaseParams IEC_Channel="{channel}" Name="x"/>', f"project/{name}/baseconfnode.xml"),
                                                 self.write(settings, f"project/{name}/confnode.xml"))
         node("bus@modbus", 2, "<ModbusRoot/>")
@@ -194,6 +195,7 @@ class From(unittest.TestCase):
                      'address = "%IW0", input = 7, type = "uint16" }', 'name = "run.valve", address = "%QX0.1", coil = 3 }'):
             self.assertIn(part, cell)
         self.assertIn("run.flag at %QX2.0.0.0.0: no request", said)
+        self.assertIn("run.rows at %IW2.0.1.10: ARRAY[0..3] OF INT, of which only the first value has a tag in cell.toml", said)
         self.assertIn("bus/ours: a ModbusTCPserver", said)
         self.sound(made)
 
