@@ -280,6 +280,13 @@ class ClientReader {
       fail("C0526", root_.table("io").where("kind"), "physical devices know real time only",
            "[clock] mode = \"real\"");
     }
+    if (image_.used && settings_.silence <= settings_.cycle) {
+      const TomlTable client = modbus_.table("client");
+      fail("C0526", client.where(client.has("silence_ms") ? "silence_ms" : "cycle_ms"),
+           "the client says that it lives once in a cycle, every " + std::to_string(settings_.cycle.count()) +
+               " ms, and is taken for lost after " + std::to_string(settings_.silence.count()) + " ms",
+           "silence_ms several times cycle_ms");
+    }
   }
 
   struct Line {

@@ -1,5 +1,6 @@
 #include "cell/processes/cell_record.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "runtime/ground/process/files.h"
@@ -15,6 +16,37 @@ std::string left_behind_by(std::string_view process) {
 
 std::filesystem::path record_path(const config::CellConfig& config) {
   return config.state_dir / "up.json";
+}
+
+std::string whole_path(const std::filesystem::path& file) {
+  std::error_code error;
+  const auto whole = std::filesystem::absolute(file, error);
+  return (error ? file : whole).lexically_normal().string();
+}
+
+namespace {
+
+// Its folder was moved, with the state in it.
+bool was_moved(const CellRecord& record, const config::CellConfig& config) {
+  std::error_code error;
+  if (std::filesystem::exists(record.config, error) || error) return false;
+  const auto folder = std::filesystem::canonical(config.file, error).parent_path();
+  const auto state = std::filesystem::canonical(config.state_dir, error);
+  return !error && std::ranges::mismatch(folder, state).in1 == folder.end();
+}
+
+}  // namespace
+
+result::Result<void> check_same_cell(const CellRecord& record, const config::CellConfig& config) {
+  const std::string file = whole_path(config.file);
+  std::error_code error;
+  if (record.config == file || std::filesystem::equivalent(record.config, file, error)) return {};
+  if (was_moved(record, config)) return {};
+  return result::fail(kOfAnotherCell, {config.file.string(), 0, 0},
+                      "the state folder " + config.state_dir.string() +
+                          " is that of another cell, which is up: '" + record.cell + "', " + record.config,
+                      "one of the two has to have a state folder of its own: [cell] state_dir = \"state\"; " +
+                          file + " is not up, and nothing was done");
 }
 
 std::string to_json(const CellRecord& record) {

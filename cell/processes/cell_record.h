@@ -60,6 +60,15 @@ std::string left_behind_by(std::string_view process);
 
 std::filesystem::path record_path(const config::CellConfig& config);
 
+inline constexpr const char* kOfAnotherCell = "M0023";
+
+// As a record has it.
+std::string whole_path(const std::filesystem::path& file);
+// M0023, with both files, if the record is that of another cell, which has the same state folder. Links and
+// the ways to a file make no difference, and a cell that was moved while it is up is the same one.
+[[nodiscard]] result::Result<void> check_same_cell(const CellRecord& record,
+                                                   const config::CellConfig& config);
+
 std::string to_json(const CellRecord& record);
 // E0002 or nothing.
 [[nodiscard]] result::Diagnostics write_record(const std::filesystem::path& file, const CellRecord& record);

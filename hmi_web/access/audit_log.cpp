@@ -17,7 +17,8 @@ constexpr std::chrono::seconds kBetweenTries{1};
 std::filesystem::path free_name_beside(const std::filesystem::path& file) {
   for (int i = 1;; ++i) {
     std::filesystem::path name = file.string() + ".broken-" + std::to_string(i);
-    if (!std::filesystem::exists(name)) return name;
+    std::error_code unknown;  // whoever writes it says why not
+    if (!std::filesystem::exists(name, unknown)) return name;
   }
 }
 

@@ -75,7 +75,8 @@ result::Result<void> check_password(std::string_view password, std::string_view 
 
 result::Result<std::unique_ptr<UserStore>> UserStore::open(const std::filesystem::path& file) {
   std::vector<User> users;
-  if (std::filesystem::exists(file)) {
+  std::error_code unknown;  // then it is read, and that says why not
+  if (std::filesystem::exists(file, unknown) || unknown) {
     const auto text = read_whole(file);
     if (!text) return tl::unexpected(text.error());
     const json document = json::parse(*text, nullptr, /*allow_exceptions=*/false);

@@ -79,7 +79,8 @@ result::Result<std::unique_ptr<ForceService>> ForceService::open(std::filesystem
                                                                  access::WallClock clock,
                                                                  OnChange on_change) {
   std::vector<StandingForce> standing;
-  if (std::filesystem::exists(file)) {
+  std::error_code unknown;  // then it is read, and that says why not
+  if (std::filesystem::exists(file, unknown) || unknown) {
     const auto text = access::read_whole(file);
     if (!text) return tl::unexpected(text.error());
     auto read = from_json(*text);

@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "runtime/ground/naming/ascii_names.h"
+
 namespace stepwright::recipes {
 namespace {
 
@@ -97,7 +99,7 @@ std::vector<RecipeTag> read_definitions(const TomlTable& root) {
   std::map<std::string, std::uint32_t> lines;
   for (const TomlTable& table : root.tables("tag")) {
     made.push_back(read_tag(table));
-    const auto [first, fresh] = lines.emplace(made.back().name, table.where("name").line);
+    const auto [first, fresh] = lines.emplace(naming::upper(made.back().name), table.where("name").line);
     if (!fresh && !made.back().name.empty())
       table.report("name", "the tag '" + made.back().name + "' is there twice",
                    "the other one is in line " + std::to_string(first->second), "0620");

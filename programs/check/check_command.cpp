@@ -19,11 +19,13 @@
 #include "hmi_web/screens/codes.h"
 #include "hmi_web/screens/screen_store.h"
 #include "programs/check/check_addresses.h"
+#include "programs/check/check_places.h"
 #include "programs/check/check_plant.h"
 #include "programs/check/check_ports.h"
 #include "programs/check/check_processes.h"
 #include "programs/check/check_program.h"
 #include "programs/check/check_texts.h"
+#include "programs/check/check_unheard.h"
 #include "programs/check/compile_sources.h"
 #include "runtime/ground/process/diagnostics_json.h"
 
@@ -101,7 +103,8 @@ void check_drawings(const config::HmiConfig& hmi, result::Diagnostics& problems)
     add(problems, drawn ? drawn->warnings : drawn.error());
     if (drawn) note_idle_parts(drawn->parts, problems);
   }
-  if (!std::filesystem::is_directory(hmi.screens_dir)) return;
+  std::error_code unknown;  // as good as not there: check_places says why
+  if (!std::filesystem::is_directory(hmi.screens_dir, unknown)) return;
   const auto store = screens::ScreenStore::open(hmi.screens_dir);
   if (!store) return;
   add(problems, (*store)->damaged());
@@ -152,6 +155,8 @@ CheckReport check_cell(const std::filesystem::path& file, const std::vector<std:
   add(report.problems, check_ports(cell.config));
   add(report.problems, check_addresses(cell.config));
   add(report.problems, check_texts(cell.config));
+  add(report.problems, check_unheard(cell.config));
+  add(report.problems, check_places(cell.config));
   if (const auto trusted = config::check_state_dir(cell.config); !trusted)
     add(report.problems, trusted.error());
   check_monitors(cell.config, report.problems);

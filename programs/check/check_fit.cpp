@@ -1,6 +1,9 @@
 #include "programs/check/check_fit.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
 #include <iterator>
 #include <string>
 #include <utility>
@@ -31,7 +34,20 @@ bool takes(ElementaryType variable, ElementaryType literal) {
   if (variable == literal) return true;
   if (is_real(variable)) return bytecode::is_whole_number(literal) || is_real(literal);
   return bytecode::is_whole_number(variable) ? bytecode::is_whole_number(literal)
-                                             : bytecode::is_string(variable);
+                                             : bytecode::is_string(variable) && bytecode::is_string(literal);
+}
+
+// Of a type of whole numbers.
+std::pair<double, double> reach_of(ElementaryType type) {
+  const int bits = static_cast<int>(8 * bytecode::size_of(bytecode::mem_type(type)));
+  if (bytecode::is_unsigned(type)) return {0, std::ldexp(1.0, bits) - 1};
+  return {-std::ldexp(1.0, bits - 1), std::ldexp(1.0, bits - 1) - 1};
+}
+
+std::string whole(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.0f", value);
+  return text.data();
 }
 
 class FitCheck {
@@ -41,6 +57,7 @@ class FitCheck {
   void alarm_source(const std::string& name, const Location& where, const std::string& what) {
     if (name.starts_with(kFigures)) return figure(name, where, what);
     const auto found = resolved(name, where, what);
+    if (found && name.starts_with('%')) return by_address(name, *found, where, what);
     if (found && bytecode::is_string(found->type))
       tell("C0528", where,
            what + " is " + name + ", a " + bytecode::name_of(found->type) + ": it never has a number",
@@ -49,7 +66,13 @@ class FitCheck {
 
   void recipe(const recipes::RecipeTag& tag) {
     const auto found = resolved(tag.name, tag.name_where, "a recipe's tag (name)");
-    if (!found || takes(found->type, tag.type)) return;
+    if (!found) return;
+    const reader::Tag* const known = info_.find_tag(tag.name);
+    if (known != nullptr && (known->flags & bytecode::kSymbolConstant) != 0)
+      return tell("C0528", tag.name_where,
+                  "a recipe's tag is " + tag.name + ", which is a constant of the program",
+                  "a variable without CONSTANT can be set");
+    if (takes(found->type, tag.type)) return check_range(tag, found->type);
     tell("C0528", tag.where,
          "a recipe's tag is of the type " + std::string(bytecode::name_of(tag.type)) + ", and " + tag.name +
              " of the program is of the type " + bytecode::name_of(found->type),
@@ -69,6 +92,18 @@ class FitCheck {
   result::Diagnostics take() { return std::move(problems_); }
 
  private:
+  // The page knows the values of a program by their names.
+  void by_address(const std::string& address, const reader::Variable& at, const Location& where,
+                  const std::string& what) {
+    const auto same = [&](const reader::Tag& tag) {
+      return tag.variable.address == at.address && tag.variable.bit == at.bit;
+    };
+    const auto tag = std::ranges::find_if(info_.tags(), same);
+    tell("C0532", where, what + " is the address " + address + ", and alarms watch variables by their names",
+         tag == info_.tags().end() ? "declare a variable AT " + address + ", and name that"
+                                   : "did you mean '" + tag->name + "'?");
+  }
+
   void figure(const std::string& name, const Location& where, const std::string& what) {
     const std::vector<std::string> known = {
         std::string(recorder::kRuntimeAlive), std::string(recorder::kRuntimeFault),
@@ -76,6 +111,20 @@ class FitCheck {
     if (std::ranges::find(known, name) != known.end()) return;
     tell("C0532", where, what + " names '" + name + "', which is no figure of a cell",
          meant_or(name, known, "there are "));
+  }
+
+  // A load beyond the variable's type is refused, whatever the recipe says.
+  void check_range(const recipes::RecipeTag& tag, ElementaryType type) {
+    if (!bytecode::is_whole_number(type) || !bytecode::is_whole_number(tag.type)) return;
+    const auto [least, most] = reach_of(type);
+    if (tag.least >= least && tag.most <= most) return;
+    tell("C0528", tag.where,
+         "a recipe's tag goes from " + whole(tag.least) + " to " + whole(tag.most) + ", and " + tag.name +
+             " of the program, of the type " + bytecode::name_of(type) + ", from " + whole(least) + " to " +
+             whole(most),
+         "recipes with other values cannot be loaded: type = \"" + std::string(bytecode::name_of(type)) +
+             "\", or min and max within it",
+         result::Severity::Warning);
   }
 
   // A name that is not there is told elsewhere; an address is not.

@@ -2,6 +2,7 @@
 
 #include "cell/gateway/controller_line.h"
 #include "cell/gateway/hand_plan.h"
+#include "hmi_web/server/tls_files.h"
 #include "runtime/modbus/client/poll/io_client.h"
 #include "runtime/modbus/server/tls/tls_context.h"
 
@@ -30,6 +31,9 @@ result::Diagnostics check_processes(const config::CellConfig& config) {
     note(modbus::server::TlsContext::create(tls->tls), tls->tls.where, problems);
   if (config.safety.io.modbus)
     note(modbus::client::IoClient::check(config.modbus_client), {config.file.string(), 0, 0}, problems);
+  if (!config.hmi.certificate.empty() && !config.hmi.key.empty())
+    note(server::check_tls_files(config.hmi.certificate, config.hmi.key), {config.file.string(), 0, 0},
+         problems);
   const config::ControllerConfig& controller = config.controller;
   if (controller.remote()) note(gateway::make_line(controller), controller.where, problems);
   if (controller.remote() && controller.loaded_by_hand && !controller.plan.empty())

@@ -1,8 +1,8 @@
 #pragma once
 
 // Check of the processes around a cell's runtime: what they would refuse at their start, in their own words.
-// The Modbus server its certificates, the Modbus client its devices, the gateway its line and the table of
-// its plan.
+// The page and the Modbus server their certificates, the Modbus client its devices, the gateway its line and
+// the table of its plan.
 //
 // Any thread; reads files.
 //

@@ -13,6 +13,7 @@ namespace {
 using bytecode::ElementaryType;
 using modbus::client::ImageType;
 using modbus::client::Tag;
+using modbus::client::WireType;
 using result::Severity;
 
 // What a number is made of: bits of the same width mean something else in another family.
@@ -52,6 +53,23 @@ Family family_of(ElementaryType type) {
       return Family::Unsigned;
     default:
       return Family::Bits;  // bit strings and what else takes any bits
+  }
+}
+
+// A device's number of another sign than the tag's is out of range where the sign counts.
+Family family_of(WireType type) {
+  switch (type) {
+    case WireType::Bool:
+      return Family::Bits;
+    case WireType::Real:
+    case WireType::Lreal:
+      return Family::Float;
+    case WireType::Int16:
+    case WireType::Int32:
+    case WireType::Int64:
+      return Family::Signed;
+    default:
+      return Family::Unsigned;
   }
 }
 
@@ -109,8 +127,9 @@ class TagCheck {
     if (here == there || here == Family::Bits || there == Family::Bits) return;
     const bool wrong = here == Family::Float || there == Family::Float;
     // A sign is a matter of reading the same bits, as long as nothing is computed with the number.
-    const bool moved = tag.scale.plain() && modbus::client::bytes_of(tag.field.type) ==
-                                                2u * modbus::client::registers_of(tag.wire);
+    const bool moved =
+        tag.scale.plain() && family_of(tag.wire) == here &&
+        modbus::client::bytes_of(tag.field.type) == 2u * modbus::client::registers_of(tag.wire);
     if (!wrong && moved) return;
     problems_.push_back(
         {"C0528", wrong ? Severity::Error : Severity::Warning, tag.where,

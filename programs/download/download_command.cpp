@@ -105,14 +105,15 @@ int refuse(const Arguments& arguments, const result::Diagnostics& problems, Exit
   return process::fail(problems, exit);
 }
 
-void print(DownloadMode mode, const service::Reply& reply) {
+// What is brought in may be started next: that is told then.
+void print(DownloadMode mode, const service::Reply& reply, bool bring_in) {
   result::Diagnostics warnings;
   std::copy_if(reply.problems.begin(), reply.problems.end(), std::back_inserter(warnings),
                [](const result::Diagnostic& each) { return each.severity == result::Severity::Warning; });
   if (!warnings.empty()) static_cast<void>(process::fail(warnings, ExitCode::Done));
   const std::string digest = reply.digest.substr(0, 12);
   if (mode == DownloadMode::Replace) {
-    std::printf("%s is loaded; it is stopped\n", digest.c_str());
+    std::printf("%s is loaded%s\n", digest.c_str(), bring_in ? "" : "; it is stopped");
     return;
   }
   std::printf("%s took over within %.1f us\n", digest.c_str(), reply.change.pause_us);
@@ -204,7 +205,7 @@ int download(const config::CellConfig& config, const Arguments& arguments) {
     return refuse(arguments, reply.error(),
                   (*connection)->closed() ? ExitCode::RuntimeFault : ExitCode::BadInput);
   }
-  print(*mode, *reply);
+  print(*mode, *reply, arguments.bring_in);
   const ExitCode verdict = follow(**connection, config, arguments, *mode, *status, reply->digest);
   const ExitCode written = write_report(arguments.json, report(*mode, *reply));
   return to_int(verdict == ExitCode::Done ? written : verdict);

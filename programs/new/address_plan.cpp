@@ -27,69 +27,88 @@ std::uint32_t first_bit(const naming::DirectAddress& address) {
 }  // namespace
 
 std::optional<AddressPlan::Place> AddressPlan::place_of(const std::string& text) {
-  if (const auto flat = naming::parse_direct_address(text))
-    return Place{text, flat->area, flat->bits, {first_bit(*flat)}};
+  if (const auto flat = naming::parse_direct_address(text)) {
+    const std::uint32_t begin = first_bit(*flat);
+    return Place{text, flat->area, flat->bits, {begin}, begin, begin + flat->bits};
+  }
   if (const auto levels = syntax::parse_hierarchical(text)) {
     const auto area = static_cast<Area>(levels->address.area);
-    return Place{text, area, levels->address.bits, levels->levels};
+    const std::uint8_t bits = levels->address.bits;
+    const std::uint64_t begin = std::uint64_t{levels->levels.back()} * bits;
+    return Place{text, area, bits, levels->levels, begin, begin + bits};
   }
   return std::nullopt;
 }
 
-AddressPlan::AddressPlan(const std::vector<std::string>& addresses) {
+AddressPlan::AddressPlan(const std::vector<std::string>& addresses,
+                         const std::map<std::string, std::uint32_t>& lengths) {
   std::vector<Place> places[3];
   std::set<std::string> seen;
   for (const std::string& text : addresses) {
     if (!seen.insert(text).second) continue;
-    if (auto place = place_of(text))
-      places[static_cast<std::size_t>(place->area)].push_back(std::move(*place));
-    else
+    auto place = place_of(text);
+    if (!place) {
       unknown_.push_back(text);
+      continue;
+    }
+    const auto length = lengths.find(text);
+    if (length != lengths.end()) place->end = std::max(place->end, place->begin + length->second);
+    places[static_cast<std::size_t>(place->area)].push_back(std::move(*place));
   }
   for (const Area area : {Area::Input, Area::Output, Area::Marker})
     plan_area(area, std::move(places[static_cast<std::size_t>(area)]));
 }
 
-void AddressPlan::stay(const Place& place) {
-  const auto flat = naming::parse_direct_address(place.text);
-  now_[place.text] = place.text;
-  std::uint32_t& bytes = bytes_[static_cast<std::size_t>(place.area)];
-  bytes = std::max(bytes, flat->byte + std::max<std::uint32_t>(1, flat->bits / 8));
+bool AddressPlan::stand_apart(const std::vector<Place>& places) {
+  const auto shares = [](const Place& one, const Place& other) {
+    return one.bits != other.bits && one.begin < other.end && other.begin < one.end;
+  };
+  const auto flat = [](const Place& place) { return place.levels.size() == 1; };
+  return std::ranges::all_of(places, flat) && std::ranges::none_of(places, [&](const Place& one) {
+           return std::ranges::any_of(places, [&](const Place& other) { return shares(one, other); });
+         });
 }
 
-void AddressPlan::plan_area(Area area, std::vector<Place> places) {
-  const auto flat = [](const Place& place) { return place.levels.size() == 1; };
-  const auto shares = [](const Place& one, const Place& other) {
-    return one.bits != other.bits && one.levels[0] < other.levels[0] + other.bits &&
-           other.levels[0] < one.levels[0] + one.bits;
-  };
-  const bool all_flat = std::ranges::all_of(places, flat);
-  const bool apart =
-      all_flat && std::ranges::none_of(places, [&](const Place& one) {
-        return std::ranges::any_of(places, [&](const Place& other) { return shares(one, other); });
-      });
-  if (apart) {
-    for (const Place& place : places) stay(place);
-    return;
-  }
-  // A size behind the other; the order within a size is that of the addresses.
+std::vector<AddressPlan::Group> AddressPlan::groups_of(std::vector<Place>& places) {
   std::ranges::sort(places, [](const Place& one, const Place& other) {
     return std::tie(one.bits, one.levels) < std::tie(other.bits, other.levels);
   });
-  std::uint32_t next = 0;
-  const Place* before = nullptr;
-  std::string text;
+  std::vector<Group> groups;
+  std::map<std::pair<std::uint8_t, std::vector<std::uint32_t>>, std::size_t> last;  // group of each table
   for (const Place& place : places) {
-    const bool same = before != nullptr && before->bits == place.bits && before->levels == place.levels;
-    if (!same) {
-      next = (next + place.bits - 1) / place.bits * place.bits;
-      text = text_of(area, place.bits, next);
-      next += place.bits;
+    const std::vector<std::uint32_t> table(place.levels.begin(), place.levels.end() - 1);
+    const auto [at, is_new] = last.try_emplace({place.bits, table}, groups.size());
+    if (is_new || place.begin >= groups[at->second].end) {
+      at->second = groups.size();
+      groups.emplace_back();
     }
-    now_[place.text] = text;
-    before = &place;
+    Group& group = groups[at->second];
+    group.places.push_back(&place);
+    group.end = std::max(group.end, place.end);
   }
-  bytes_[static_cast<std::size_t>(area)] = (next + 7) / 8;
+  return groups;
+}
+
+void AddressPlan::plan_area(Area area, std::vector<Place> places) {
+  std::uint64_t next = 0;  // the first bit that is free
+  if (stand_apart(places)) {
+    for (const Place& place : places) {
+      now_[place.text] = place.text;
+      next = std::max(next, place.end);
+    }
+    bytes_[static_cast<std::size_t>(area)] = static_cast<std::uint32_t>((next + 7) / 8);
+    return;
+  }
+  // A size behind the other; the order within a size is that of the addresses.
+  for (const Group& group : groups_of(places)) {
+    const Place& first = *group.places.front();
+    const std::uint64_t start = (next + first.bits - 1) / first.bits * first.bits;
+    for (const Place* place : group.places)
+      now_[place->text] =
+          text_of(area, place->bits, static_cast<std::uint32_t>(start + (place->begin - first.begin)));
+    next = start + (group.end - first.begin);
+  }
+  bytes_[static_cast<std::size_t>(area)] = static_cast<std::uint32_t>((next + 7) / 8);
 }
 
 std::string AddressPlan::address(const std::string& before) const {

@@ -5,12 +5,13 @@
 // %QX1.0.3). Here an area is bytes, %IW0 has the bits of %IX0.0 to %IX1.7, and an address for devices has no
 // levels.
 //
-// An area stays as it is if all its addresses are flat and no two of different sizes share bits; else its
-// addresses of the smaller sizes come first, each size behind the one before, equal addresses staying equal.
-// Pure; not thread-safe.
+// An area stays as it is if all its addresses are flat and nothing of another size shares their bits; else
+// its addresses of the smaller sizes come first, each size behind the one before. What is one place stays one
+// place: equal addresses, and those within an array. Pure; not thread-safe.
 //
-//   AddressPlan plan({"%IX0.0", "%IW0"});
+//   AddressPlan plan({"%IX0.0", "%IW0"}, {{"%IW0", 160}});   // an array of ten words
 //   plan.address("%IW0");      // "%IW1"
+//   plan.bytes(Area::Input);   // 22
 
 #include <cstdint>
 #include <map>
@@ -26,7 +27,9 @@ namespace stepwright::new_cell {
 
 class AddressPlan {
  public:
-  explicit AddressPlan(const std::vector<std::string>& addresses);
+  // `lengths`: bits of what is at an address, where that is more than the address says.
+  explicit AddressPlan(const std::vector<std::string>& addresses,
+                       const std::map<std::string, std::uint32_t>& lengths = {});
 
   // Where it is now, as text; the same text if it stays, or is no address.
   std::string address(const std::string& before) const;
@@ -38,15 +41,25 @@ class AddressPlan {
   const std::vector<std::string>& unknown() const { return unknown_; }
 
  private:
-  // Of any system: an area, a size, and levels of which a flat address has one or, of a bit, two.
+  // Of any system: an area, a size, levels, and the bits [begin, end) of the table that all levels but the
+  // last name; a flat address has one level, its first bit.
   struct Place {
     std::string text;
     naming::Area area = naming::Area::Input;
     std::uint8_t bits = 1;
     std::vector<std::uint32_t> levels;
+    std::uint64_t begin = 0;
+    std::uint64_t end = 0;
+  };
+  // What shares bits, in the order of their places: it stays together.
+  struct Group {
+    std::vector<const Place*> places;
+    std::uint64_t end = 0;
   };
 
   static std::optional<Place> place_of(const std::string& text);
+  static bool stand_apart(const std::vector<Place>& places);
+  static std::vector<Group> groups_of(std::vector<Place>& places);
   void plan_area(naming::Area area, std::vector<Place> places);
   void stay(const Place& place);
 

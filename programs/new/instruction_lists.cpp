@@ -5,6 +5,8 @@
 #include <string_view>
 #include <variant>
 
+#include "programs/new/named_bodies.h"
+#include "programs/new/xml_text.h"
 #include "runtime/ground/naming/ascii_names.h"
 
 namespace stepwright::new_cell {
@@ -24,35 +26,9 @@ bool has_list(const graphic::Pou& pou) {
   const auto* const drawn = std::get_if<graphic::DrawnBody>(&pou.body);
   if (drawn == nullptr) return false;
   const auto named = [](const graphic::NamedBody& each) { return has_list(each.body); };
-  return has_list(drawn->body) || std::ranges::any_of(drawn->actions, named) ||
-         std::ranges::any_of(drawn->transitions, named);
-}
-
-// What begins at `at` and has no elements: where it ends, or `at` if it is a tag.
-std::size_t end_of_plain(std::string_view xml, std::size_t at) {
-  constexpr std::string_view kPlain[][2] = {{"<!--", "-->"}, {"<![CDATA[", "]]>"}, {"<?", "?>"}};
-  for (const auto& [open, close] : kPlain) {
-    if (!xml.substr(at).starts_with(open)) continue;
-    const std::size_t end = xml.find(close, at + open.size());
-    return end == std::string_view::npos ? xml.size() : end + close.size();
-  }
-  return at;
-}
-
-// Behind the '>' of the tag at `at`: attributes may hold one.
-std::size_t end_of_tag(std::string_view xml, std::size_t at) {
-  char quote = 0;
-  for (; at < xml.size(); ++at) {
-    const char c = xml[at];
-    if (quote != 0) {
-      if (c == quote) quote = 0;
-    } else if (c == '"' || c == '\'') {
-      quote = c;
-    } else if (c == '>') {
-      return at + 1;
-    }
-  }
-  return at;
+  if (has_list(drawn->body)) return true;
+  return takes_named_bodies(*drawn) &&
+         (std::ranges::any_of(drawn->actions, named) || std::ranges::any_of(drawn->transitions, named));
 }
 
 // Behind the element whose '<' is at `begin`, in a file that is well-formed.

@@ -35,7 +35,8 @@ int main(int argc, char** argv) {
       ->needs(from);
   app.add_option("--configuration", options.configuration, "of those that the project has")->needs(from);
   app.footer(
-      "Exit codes: 0 the cell is there and runs, 1 it was not written, or its program does not compile, 2 "
+      "Exit codes: 0 the cell is there and runs, 1 it was not written, or does not run (its program does not "
+      "compile), 2 "
       "usage.");
   if (const auto exit = process::parse(app, argc, argv)) return *exit;
   const auto made = new_cell::make_cell(options);
@@ -43,8 +44,9 @@ int main(int argc, char** argv) {
   if (!made->left.empty()) std::printf("not taken (README.md has the list, too):\n");
   for (const std::string& each : made->left) std::printf("  %s\n", each.c_str());
   if (!made->problems.empty()) {
-    std::printf("%s is written, but it does not run: its program does not compile.\n",
-                options.folder.c_str());
+    const bool in_cell = made->problems.front().where.file == "cell.toml";
+    std::printf("%s is written, but it does not run: its %s.\n", options.folder.c_str(),
+                in_cell ? "cell.toml is wrong" : "program does not compile");
     return process::fail(made->problems, result::ExitCode::BadInput);
   }
   std::printf("%s is a cell now. Its README.md says what is in it:\n  cd %s\n  stepwright up\n",

@@ -11,6 +11,7 @@
 #include <span>
 #include <utility>
 
+#include "cell/config/cell_config.h"
 #include "programs/new/plcopen_project.h"
 #include "programs/new/project_cell.h"
 #include "programs/new/template_texts.h"
@@ -19,6 +20,8 @@
 namespace stepwright::new_cell {
 namespace {
 
+constexpr std::string_view kCell = "cell.toml";
+constexpr std::string_view kReadme = "README.md";
 constexpr std::size_t kLongestName = 48;  // leaves room for "-device"
 
 std::span<const TemplateText> texts_of(const NewOptions& options) {
@@ -66,17 +69,44 @@ result::Result<void> check_free(const std::filesystem::path& folder) {
                       "nothing was written; choose another name");
 }
 
-result::Result<void> write_all(const std::filesystem::path& folder, const NewOptions& options,
-                               const std::string& name, const std::optional<TakenProject>& project) {
-  Fillings fillings = project ? fillings_of(*project) : Fillings{};
-  fillings.emplace_back("name", name);
-  for (const TemplateText& each : project ? plcopen_texts() : texts_of(options)) {
-    auto unwritten = process::write_file((folder / each.name).string(), filled_in(each.text, fillings));
-    if (!unwritten.empty()) return tl::unexpected(std::move(unwritten));
-  }
-  if (!project) return {};
-  auto unwritten = process::write_file((folder / "main.xml").string(), project->xml);
+result::Result<void> write(const std::filesystem::path& file, const std::string& text) {
+  auto unwritten = process::write_file(file.string(), text);
   if (!unwritten.empty()) return tl::unexpected(std::move(unwritten));
+  return {};
+}
+
+// What is wrong with the cell's file, as it stands there with all that it names.
+result::Diagnostics problems_of(const std::filesystem::path& folder) {
+  result::Diagnostics problems = config::read_cell_config(folder / kCell).problems;
+  std::erase_if(problems, [](const auto& each) { return each.severity != result::Severity::Error; });
+  for (result::Diagnostic& each : problems) each.where.file = kCell;
+  return problems;
+}
+
+result::Result<void> write_project(const std::filesystem::path& folder, const std::string& name,
+                                   TakenProject& project) {
+  Fillings fillings = fillings_of(project);
+  fillings.emplace_back("name", name);
+  if (auto done = write(folder / "main.xml", project.xml); !done) return done;
+  for (const TemplateText& each : plcopen_texts()) {
+    if (each.name == kReadme) continue;
+    if (auto done = write(folder / each.name, filled_in(each.text, fillings)); !done) return done;
+  }
+  const result::Diagnostics problems = problems_of(folder);
+  project.problems.insert(project.problems.end(), problems.begin(), problems.end());
+  fillings.emplace_back("left", left_of(project));
+  for (const TemplateText& each : plcopen_texts()) {
+    if (each.name != kReadme) continue;
+    if (auto done = write(folder / each.name, filled_in(each.text, fillings)); !done) return done;
+  }
+  return {};
+}
+
+result::Result<void> write_all(const std::filesystem::path& folder, const NewOptions& options,
+                               const std::string& name, std::optional<TakenProject>& project) {
+  if (project) return write_project(folder, name, *project);
+  for (const TemplateText& each : texts_of(options))
+    if (auto done = write(folder / each.name, filled_in(each.text, {{"name", name}})); !done) return done;
   return {};
 }
 

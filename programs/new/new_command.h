@@ -22,8 +22,9 @@ struct NewOptions {
 
 struct NewCell {
   std::vector<std::string> left;  // what of a project could not be taken, a line for each
-  result::Diagnostics
-      problems;  // why its program does not compile, at the places of main.xml; empty: it runs
+  // Why its program does not compile, at the places of main.xml, and what is wrong in cell.toml; empty: it
+  // runs.
+  result::Diagnostics problems;
 };
 
 // The whole folder, or nothing: M0018 a name that cannot name a cell, M0019 a folder that has something in

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
+#include <map>
 #include <set>
 #include <string_view>
 #include <tuple>
@@ -11,7 +11,11 @@
 #include "ladder/exchange/plcopen_reader.h"
 #include "ladder/source/codes.h"
 #include "programs/new/address_plan.h"
+#include "programs/new/address_tokens.h"
 #include "programs/new/instruction_lists.h"
+#include "programs/new/located_lengths.h"
+#include "programs/new/named_bodies.h"
+#include "runtime/bytecode/reader/program_info.h"
 #include "runtime/ground/naming/ascii_names.h"
 #include "runtime/ground/process/files.h"
 
@@ -19,44 +23,6 @@ namespace stepwright::new_cell {
 namespace {
 
 constexpr const char* kFileName = "main.xml";
-
-// An address in a text begins at `at`: where it ends, or `at`.
-std::size_t end_of_address(std::string_view text, std::size_t at) {
-  std::size_t end = at + 1;
-  if (end >= text.size() || std::string_view("IQMiqm").find(text[end]) == std::string_view::npos) return at;
-  ++end;
-  if (end < text.size() && std::string_view("XBWDLxbwdl").find(text[end]) != std::string_view::npos) ++end;
-  const std::size_t first = end;
-  while (end < text.size() && (std::isdigit(static_cast<unsigned char>(text[end])) != 0 || text[end] == '.'))
-    ++end;
-  while (end > first && text[end - 1] == '.') --end;  // of a sentence
-  return end > first ? end : at;
-}
-
-template <typename Each>
-void for_each_address(std::string_view text, const Each& each) {
-  for (std::size_t at = text.find('%'); at != std::string_view::npos; at = text.find('%', at + 1)) {
-    const std::size_t end = end_of_address(text, at);
-    if (end > at) each(at, text.substr(at, end - at));
-  }
-}
-
-std::vector<std::string> addresses_in(std::string_view text) {
-  std::vector<std::string> addresses;
-  for_each_address(text, [&](std::size_t, std::string_view address) { addresses.emplace_back(address); });
-  return addresses;
-}
-
-std::string with_new_addresses(const std::string& text, const AddressPlan& plan) {
-  std::string changed;
-  std::size_t done = 0;
-  for_each_address(text, [&](std::size_t at, std::string_view address) {
-    changed.append(text, done, at - done);
-    changed += plan.address(std::string(address));
-    done = at + address.size();
-  });
-  return changed.append(text, done, std::string::npos);
-}
 
 result::Result<std::string> read_text(const std::filesystem::path& path, std::filesystem::path& file) {
   std::error_code error;
@@ -160,14 +126,19 @@ void tell_neighbours(const std::filesystem::path& folder, std::vector<std::strin
   }
 }
 
-// Where devices are known, what none of them has.
-void tell_signals_without_device(TakenProject& taken) {
+// Where devices are known, what none of them has, or not all of.
+void tell_signals_without_device(TakenProject& taken, const std::map<std::string, std::uint32_t>& lengths) {
   taken.left.insert(taken.left.end(), taken.devices.left.begin(), taken.devices.left.end());
   if (taken.devices.devices.empty()) return;
   for (const Signal& each : taken.signals) {
     const auto address = naming::parse_direct_address(each.address);
-    if (!address || address->area == naming::Area::Marker || object_at(taken.devices, each.before)) continue;
-    taken.left.push_back(each.name + " at " + each.before + ": no request of a device reads or writes it");
+    if (!address || address->area == naming::Area::Marker) continue;
+    const auto length = lengths.find(each.before);
+    if (!object_at(taken.devices, each.before))
+      taken.left.push_back(each.name + " at " + each.before + ": no request of a device reads or writes it");
+    else if (length != lengths.end() && length->second > address->bits)
+      taken.left.push_back(each.name + " at " + each.before + ": " + each.type +
+                           ", of which only the first value has a tag in cell.toml");
   }
 }
 
@@ -187,6 +158,11 @@ void try_program(TakenProject& taken, const source::Dialect& dialect) {
     for (const result::Diagnostic& each : output.error())
       if (each.severity == result::Severity::Error) taken.problems.push_back(each);
     return;
+  }
+  // Whatever the plan of the addresses has missed.
+  if (const auto info = reader::ProgramInfo::read(output->container)) {
+    taken.input_bytes = std::max(taken.input_bytes, info->sizes().input_bytes);
+    taken.output_bytes = std::max(taken.output_bytes, info->sizes().output_bytes);
   }
   for (const result::Diagnostic& each : output->warnings)
     if (each.code == source::code::kForeignCode || each.code == source::code::kLooseEnd)
@@ -210,10 +186,11 @@ result::Result<TakenProject> read_project(const std::filesystem::path& path, con
   if (!read) return result::forward(read);
   TakenProject taken;
   const std::string kept = without_instruction_lists(*read, taken.left);
-  const AddressPlan plan(addresses_in(kept));
+  const auto lengths = located_lengths(*read, *dialect, taken.left);
+  const AddressPlan plan(addresses_in(kept), lengths);
   taken.name = read->name;
   taken.dialect = options.dialect;
-  taken.xml = with_new_addresses(kept, plan);
+  taken.xml = with_addresses(kept, [&](const std::string& each) { return plan.address(each); });
   auto model = exchange::read_plcopen(kFileName, taken.xml, *dialect, options.configuration);
   if (!model) return result::forward(model);
   taken.model = std::move(*model);
@@ -226,10 +203,11 @@ result::Result<TakenProject> read_project(const std::filesystem::path& path, con
   for (const std::string& each : plan.unknown()) taken.left.push_back("an address that no cell has: " + each);
   try_program(taken, *dialect);
   tell_idle_blocks(taken.model, taken.left);
+  tell_named_bodies(*read, taken.left);
   tell_empty_pous(taken.model, taken.left);
   tell_vendor_data(*text, taken.left);
   tell_neighbours(file.parent_path(), taken.left);
-  tell_signals_without_device(taken);
+  tell_signals_without_device(taken, lengths);
   return taken;
 }
 

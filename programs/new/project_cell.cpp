@@ -5,8 +5,10 @@
 #include <set>
 #include <utility>
 
+#include "cell/config/cell_config.h"
 #include "runtime/ground/naming/ascii_names.h"
 #include "runtime/ground/naming/direct_address.h"
+#include "runtime/ground/settings/toml_document.h"
 
 namespace stepwright::new_cell {
 namespace {
@@ -88,35 +90,88 @@ std::string example(const TakenProject& project) {
   return text + "# ]\n";
 }
 
-std::string place_of(const ForeignDevice& device) {
-  if (device.line.empty())
-    return "host = \"" + one_line(device.host) + "\"\nport = " + one_line(device.port) + "\n";
-  return "line = \"" + one_line(device.line) + "\"\n";
+std::string quoted(const std::string& text) {
+  std::string whole = "\"";
+  for (const char c : one_line(text)) whole += c == '\\' ? std::string("\\\\") : std::string(1, c);
+  return whole + "\"";
 }
 
-// The devices that the editor knows, with what the program has of each.
-std::string devices(const TakenProject& project) {
+// As the editor has it; a text where it is no number, so that whoever reads the file says what is wrong.
+std::string number(const std::string& text) {
+  const bool is_number = !text.empty() && text.size() < 10 &&
+                         std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; });
+  if (!is_number) return quoted(text);
+  const std::size_t first = text.find_first_not_of('0');
+  return first == std::string::npos ? "0" : text.substr(first);
+}
+
+std::string place_of(const ForeignDevice& device) {
+  if (device.line.empty()) return "host = " + quoted(device.host) + "\nport = " + number(device.port) + "\n";
+  return "line = " + quoted(device.line) + "\n";
+}
+
+std::string line_of(const ForeignDevice& device) {
+  return "\n[modbus.lines." + quoted(device.line) + "]\nbaud = " + number(device.baud) +
+         "\nparity = " + quoted(device.parity) + "\nstop_bits = " + number(device.stop_bits) + "\n";
+}
+
+// A device with what the program has of it; empty if that is nothing.
+std::string device_of(const TakenProject& project, std::size_t index) {
+  const ForeignDevice& device = project.devices.devices[index];
+  std::string tags;
+  std::set<std::string> told;
+  for (const Signal& each : project.signals) {
+    const auto object = object_at(project.devices, each.before);
+    if (!object || object->request->device != index || !told.insert(each.address).second) continue;
+    tags += "  { name = \"" + each.name + "\", address = \"" + each.address + "\", " +
+            object->request->object + " = " + std::to_string(object->number) + wire_type(each) + " },\n";
+  }
+  if (tags.empty()) return "";
+  return "\n[[modbus.device]]\nname = " + quoted(device.name) + "\n" + place_of(device) +
+         "unit = " + number(device.unit) +
+         "\n[[modbus.device.group]]\nperiod_ms = " + number(device.period_ms) + "\ntags = [\n" + tags + "]\n";
+}
+
+constexpr const char* kDevices =
+    "[io]\nkind = \"modbus\"              # the devices at the end of this file\n"
+    "restart = \"auto\"             # when a device that was lost is back, the program starts again\n";
+
+std::uint32_t image_bytes(std::uint32_t needed) {
+  return std::max<std::uint32_t>(needed, 8);
+}
+
+// What a cell that has this device alone says of it.
+std::string wrong_with(const TakenProject& project, const ForeignDevice& device, const std::string& text) {
+  const std::string cell =
+      "[clock]\nmode = \"real\"\n[image]\ninput_bytes = " + std::to_string(image_bytes(project.input_bytes)) +
+      "\noutput_bytes = " + std::to_string(image_bytes(project.output_bytes)) + "\n" + kDevices +
+      (device.line.empty() ? "" : line_of(device)) + text;
+  result::Diagnostics problems;
+  if (auto document = settings::TomlDocument::parse(cell, "cell.toml"))
+    problems = config::read_cell_document(**document, "cell.toml").problems;
+  else
+    problems = document.error();
+  std::string wrong;
+  for (const result::Diagnostic& each : problems)
+    if (each.severity == result::Severity::Error)
+      wrong += (wrong.empty() ? "" : "; ") + each.message + (each.hint.empty() ? "" : " (" + each.hint + ")");
+  return wrong;
+}
+
+// The devices that the editor knows; a line of `left` for each that no cell takes as it is.
+std::string devices(const TakenProject& project, std::vector<std::string>& left) {
   std::string text;
   std::set<std::string> lines;
   for (std::size_t i = 0; i < project.devices.devices.size(); ++i) {
     const ForeignDevice& device = project.devices.devices[i];
-    std::string tags;
-    std::set<std::string> told;
-    for (const Signal& each : project.signals) {
-      const auto object = object_at(project.devices, each.before);
-      if (!object || object->request->device != i || !told.insert(each.address).second) continue;
-      tags += "  { name = \"" + each.name + "\", address = \"" + each.address + "\", " +
-              object->request->object + " = " + std::to_string(object->number) + wire_type(each) + " },\n";
+    const std::string made = device_of(project, i);
+    if (made.empty()) continue;
+    if (const std::string wrong = wrong_with(project, device, made); !wrong.empty()) {
+      left.push_back("the device '" + device.name + "' is not in cell.toml: " + wrong);
+      continue;
     }
-    if (tags.empty()) continue;
-    if (!device.line.empty() && lines.insert(device.line).second)
-      text += "\n[modbus.lines.\"" + one_line(device.line) + "\"]\nbaud = " + one_line(device.baud) +
-              "\nparity = \"" + one_line(device.parity) + "\"\nstop_bits = " + one_line(device.stop_bits) +
-              "\n";
-    text += "\n[[modbus.device]]\nname = \"" + one_line(device.name) + "\"\n" + place_of(device) +
-            "unit = " + one_line(device.unit) +
-            "\n[[modbus.device.group]]\nperiod_ms = " + one_line(device.period_ms) + "\ntags = [\n" + tags +
-            "]\n";
+    if (!device.line.empty() && lines.insert(device.line).second) text += line_of(device);
+    text += made;
   }
   return text;
 }
@@ -128,13 +183,10 @@ struct Field {
   std::string where;
 };
 
-Field field_of(const TakenProject& project) {
-  std::string known = devices(project);
+Field field_of(TakenProject& project) {
+  std::string known = devices(project, project.left);
   if (!known.empty())
-    return {
-        "[io]\nkind = \"modbus\"              # the devices at the end of this file\n"
-        "restart = \"auto\"             # when a device that was lost is back, the program starts again\n",
-        std::move(known), "`cell.toml` ends with the devices that the project has them from."};
+    return {kDevices, std::move(known), "`cell.toml` ends with the devices that the project has them from."};
   return {
       "[plant]\nkind = \"none\"                # inputs stay 0, outputs go nowhere, until there are devices: "
       "see below\n",
@@ -176,26 +228,16 @@ std::string moved(const TakenProject& project) {
   std::string text =
       "\n## Addresses that are others here\nHere an area is bytes: `%QW0` has the bits of `%QX0.0` to "
       "`%QX1.7`. These were told "
-      "apart, in the whole file:\n\n| there | here |\n|---|---|\n";
+      "apart, in programs and declarations (not in comments and texts):\n\n| there | here |\n|---|---|\n";
   for (const auto& [before, now] : project.moved) text += "| `" + before + "` | `" + now + "` |\n";
-  return text;
-}
-
-std::string left(const TakenProject& project) {
-  if (project.left.empty() && project.problems.empty()) return "Nothing: all of it was taken.\n";
-  std::string text;
-  for (const std::string& each : project.left) text += "- " + one_line(each) + "\n";
-  if (!project.problems.empty())
-    text += "\nThe program does not compile, and the cell does not run, until this is mended:\n\n";
-  for (const result::Diagnostic& each : project.problems) text += "- " + one_line(line_of(each)) + "\n";
   return text;
 }
 
 }  // namespace
 
-Fillings fillings_of(const TakenProject& project) {
+Fillings fillings_of(TakenProject& project) {
   Field field = field_of(project);
-  const auto bytes = [](std::uint32_t needed) { return std::to_string(std::max<std::uint32_t>(needed, 8)); };
+  const auto bytes = [](std::uint32_t needed) { return std::to_string(image_bytes(needed)); };
   return {{"project", project.name.empty() ? "the project" : one_line(project.name)},
           {"dialect", project.dialect},
           {"input_bytes", bytes(project.input_bytes)},
@@ -207,8 +249,16 @@ Fillings fillings_of(const TakenProject& project) {
           {"where", std::move(field.where)},
           {"signals", table_of_signals(project)},
           {"tasks", table_of_tasks(project)},
-          {"moved", moved(project)},
-          {"left", left(project)}};
+          {"moved", moved(project)}};
+}
+
+std::string left_of(const TakenProject& project) {
+  if (project.left.empty() && project.problems.empty()) return "Nothing: all of it was taken.\n";
+  std::string text;
+  for (const std::string& each : project.left) text += "- " + one_line(each) + "\n";
+  if (!project.problems.empty()) text += "\nThe cell does not run until this is mended:\n\n";
+  for (const result::Diagnostic& each : project.problems) text += "- " + one_line(line_of(each)) + "\n";
+  return text;
 }
 
 }  // namespace stepwright::new_cell

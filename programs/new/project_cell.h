@@ -14,6 +14,11 @@ namespace stepwright::new_cell {
 // Pairs of a placeholder's name and what stands there: "{{outputs}}" is "outputs".
 using Fillings = std::vector<std::pair<std::string, std::string>>;
 
-Fillings fillings_of(const TakenProject& project);
+// What the templates need but for {{left}}. A device that no cell takes as the editor has it is left out, and
+// a line of TakenProject::left.
+Fillings fillings_of(TakenProject& project);
+
+// {{left}}: what was not taken, and why the cell does not run.
+std::string left_of(const TakenProject& project);
 
 }  // namespace stepwright::new_cell

@@ -199,7 +199,7 @@ void CellKeeper::tell_failure(const KeptProcess& member) {
 processes::CellRecord CellKeeper::record() const {
   processes::CellRecord record;
   record.cell = setting_.config.name;
-  record.config = std::filesystem::absolute(setting_.config.file).lexically_normal().string();
+  record.config = processes::whole_path(setting_.config.file);
   record.pid = getpid();
   record.clock = setting_.config.clock.mode == config::ClockMode::Real ? "real" : "simulated";
   record.ready = ready_;

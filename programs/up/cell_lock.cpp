@@ -28,9 +28,11 @@ result::Result<storage::FileLock> take_cell(const config::CellConfig& config) {
   }
   if (lock || !storage::is_in_use(lock.error())) return lock;
   std::string who;
-  if (const auto record = processes::read_record(processes::record_path(config)))
+  if (const auto record = processes::read_record(processes::record_path(config))) {
+    if (auto same = processes::check_same_cell(*record, config); !same) return result::forward(same);
     who = ": process " + std::to_string(record->pid) +
           (record->address.empty() ? "" : ", page " + record->address);
+  }
   return result::fail("M0013", {config.file.string(), 0, 0},
                       "the cell '" + config.name + "' is up already" + who,
                       "`stepwright status " + config.file.string() + "` shows it, `stepwright down " +
@@ -45,6 +47,7 @@ result::Result<std::optional<processes::CellRecord>> find_cell(const config::Cel
   if (!storage::is_in_use(lock.error())) return tl::unexpected(lock.error());
   auto record = processes::read_record(processes::record_path(config));
   if (!record) return result::forward(record);
+  if (auto same = processes::check_same_cell(*record, config); !same) return result::forward(same);
   return std::move(*record);
 }
 

@@ -14,11 +14,12 @@
 
 namespace stepwright::up {
 
-// The right to keep this cell up. M0013, with who has it, if it is up already; S0001 if the state folder
-// cannot be written.
+// The right to keep this cell up. M0013, with who has it, if it is up already; M0023 if another cell is, in
+// the same state folder; S0001 if that cannot be written.
 [[nodiscard]] result::Result<storage::FileLock> take_cell(const config::CellConfig& config);
 
-// What the `stepwright up` of the cell says of it; nothing if it is not up. M0015 if that cannot be read.
+// What the `stepwright up` of the cell says of it; nothing if it is not up. M0015 if that cannot be read;
+// M0023 if it is another cell that is up there.
 [[nodiscard]] result::Result<std::optional<processes::CellRecord>> find_cell(
     const config::CellConfig& config);
 

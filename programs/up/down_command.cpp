@@ -64,7 +64,8 @@ int run_down(const Options& options) {
   while (found && *found && std::chrono::steady_clock::now() < deadline) {
     std::this_thread::sleep_for(kLook);
     found = find_cell(*config);
-    // Its record goes before its lock.
+    // Its record goes before its lock; or another cell is up there by now.
+    if (!found && found.error().front().code == processes::kOfAnotherCell) found = std::nullopt;
     if (!found) found = std::optional<CellRecord>(CellRecord{});
   }
   if (found && *found) {

@@ -54,16 +54,29 @@ void print(const CellRecord& record) {
   std::printf("\n");
 }
 
+// What the last `up` of this cell had to kill at its end.
+std::vector<std::string> killed_last(const config::CellConfig& config) {
+  const auto record = processes::read_record(processes::record_path(config));
+  const bool known = record && processes::check_same_cell(*record, config);
+  return known ? record->killed : std::vector<std::string>();
+}
+
 void print_not_up(const config::CellConfig& config, bool json) {
+  CellRecord record;
+  record.cell = config.name;
+  record.config = processes::whole_path(config.file);
+  record.killed = killed_last(config);
   if (json) {
-    CellRecord record;
-    record.cell = config.name;
-    record.config = std::filesystem::absolute(config.file).lexically_normal().string();
     std::fputs(processes::to_json(record).c_str(), stdout);
     return;
   }
   std::printf("cell '%s' is not up; `stepwright up %s` brings it up\n", config.name.c_str(),
               config.file.c_str());
+  for (const std::string& name : record.killed) {
+    const std::string left = processes::left_behind_by(name);
+    std::printf("  %-14s did not end and was killed%s\n", name.c_str(),
+                left.empty() ? "" : (": " + left).c_str());
+  }
 }
 
 }  // namespace

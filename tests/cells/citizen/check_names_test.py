@@ -9,11 +9,11 @@ from processes import stepwright
 
 CELL = """\
 [cell]
-name = "line"
 state_dir = "state"
 [runtime]
 sources = ["main.st"]
 [history]
+folder = "history"
 alarms = "alarms.toml"
 [hmi]
 recipes = "recipes.toml"
@@ -127,6 +127,40 @@ class CheckNames(unittest.TestCase):
                 ("cell.toml:11:1: warning: C0532", "[tasks.nope] names a task that the program does not have", "its tasks: ")]:
             self.assertRegex(done.stderr, rf"{re.escape(place)}: .*{re.escape(said)}.*\n  hint: .*{re.escape(hint)}")
         self.assertEqual(done.stderr.count("error") + done.stderr.count("C05"), 5, done.stderr)
+
+    def test_an_alarm_on_an_address_is_told_with_the_variable_there(self):
+        self.write(**{"main.st": PROGRAM.replace("cleaning : BOOL;", "cleaning : BOOL; wanted AT %MD4 : REAL; idle AT %MX0.3 : BOOL;")})
+        self.names("%MD4", "%MX0.3", "Main.limit", "Main.temp", "Main.cleaning")
+        done = self.check()
+        self.assertEqual(done.returncode, 1)
+        for place, what, name in (("alarms.toml:3:10", "(source) is the address %MD4", "Main.wanted"), ("alarms.toml:6:17", "(suppress_when) is the address %MX0.3", "Main.idle")):
+            self.assertIn(f"{place}: C0532: the alarm 'hot' {what}, and alarms watch variables by their names\n  hint: did you mean '{name}'?", done.stderr)
+
+    def test_a_recipe_that_can_set_nothing_or_not_all_is_told(self):
+        tag = '[[tag]]\nname = "{}"\ntype = "{}"\nmin = 0\nmax = {}\n'
+        self.write(**{"main.st": PROGRAM.replace("cleaning : BOOL;", "cleaning : BOOL; note : STRING; count : INT; END_VAR VAR CONSTANT fixed : INT := 5;"),
+                      "recipes.toml": tag.format("Main.fixed", "INT", 9) + tag.format("Main.note", "REAL", 9) + tag.format("Main.count", "DINT", 40000)})
+        done = self.check()
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("recipes.toml:2:8: C0528: a recipe's tag is Main.fixed, which is a constant of the program", done.stderr)
+        self.assertIn("recipes.toml:6:1: C0528: a recipe's tag is of the type REAL, and Main.note of the program is of the type STRING", done.stderr)
+        self.assertRegex(done.stderr, r"recipes\.toml:11:1: warning: C0528: a recipe's tag goes from 0 to 40000, and Main\.count .* from -32768 to 32767")
+        self.write(**{"recipes.toml": tag.format("Main.count", "DINT", 32767) + tag.format("main.COUNT", "INT", 9)})
+        done = self.check()
+        self.assertNotIn("C0528", done.stderr)
+        self.assertRegex(done.stderr, r"recipes\.toml:7:8: C0620: the tag 'main\.COUNT' is there twice")
+
+    def test_what_nobody_would_ever_hear_of_is_told(self):
+        told = '[[notify]]\nname = "shift"\nweb_hook = "https://chat.example/x"\n'
+        monitor = '[[monitors]]\nname = "cool"\nformula = "always cool"\nlet = { cool = "Main.temp < 60.0" }\n'
+        self.write(**{"cell.toml": CELL.replace('folder = "history"\n', "") + told + monitor})
+        done = self.check()
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("cell.toml:6:10: C0475: none of these alarms ever comes", done.stderr)
+        self.assertIn("C0475: [[notify]] never tells of anything", done.stderr)
+        self.assertRegex(done.stderr, r"cell\.toml:\d+:\d+: warning: C0475: the monitor 'cool' is to raise an alarm")
+        self.write(**{"cell.toml": CELL + told + monitor})
+        self.assertNotIn("C0475", self.check().stderr)
 
     def test_a_part_of_a_screen_that_can_never_write_is_a_warning_with_its_line(self):
         screens = self.folder / "state/screens"

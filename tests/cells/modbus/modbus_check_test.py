@@ -161,10 +161,18 @@ class ModbusCheck(unittest.TestCase):
         self.assertIn("Main.flow", said)
         self.assertIn('iec = "REAL"', said)
         self.expect(tag('{ address = @"%IW0", holding = 2, type = "int32", iec = "UINT", factor = 0.1 },'), "C0528", "warning")
+        self.expect(tag('{ address = @"%IW0", holding = 2, iec = "UINT" },'), "C0528", "warning")
         self.expect(tag('{ address = @"%IW20", holding = 2 },'), "C0529", "warning")
         self.expect(tag('{ address = @"%QW9", holding = 2 },'), "C0529", "warning")
         # What needs no program stays as it is.
         self.expect(tag('{ address = @"%IW900", holding = 2 },'), "C0303")
+
+    def test_a_client_that_is_lost_before_it_can_say_that_it_lives_is_refused(self):
+        good = CLIENT % '{ address = "%IW0", holding = 0 },'
+        for times in ("silence_ms = @20\ncycle_ms = 1000", "cycle_ms = @250", "cycle_ms = 100\nsilence_ms = @100"):
+            self.expect(good + f"[modbus.client]\n{times}\n", "C0526")
+        done, found = self.check(good + "[modbus.client]\ncycle_ms = 100\n")
+        self.assertEqual((done.returncode, found), (0, []), done.stderr)
 
     def test_certificates_are_read(self):
         tls = ('[modbus.server.tls]\ncertificate = "a.crt"\nkey = "a.key"\nauthorities = "a.crt"\n')

@@ -104,6 +104,61 @@ class From(unittest.TestCase):
         self.assertIn('"%QX0.0" = "zero"   # run.lamp', (folder / "cell.toml").read_text(encoding="utf-8"))
         self.sound(folder)
 
+    def test_an_array_at_an_address_counts_with_its_whole_length(self):
+        words = "<array><dimension lower=\"0\" upper=\"1\"/><dimension lower=\"0\" upper=\"4\"/><baseType><derived name=\"Pair\"/></baseType></array>"
+        pair = '<dataTypes><dataType name="Pair"><baseType><struct><variable name="x"><type><INT/></type></variable><variable name="y"><type><INT/></type></variable></struct></baseType></dataType></dataTypes>'
+        text = project([("a", ' address="%QX0.0"', "<BOOL/>"), ("w", ' address="%QW0"', words), ("b", ' address="%QW22"', "<INT/>"), ("third", ' address="%QW2"', "<INT/>")],
+                       "a := TRUE; b := 777; w[1, 4].y := 5; third := 3;").replace("<dataTypes/>", pair)
+        folder, said = self.take(self.write(text))
+        self.assertNotIn("not taken", said)
+        xml = (folder / "main.xml").read_text(encoding="utf-8")
+        for name, address in (("w", "%QW1"), ("third", "%QW3"), ("b", "%QW21")):
+            self.assertIn(f'name="{name}" address="{address}"', xml)
+        self.assertIn("output_bytes = 44 ", (folder / "cell.toml").read_text(encoding="utf-8"))
+        checked = stepwright("check", cwd=folder)
+        self.assertEqual(checked.returncode, 0, checked.stderr)
+        self.assertNotRegex(checked.stderr, "W0016: 'b'|R0004")
+
+    def test_texts_comments_and_documentation_keep_what_they_say(self):
+        body = "IF s = 'was %QW0 $'%QX0.7' THEN w := 1; END_IF; (* %QW0 *) // %QW0\n w := %QW0;"
+        text = project([("a", ' address="%QX0.5"', "<BOOL/>"), ("w", ' address="%QW0"', "<WORD/>"), ("s", "", "<string/>")], body)
+        text = text.replace('<type><WORD/></type>', '<type><WORD/></type><documentation><xhtml:p>at %QW0</xhtml:p></documentation>')
+        folder, _ = self.take(self.write(text))
+        xml = (folder / "main.xml").read_text(encoding="utf-8")
+        self.assertEqual(xml, text.replace('address="%QX0.5"', 'address="%QX0.0"').replace('address="%QW0"', 'address="%QW1"').replace("w := %QW0", "w := %QW1"))
+        self.assertNotIn("%QX0.7", (folder / "README.md").read_text(encoding="utf-8"))
+        self.sound(folder)
+
+    def test_an_action_that_nothing_takes_is_said(self):
+        bodies = ("<ST><xhtml:p>n := 0;</xhtml:p></ST>", "<IL><xhtml:p>LD n</xhtml:p></IL>", "<FBD/>")
+        for number, body in enumerate(bodies):
+            action = f'<actions><action name="Reset"><body>{body}</body></action></actions><body>'
+            made, said = self.take(self.write(project([("n", "", "<INT/>")], "n := n + 1;").replace("<body>", action, 1)), name=f"line{number}")
+            for words in (said, (made / "README.md").read_text(encoding="utf-8")):
+                self.assertIn("Main.Reset: an action outside of a chart", words)
+                self.assertNotIn("all of it was taken", words)
+
+    def test_a_device_that_no_cell_takes_is_left_out_and_said(self):
+        folder = self.root / "project"
+        self.write(project([("level", ' address="%IW0.0.0.7"', "<WORD/>"), ("other", ' address="%IW0.1.0.7"', "<WORD/>")], ";"),
+                   "project/plc.xml")
+        node = lambda name, channel, settings: (self.write(f'<BaseParams IEC_Channel="{channel}" Name="x"/>', f"project/{name}/baseconfnode.xml"),
+                                                self.write(settings, f"project/{name}/confnode.xml"))
+        node("bus@modbus", 0, "<ModbusRoot/>")
+        node("bus@modbus/good@ModbusTCPclient", 1, '<ModbusTCPclient Remote_IP_Address="10.0.0.9"/>')
+        node("bus@modbus/good@ModbusTCPclient/a@ModbusRequest", 0, '<ModbusRequest Function="04 - Read Input Registers"/>')
+        node("bus@modbus/bad@ModbusTCPclient/a@ModbusRequest", 0, '<ModbusRequest Function="04 - Read Input Registers"/>')
+        for number, (port, why) in enumerate((("99999", "must lie between 1 and 65535"), ("abc", "must be a whole number"), ("1\\", "must be a whole number"))):
+            node("bus@modbus/bad@ModbusTCPclient", 0, f'<ModbusTCPclient Remote_IP_Address="10.0.0.8" Remote_Port_Number="{port}"/>')
+            made, said = self.take(folder, name=f"line{number}")
+            for words in (said, (made / "README.md").read_text(encoding="utf-8")):
+                self.assertRegex(words, rf"the device 'bad unit 1' is not in cell\.toml: 'modbus\.device\.port' .*{why}")
+            cell = (made / "cell.toml").read_text(encoding="utf-8")
+            self.assertIn('host = "10.0.0.9"', cell)
+            self.assertNotIn("10.0.0.8", cell)
+            checked = stepwright("check", cwd=made)
+            self.assertEqual(checked.returncode, 0, checked.stderr)
+
     def test_addresses_that_do_not_overlap_stay(self):
         source = self.write(project([("a", ' address="%QX4.1"', "<BOOL/>"), ("b", ' address="%QW5"', "<INT/>")], "a := TRUE; b := 1;"))
         folder, _ = self.take(source)
@@ -124,7 +179,8 @@ class From(unittest.TestCase):
     def test_devices_over_modbus_that_beremiz_keeps_beside_the_project_are_taken(self):
         folder = self.root / "project"
         self.write(project([("level", ' address="%IW2.0.1.7"', "<WORD/>"), ("valve", ' address="%QX2.0.0.3"', "<BOOL/>"),
-                            ("flag", ' address="%QX2.0.0.0.0"', "<BOOL/>")], "valve := level < WORD#500;"), "project/plc.xml")
+                            ("flag", ' address="%QX2.0.0.0.0"', "<BOOL/>"),
+                            ("rows", ' address="%IW2.0.1.10"', '<array><dimension lower="0" upper="3"/><baseType><INT/></baseType></array>')], "valve := level < WORD#500;"), "project/plc.xml")
         node = lambda name, channel, settings: (self.write(f'<BaseParams IEC_Channel="{channel}" Name="x"/>', f"project/{name}/baseconfnode.xml"),
                                                 self.write(settings, f"project/{name}/confnode.xml"))
         node("bus@modbus", 2, "<ModbusRoot/>")
@@ -139,6 +195,7 @@ class From(unittest.TestCase):
                      'address = "%IW0", input = 7, type = "uint16" }', 'name = "run.valve", address = "%QX0.1", coil = 3 }'):
             self.assertIn(part, cell)
         self.assertIn("run.flag at %QX2.0.0.0.0: no request", said)
+        self.assertIn("run.rows at %IW2.0.1.10: ARRAY[0..3] OF INT, of which only the first value has a tag in cell.toml", said)
         self.assertIn("bus/ours: a ModbusTCPserver", said)
         self.sound(made)
 

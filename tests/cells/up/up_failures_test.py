@@ -1,6 +1,7 @@
 """`stepwright up` of a cell that cannot come up: clear words, and nothing of it is left; and of one that loses a process."""
 
 import os
+import re
 import shutil
 import signal
 import socket
@@ -124,6 +125,23 @@ class Failures(unittest.TestCase):
         self.assertIn("modbus-client does not end: it is killed; the outputs of the devices may still be on", process.output())
         self.assertTrue(cell.nothing_is_left(pids))
         self.assertEqual(cell.run("status").returncode, 5)
+        self.assertEqual(cell.status()["killed"], ["modbus-client"])
+        self.assertIn("modbus-client  did not end and was killed: the outputs of the devices may still be on", cell.run("status").stdout)
+
+    def test_a_cell_whose_state_folder_is_that_of_another_one_leaves_that_alone(self):
+        cell, other = self.kept(), self.kept()
+        shared = other.config.read_text(encoding="utf-8").replace('state_dir = "state"', f'state_dir = "{cell.state}"')
+        other.config.write_text(shared, encoding="utf-8")
+        process = cell.ready()
+        for command, code in (("up", 1), ("status", 5), ("down", 5)):
+            done = other.run(command)
+            self.assertEqual(done.returncode, code, done.stdout + done.stderr)
+            self.assertRegex(done.stderr, rf"^{re.escape(str(other.config))}: M0023: .*is that of another cell, which is up: .*{re.escape(str(cell.config))}")
+            self.assertIn("[cell] state_dir", done.stderr)
+        self.assertTrue(process.running())
+        self.assertEqual(cell.run("status").returncode, 0)
+        self.assertEqual(cell.run("down").returncode, 0)
+        self.assertIn("is not up", other.run("status").stdout)
 
     def test_a_state_folder_that_anybody_may_write_to_is_refused(self):
         cell = self.kept()

@@ -58,6 +58,7 @@ class Watch(unittest.TestCase):
         self.assertTrue(eventually(lambda: "fault" in cell.run("status").stdout))
         (cell.folder / "main.st").write_text(PROGRAM, encoding="utf-8")
         process.wait_for("brought in: what was saved runs")
+        self.assertRegex(process.output(), r"(?m)^watch +\| [0-9a-f]{12} is loaded$", "it is started, and not stopped")
         before = int(self.value(cell, "Main.n"))
         self.assertTrue(eventually(lambda: int(self.value(cell, "Main.n")) > before))
 
