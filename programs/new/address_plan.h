@@ -61,7 +61,6 @@ class AddressPlan {
   static bool stand_apart(const std::vector<Place>& places);
   static std::vector<Group> groups_of(std::vector<Place>& places);
   void plan_area(naming::Area area, std::vector<Place> places);
-  void stay(const Place& place);
 
   std::map<std::string, std::string> now_;
   std::uint32_t bytes_[3] = {0, 0, 0};
