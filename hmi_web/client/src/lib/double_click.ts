@@ -15,6 +15,11 @@ interface Click {
 export class DoubleClicks {
   private last: Click | null = null;
 
+  // Somebody has done something else meanwhile: the next click is one of its own.
+  forget(): void {
+    this.last = null;
+  }
+
   // Each click of the pointer once. `control`: what lies under it; null: nothing that acts.
   isStray(click: Click): boolean {
     const { last } = this;
@@ -46,6 +51,7 @@ function controlOf(target: EventTarget | null): Element | null {
 // On the whole page, from now on. What is pressed by a key is meant.
 export function ignoreStrayClicks(page: Window): void {
   const clicks = new DoubleClicks();
+  page.addEventListener('keydown', () => clicks.forget(), true);
   page.addEventListener(
     'click',
     (event) => {

@@ -33,6 +33,13 @@ test('DoubleClick_WhenItIsTheSameControlOrNoDoubleClick_ThenItIsMeant', () => {
   }
 });
 
+test('DoubleClick_WhenAKeyWasPressedBetween_ThenTheyAreTwoClicks', () => {
+  const clicks = new DoubleClicks();
+  clicks.isStray(click('Suppress', 0));
+  clicks.forget();
+  assert.equal(clicks.isStray(click('End suppression', 300)), false);
+});
+
 test('DoubleClick_WhenMoreThanTwoCome_ThenAllMeanTheFirst', () => {
   const clicks = new DoubleClicks();
   clicks.isStray(click('Write', 0));
