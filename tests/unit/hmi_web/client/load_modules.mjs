@@ -1,6 +1,6 @@
 // The client's own modules for tests of its logic: bundled from the sources as the build does, without a browser.
 
-import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { existsSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { basename, join } from 'node:path';
@@ -23,8 +23,9 @@ function runes(esbuild, { compile, compileModule }) {
   };
 }
 
-// A component is known by the name of its file, and is drawn by draw().
-const exported = (name) => (name.endsWith('.svelte') ? `{ default as ${basename(name, '.svelte')} }` : '*');
+// A component is known by the name of its file, and is drawn by draw(); `x.svelte.ts` is a module as any other.
+const isComponent = (path) => existsSync(path) && path.endsWith('.svelte');
+const exported = (path) => (isComponent(path) ? `{ default as ${basename(path, '.svelte')} }` : '*');
 
 // `client`: the folder in which the client is built. `names`: modules below its src, without their ending; components with it.
 export async function load(client, names) {
@@ -32,7 +33,7 @@ export async function load(client, names) {
   const esbuild = from('esbuild');
   const folder = mkdtempSync(join(tmpdir(), 'hmi-modules-'));
   try {
-    const modules = names.map((name) => `export ${exported(name)} from ${JSON.stringify(join(client, 'src', name))};`);
+    const modules = names.map((name) => `export ${exported(join(client, 'src', name))} from ${JSON.stringify(join(client, 'src', name))};`);
     const contents = [...modules, "export { render as draw } from 'svelte/server';"].join('\n');
     const outfile = join(folder, 'modules.mjs');
     await esbuild.build({
