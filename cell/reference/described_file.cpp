@@ -24,7 +24,7 @@ constexpr std::string_view kAboutCell =
     "from outside: `--set hmi.port=8081`.\n\n"
     "NAME, TAG, LINE and PORT stand for names that the file chooses, %QW0 for any output.";
 constexpr std::string_view kAboutAlarms =
-    "The file that `[hmi] alarms` names. How alarms behave says [alarms](../../hmi_web/doc/alarms.md).";
+    "The file that `[history] alarms` names. How alarms behave says [alarms](../../hmi_web/doc/alarms.md).";
 constexpr std::string_view kAboutRecipes =
     "The file that `[hmi] recipes` names. What recipes are says [recipes](../../hmi_web/doc/recipes.md).";
 constexpr std::string_view kAboutBinding =

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "hmi_web/drawing/bindings.h"
+#include "hmi_web/drawing/characters.h"
 #include "hmi_web/drawing/parts.h"
 #include "hmi_web/drawing/pictures.h"
 #include "hmi_web/drawing/references.h"
@@ -67,6 +68,10 @@ class Reader {
   result::Result<Drawing> read() {
     if (const auto broken = result::place_of_no_utf8(name_, text_))
       return result::fail("C0640", *broken, "this is no UTF-8", result::kUtf8Hint);
+    if (const auto at = place_of_control(text_)) {
+      tell_no_character(*at);
+      return tl::unexpected(mistakes_);
+    }
     const pugi::xml_parse_result parsed =
         in_.load_buffer(text_.data(), text_.size(), kParse, pugi::encoding_utf8);
     if (!parsed) {
@@ -96,6 +101,10 @@ class Reader {
     if (!mistakes_.empty()) return tl::unexpected(mistakes_);
     std::ostringstream text;
     out_.print(text, "", pugi::format_raw | pugi::format_no_declaration, pugi::encoding_utf8);
+    // What is kept is read again.
+    if (text.view().size() > kLargestFile)
+      return result::fail("C0640", {name_, 0, 0}, "the drawing as it is kept is larger than 2 MiB",
+                          "give many shapes one style by a group around them, and leave out pictures");
     place_names();
     const std::string_view least = root.attribute("data-least").as_string("viewer");
     const bool is_symbol = root.attribute("data-kind").value() == std::string_view("symbol");
@@ -179,12 +188,13 @@ class Reader {
       return tell("C0641", child.offset_debug(), "a DOCTYPE with declarations of its own is refused",
                   "drawing programs leave it out when they save a plain SVG");
     }
-    if (const auto at = unknown_entity(text_))
-      tell("C0640", static_cast<std::ptrdiff_t>(*at),
-           "this is no character that XML knows: " +
-               std::string(
-                   text_.substr(*at, std::min<std::size_t>(10, text_.find_first_of(";<\n", *at) - *at))),
-           "&amp; &lt; &gt; &quot; &apos; or a number such as &#176;");
+    if (const auto at = place_of_unknown_entity(text_)) tell_no_character(*at);
+  }
+
+  void tell_no_character(std::size_t at) {
+    tell("C0640", static_cast<std::ptrdiff_t>(at),
+         "this is no character that XML knows: " + text_of_no_character(text_, at),
+         "&amp; &lt; &gt; &quot; &apos; or a number such as &#176;");
   }
 
   void copy(pugi::xml_node from, pugi::xml_node to, int depth) {
@@ -218,7 +228,7 @@ class Reader {
       if (child.type() == pugi::node_element)
         copy_element(child, to, depth);
       else if (child.type() == pugi::node_pcdata || child.type() == pugi::node_cdata)
-        to.append_child(pugi::node_pcdata).set_value(child.value());
+        to.append_child(pugi::node_pcdata).set_value(with_line_ends(child.value()).c_str());
     }
   }
 
@@ -383,7 +393,7 @@ class Reader {
     const std::string key(name);
     pugi::xml_attribute attribute = node.attribute(key.c_str());
     if (!attribute) attribute = node.append_attribute(key.c_str());
-    attribute = value.c_str();
+    attribute = with_line_ends(value).c_str();
   }
 
   // Without one the drawing could not be fitted to the page.

@@ -203,30 +203,6 @@ bool has_plain_numbers(std::string_view text) {
   return true;
 }
 
-// "amp", "#176", "#xB0".
-bool is_known_entity(std::string_view name) {
-  constexpr std::array<std::string_view, 5> kKnown = {"amp", "lt", "gt", "quot", "apos"};
-  if (is_among(kKnown, name)) return true;
-  if (!name.starts_with('#')) return false;
-  const bool hexadecimal = name.starts_with("#x");
-  name.remove_prefix(hexadecimal ? 2 : 1);
-  return !name.empty() && std::ranges::all_of(name, [&](unsigned char c) {
-    return hexadecimal ? std::isxdigit(c) != 0 : std::isdigit(c) != 0;
-  });
-}
-
-// Behind the comment, the CDATA or the instruction that begins at `at`; `at` itself: none does.
-std::size_t end_of_plain(std::string_view text, std::size_t at) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kPlain = {
-      {{"<!--", "-->"}, {"<![CDATA[", "]]>"}, {"<?", "?>"}}};
-  for (const auto& [begin, end] : kPlain) {
-    if (!text.substr(at).starts_with(begin)) continue;
-    const std::size_t found = text.find(end, at + begin.size());
-    return found == std::string_view::npos ? text.size() : found + end.size();
-  }
-  return at;
-}
-
 }  // namespace
 
 Standing standing_of_element(std::string_view name) {
@@ -300,21 +276,6 @@ bool is_harmless(std::string_view value) {
     if (!rest.substr(quote).starts_with('#')) return false;
   }
   return true;
-}
-
-std::optional<std::size_t> unknown_entity(std::string_view text) {
-  for (std::size_t at = text.find_first_of("&<"); at < text.size(); at = text.find_first_of("&<", at)) {
-    if (text[at] == '<') {
-      const std::size_t end = end_of_plain(text, at);
-      at = std::max(end, at + 1);
-      continue;
-    }
-    const std::size_t end = text.find_first_of(";<&", at + 1);
-    if (end == std::string_view::npos || text[end] != ';') return at;
-    if (!is_known_entity(text.substr(at + 1, end - at - 1))) return at;
-    at = end;
-  }
-  return std::nullopt;
 }
 
 }  // namespace stepwright::drawing

@@ -42,8 +42,5 @@ bool is_presentation(std::string_view property);
 bool is_view_box(std::string_view value);
 // No address of anything outside of the drawing and nothing that is more than a value.
 bool is_harmless(std::string_view value);
-// Where a reference to an entity stands that XML itself does not have (`&b;`, a bare `&`), outside of
-// comments and CDATA.
-std::optional<std::size_t> unknown_entity(std::string_view text);
 
 }  // namespace stepwright::drawing

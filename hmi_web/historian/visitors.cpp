@@ -4,10 +4,13 @@
 #include <array>
 #include <charconv>
 #include <chrono>
+#include <cmath>
 #include <limits>
 
 namespace stepwright::historian {
 namespace {
+
+constexpr double kLastExact = 9007199254740992.0;  // 2^53
 
 std::uint64_t distance(std::int64_t from, std::int64_t to) {
   return static_cast<std::uint64_t>(to) - static_cast<std::uint64_t>(from);
@@ -140,7 +143,12 @@ Look CsvVisitor::judge(const Summary& summary) {
 void CsvVisitor::take(const Sample& sample) {
   if (!inside(sample)) return;
   std::array<char, 32> number{};
-  const auto end = std::to_chars(number.data(), number.data() + number.size(), sample.value).ptr;
+  // Beyond 2^53 a number is rounded: a power of ten says no digits that nobody has measured.
+  char* const room_end = number.data() + number.size();
+  const auto end =
+      std::abs(sample.value) <= kLastExact
+          ? std::to_chars(number.data(), room_end, sample.value).ptr
+          : std::to_chars(number.data(), room_end, sample.value, std::chars_format::scientific).ptr;
   text_ += tag_;
   text_ += iso_time(sample.time_ns);
   text_ += ',';

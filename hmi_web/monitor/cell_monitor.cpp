@@ -61,8 +61,8 @@ json tags_json(const server::ProgramLayout& layout, std::span<const std::byte> i
       const reader::Variable& variable = layout.tags[i];
       const auto text = server::read_text(variable, image);
       const auto value = server::read(variable, image);
-      const bool is_time = value && variable.type == bytecode::ElementaryType::Time;
-      tags[std::to_string(i)] = text ? json(*text) : is_time ? json(*value) : protocol::number(value);
+      tags[std::to_string(i)] =
+          text ? json(*text) : protocol::value_json(value, variable.type == bytecode::ElementaryType::Real);
     }
   }
   return tags;

@@ -43,9 +43,10 @@ json value_json(const Value& value) {
   if (type.is_date()) return nullptr;  // a text, to people
   const double number = type.is_real() ? value->constant.real : static_cast<double>(value->constant.integer);
   if (type.is_time()) return {number / 1e9, bytecode::name_of(type.elementary)};  // in seconds
-  return {protocol::number(number), type.is_real() && type.is_literal() ? "REAL"
-                                    : type.is_literal()                 ? "DINT"
-                                                                        : bytecode::name_of(type.elementary)};
+  const bool is_real = !type.is_literal() && type.elementary == bytecode::ElementaryType::Real;
+  return {protocol::value_json(number, is_real), type.is_real() && type.is_literal() ? "REAL"
+                                                 : type.is_literal()                 ? "DINT"
+                                                                     : bytecode::name_of(type.elementary)};
 }
 
 json diagram_json(const Diagram& diagram, const Evaluator& evaluator, const Lookup& lookup) {

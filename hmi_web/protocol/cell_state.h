@@ -59,8 +59,7 @@ struct CellState {
   std::vector<std::uint32_t> true_transitions;
   std::vector<std::optional<double>> points;
   std::vector<std::optional<double>> tags;
-  std::vector<std::uint32_t>
-      times;  // indices of the tags of the type TIME, ascending: seconds, to the nanosecond
+  std::vector<std::uint32_t> reals;            // indices of the tags of the type REAL, ascending
   std::map<std::uint32_t, std::string> texts;  // of tags that people read as text, by their index
   std::vector<UnreadDevice> unread;
 

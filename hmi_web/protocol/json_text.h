@@ -9,16 +9,18 @@
 
 namespace stepwright::protocol {
 
-// Three decimals are finer than any sensor of a cell, and a value that only trembles behind them is no
-// change.
+// Places, figures and times of the cell: three decimals.
 nlohmann::json number(double value);
-nlohmann::json number(const std::optional<double>& value);
-nlohmann::json numbers(const std::vector<std::optional<double>>& values);
 
-// The same as JSON text, for those who write thousands of them.
-std::string number_text(const std::optional<double>& value);
-// With all its digits, for a time that counts nanoseconds.
-std::string exact_number_text(const std::optional<double>& value);
+// Measured: six digits, but never fewer than three decimals. No sensor of a cell is finer, and a value that
+// only trembles behind them is no change.
+nlohmann::json measured(const std::optional<double>& value);
+nlohmann::json measured(const std::vector<std::optional<double>>& values);
+std::string measured_text(const std::optional<double>& value);
+
+// A value of the program: the shortest text that means the same LREAL or, of a REAL, the same REAL.
+std::string value_text(const std::optional<double>& value, bool is_real);
+nlohmann::json value_json(const std::optional<double>& value, bool is_real);
 
 // Serialises; bytes that are not UTF-8 are replaced instead of throwing.
 std::string text(const nlohmann::json& value);

@@ -69,27 +69,37 @@ const char* to_string(Unread why) {
   return "untold";
 }
 
-void LiveState::take_values(const std::vector<std::optional<double>>& values, const Texts& texts,
-                            const std::vector<std::uint32_t>& times, std::uint64_t sequence,
+void LiveState::take_points(const std::vector<std::optional<double>>& values, std::uint64_t sequence,
                             std::vector<Number>& kept) {
   kept.resize(values.size());
-  auto next = texts.begin();
-  auto time = times.begin();
   for (std::size_t i = 0; i < values.size(); ++i) {
     Number& number = kept[i];
-    const bool is_text = next != texts.end() && next->first == i;
-    const bool is_time = time != times.end() && *time == i;
-    if (is_time) ++time;
-    if (number.changed != 0 && !is_text && !number.is_text && number.value == values[i]) continue;
+    if (number.changed != 0 && number.value == values[i]) continue;
     number.value = values[i];
-    number.is_text = is_text;
-    std::string fresh = is_text   ? text(json(next++->second))
-                        : is_time ? exact_number_text(values[i])
-                                  : number_text(values[i]);
-    if (number.changed != 0 && number.text == fresh) continue;
-    number.text = std::move(fresh);
-    number.changed = sequence;
+    number.take_text(measured_text(values[i]), sequence);
   }
+}
+
+void LiveState::take_tags(const CellState& now, std::uint64_t sequence, std::vector<Number>& kept) {
+  kept.resize(now.tags.size());
+  auto next = now.texts.begin();
+  auto real = now.reals.begin();
+  for (std::size_t i = 0; i < now.tags.size(); ++i) {
+    Number& number = kept[i];
+    const bool is_text = next != now.texts.end() && next->first == i;
+    const bool is_real = real != now.reals.end() && *real == i;
+    if (is_real) ++real;
+    if (number.changed != 0 && !is_text && !number.is_text && number.value == now.tags[i]) continue;
+    number.value = now.tags[i];
+    number.is_text = is_text;
+    number.take_text(is_text ? text(json(next++->second)) : value_text(now.tags[i], is_real), sequence);
+  }
+}
+
+void LiveState::Number::take_text(std::string fresh, std::uint64_t sequence) {
+  if (changed != 0 && text == fresh) return;
+  text = std::move(fresh);
+  changed = sequence;
 }
 
 void LiveState::take(const CellState& now, std::uint64_t sequence, bool anew) {
@@ -102,8 +112,8 @@ void LiveState::take(const CellState& now, std::uint64_t sequence, bool anew) {
     fields_[i] = {fields[i].first, std::move(fresh), sequence};
   }
   if (anew) tags_.clear();
-  take_values(now.points, {}, {}, sequence, points_);
-  take_values(now.tags, now.texts, now.times, sequence, tags_);
+  take_points(now.points, sequence, points_);
+  take_tags(now, sequence, tags_);
 }
 
 // "3":1.5,"7":null, - with a comma behind each.

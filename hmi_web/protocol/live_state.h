@@ -53,13 +53,12 @@ class LiveState {
     std::string text;
     std::uint64_t changed = 0;
     bool is_text = false;
-  };
-  using Texts = std::map<std::uint32_t, std::string>;
 
-  // `times`: indices of the values that are told with all their digits, ascending.
-  static void take_values(const std::vector<std::optional<double>>& values, const Texts& texts,
-                          const std::vector<std::uint32_t>& times, std::uint64_t sequence,
+    void take_text(std::string fresh, std::uint64_t sequence);
+  };
+  static void take_points(const std::vector<std::optional<double>>& values, std::uint64_t sequence,
                           std::vector<Number>& kept);
+  static void take_tags(const CellState& now, std::uint64_t sequence, std::vector<Number>& kept);
   static void append(const std::vector<Number>& numbers, TagRange range, std::uint64_t since,
                      std::string& text);
   void append_tags(const StateRequest& request, std::string& text) const;

@@ -60,7 +60,7 @@ std::string program_message(const Program& program, const PointTags& points) {
 std::string trend_message(std::span<const TrendRow> rows, const TrendPiece& piece) {
   json list = json::array();
   for (const auto& row : rows) {
-    json values = numbers(row.values);
+    json values = measured(row.values);
     values.insert(values.begin(), number(row.time_s));
     list.push_back(std::move(values));
   }

@@ -60,9 +60,9 @@ void CellViewer::take_layout(const std::shared_ptr<const ProgramLayout>& layout)
   reader_ = PointReader(points_, layout_.get());
   point_tags_ =
       layout_ ? std::make_shared<const protocol::PointTags>(tags_of_points(points_, *layout_)) : nullptr;
-  times_.clear();
+  reals_.clear();
   for (std::uint32_t i = 0; layout_ && i < layout_->tags.size(); ++i)
-    if (layout_->tags[i].type == bytecode::ElementaryType::Time) times_.push_back(i);
+    if (layout_->tags[i].type == bytecode::ElementaryType::Real) reals_.push_back(i);
   unread_.clear();
   unread_tags_.clear();
   unread_points_.clear();
@@ -92,7 +92,7 @@ CellView CellViewer::view(const Observation& observation) {
   if (layout_) {
     state.program_digest = layout_->program.digest;
     state.tags.resize(layout_->tags.size());
-    state.times = times_;
+    state.reals = reals_;
   }
   if (!observation.snapshot) return view;
 

@@ -43,7 +43,7 @@ class CellViewer {
   // Found anew only when devices or the program have changed: there may be thousands of both.
   std::vector<UnreadInputs> unread_;
   std::vector<protocol::UnreadDevice> unread_tags_;
-  std::vector<std::uint32_t> times_;  // tags of the type TIME, by their index
+  std::vector<std::uint32_t> reals_;  // tags of the type REAL, by their index
   std::vector<std::size_t> unread_points_;
 };
 

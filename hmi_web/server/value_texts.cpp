@@ -4,9 +4,11 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <utility>
 
 #include "hmi_web/tags/known_tags.h"
+#include "runtime/base/time_text.h"
 #include "runtime/ground/naming/ascii_names.h"
 
 namespace stepwright::server {
@@ -60,6 +62,43 @@ std::string size_text(double seconds) {
   const double told = std::max(ns / 1e9, kMinute);
   if (told < kHour) return two_units(told, kMinute, "min", 1, "s");
   return told < kDay ? two_units(told, kHour, "h", kMinute, "min") : two_units(told, kDay, "d", kHour, "h");
+}
+
+// As people write it. A double does not count the nanoseconds of a date of today.
+std::string date_text(ElementaryType type, double value) {
+  if (!std::isfinite(value) || std::abs(value) > 9.2e18) return shortest(value);
+  constexpr std::int64_t kMicrosecond = 1'000;
+  const std::int64_t ns = std::llround(value / kMicrosecond) * kMicrosecond;
+  const base::ShortText text = type == ElementaryType::Date  ? base::text_of_date(ns)
+                               : type == ElementaryType::Tod ? base::text_of_time_of_day(ns)
+                                                             : base::text_of_date_and_time(ns);
+  const auto characters = text.view();
+  return {characters.begin(), characters.end()};
+}
+
+// LINT, ULINT and LWORD are kept as doubles, which do not have all their digits beyond 2^53.
+bool is_rounded(std::optional<ElementaryType> type, double value) {
+  constexpr double kLastExact = 9007199254740992.0;
+  return std::abs(value) > kLastExact && std::isfinite(value) &&
+         (type == ElementaryType::Lint || type == ElementaryType::Ulint || type == ElementaryType::Lword);
+}
+
+// With 15 digits: "≈ 18446744073709600000".
+std::string rounded_text(double value) {
+  constexpr int kDigits = 15;
+  std::array<char, 32> room{};
+  const std::string text(room.data(), std::to_chars(room.data(), room.data() + room.size(), std::abs(value),
+                                                    std::chars_format::scientific, kDigits - 1)
+                                          .ptr);
+  const std::size_t power_at = text.find('e');
+  const int power = std::atoi(text.c_str() + power_at + 1);
+  std::string digits = text.substr(0, 1) + text.substr(2, power_at - 2);
+  digits.append(static_cast<std::size_t>(std::max(0, power + 1 - kDigits)), '0');
+  return std::string("≈ ") + (value < 0 ? "-" : "") + digits;
+}
+
+bool is_date(std::optional<ElementaryType> type) {
+  return type == ElementaryType::Date || type == ElementaryType::Tod || type == ElementaryType::Dt;
 }
 
 std::string with_unit(const std::string& text, const std::string& unit) {
@@ -136,6 +175,8 @@ ValueText ValueTexts::of(const std::string& name, double value) {
   if (is_bool) return {value != 0 ? "TRUE" : "FALSE", "", true};
   // A time has its own unit, whatever somebody says of it.
   if (known.type == ElementaryType::Time) return {duration_text(value), "s"};
+  if (is_rounded(known.type, value)) return {with_unit(rounded_text(value), known.unit), known.unit};
+  if (is_date(known.type)) return {date_text(*known.type, value), ""};
   return {with_unit(known.digits_of(value), known.unit), known.unit};
 }
 

@@ -85,7 +85,7 @@ result::Result<void> unforce_once(Attached& runtime, const ForceArguments& argum
 
 void print_force(const service::ForcedValue& one, const image::Force& force, nlohmann::json& list) {
   const double left_s = static_cast<double>(force.end_ns) / kNsPerS;
-  std::printf("%s = %s", one.name.c_str(), one.text().c_str());
+  std::printf("%s = %s", one.name.c_str(), reader::read_printable(one.variable, one.image).c_str());
   if (one.ends) std::printf(", for another %.1f s", left_s);
   std::printf("\n");
   list.push_back({{"name", one.name},

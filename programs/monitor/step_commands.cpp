@@ -63,7 +63,9 @@ void print_changes(const reader::ProgramInfo& info, const host::Snapshot& before
     const std::string from = reader::read_text(tag.variable, before.image);
     const std::string to = reader::read_text(tag.variable, now.image);
     if (from == to) continue;
-    std::printf("  %s: %s -> %s\n", tag.name.c_str(), from.c_str(), to.c_str());
+    std::printf("  %s: %s -> %s\n", tag.name.c_str(),
+                reader::read_printable(tag.variable, before.image).c_str(),
+                reader::read_printable(tag.variable, now.image).c_str());
     changes.push_back({{"name", tag.name}, {"from", from}, {"to", to}});
   }
   json.push_back({{"scan", now.scan},

@@ -31,7 +31,7 @@ void print(const host::Snapshot& snapshot, const Variables& variables, std::vect
   const bool first = before.size() != variables.size();
   before.resize(variables.size());
   for (std::size_t i = 0; i < variables.size(); ++i) {
-    std::string now = reader::read_text(variables[i].variable, snapshot.image);
+    std::string now = reader::read_printable(variables[i].variable, snapshot.image);
     const bool changed = !first && now != before[i];
     std::printf("  %s = %s%s\n", variables[i].name.c_str(), now.c_str(), changed ? " *" : "");
     before[i] = std::move(now);

@@ -48,11 +48,17 @@ std::string number(double value) {
   return text;
 }
 
+// An end of the range that is normal: of a TIME in seconds, whereas its registers count nanoseconds.
+std::string end_of(double value, const std::string& type) {
+  return number(value) + (type == "TIME" || type == "LTIME" ? " s" : "");
+}
+
 // With its group and the range that is normal: "level of the buffer (tanks; 0 to 200)".
-std::string description_of(const protocol::TagNote& note) {
+std::string description_of(const protocol::TagNote& note, const std::string& type) {
   std::string more = note.group;
   if (note.normal)
-    more += (more.empty() ? "" : "; ") + number(note.normal->first) + " to " + number(note.normal->second);
+    more += (more.empty() ? "" : "; ") + end_of(note.normal->first, type) + " to " +
+            end_of(note.normal->second, type);
   if (more.empty()) return note.description;
   return note.description + (note.description.empty() ? "(" : " (") + more + ")";
 }
@@ -98,7 +104,8 @@ std::string to_markdown(const std::vector<TaggedRow>& rows, const std::string& t
       out += "| " + addresses_of(row) + " | " + modbus::map::function_codes(row.table, row.writable) + " | " +
              cell(row.name) + " | " + row.type + " | " + row.address + " | " + access_of(row) + " | " +
              word_order_of(row) + (row.byte_order == Order::LowFirst ? ", bytes low first" : "") + " | " +
-             cell(note.unit) + " | " + cell(description_of(note)) + " | " + cell(row.comment) + " |\n";
+             cell(note.unit) + " | " + cell(description_of(note, row.type)) + " | " + cell(row.comment) +
+             " |\n";
     }
   }
   return out;
@@ -115,8 +122,8 @@ std::string to_csv(const std::vector<TaggedRow>& rows) {
            row.type + "," + row.address + "," + access_of(row) + "," + byte_order_of(row) + "," +
            word_order_of(row) + "," + quoted(row.comment) + "," + quoted(note.unit) + "," +
            quoted(note.description) + "," + quoted(note.group) + "," +
-           (note.normal ? number(note.normal->first) : "") + "," +
-           (note.normal ? number(note.normal->second) : "") + "\r\n";
+           (note.normal ? end_of(note.normal->first, row.type) : "") + "," +
+           (note.normal ? end_of(note.normal->second, row.type) : "") + "\r\n";
   }
   return out;
 }

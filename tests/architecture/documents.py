@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Keeps the documents readable: README.md has at most 120 lines; the glossary has one term a row, in alphabetical order and
 each once; every relative link of a Markdown file leads to a file of the tree, and its anchor to a heading there; a code of a
-message has one row in all tables of codes; a page of the user's book (doc/*.md) has its first example within two screens.
+message has one row in all tables of codes; a page of the user's book (doc/*.md) has its first example within two screens;
+the document of the viewer protocol names the version that the server speaks wherever it names one.
 
 Prints each problem as file:line and exits with 1.
 """
@@ -19,6 +20,9 @@ ROW = re.compile(r"^\| (?P<term>[^|]+) \| [^|]+ \|$")
 LINK = re.compile(r"\[[^\]]*\]\((?P<target>[^)\s]+)\)")
 HEADING = re.compile(r"^#{1,6} +(?P<title>.+?)\s*$")
 FENCE = re.compile(r"^\s*```")
+PROTOCOL = "hmi_web/doc/protocol.md"
+SPOKEN = re.compile(r"kProtocolVersion = (\d+);")
+TOLD = re.compile(r"^(?:# .*version|\| `protocol` \| number \|) (\d+)")
 CODE_ROW = re.compile(r"^\| (?P<code>[A-Z][0-9]{4}) \|")
 
 
@@ -110,6 +114,12 @@ def late_example(name: str, text: str) -> list[str]:
     return [f"{name}:1: no example within {SCREENS_LINES} lines"] if first > SCREENS_LINES else []
 
 
+def other_versions(text: str, header: str) -> list[str]:
+    spoken = SPOKEN.search(header)[1]
+    told = [(number, TOLD.match(line)) for number, line in enumerate(text.splitlines(), 1)]
+    return [f"{PROTOCOL}:{number}: version {match[1]}, and the server speaks {spoken}" for number, match in told if match and match[1] != spoken]
+
+
 def main() -> int:
     root = pathlib.Path(sys.argv[1])
     listed = subprocess.run(
@@ -121,6 +131,7 @@ def main() -> int:
     for name, text in texts.items():
         if re.fullmatch(r"doc/[\w-]+\.md", name) and name not in (GLOSSARY, "doc/README.md"):
             problems += late_example(name, text)
+    problems += other_versions(texts[PROTOCOL], (root / "hmi_web/protocol/messages.h").read_text(encoding="utf-8"))
     codes: dict[str, str] = {}
     for name in sorted(texts):
         problems += broken_links(root, name, texts) + repeated_codes(name, texts[name], codes)

@@ -158,6 +158,32 @@ async function copiesFromAnywhere(page) {
   await until('and all goes again', async () => (await count()) === 3 && !(await page.getByTestId('editor-told').innerText()).includes('changed'));
 }
 
+// A button that goes away with what it was about leaves the keys to the drawing.
+async function undoesWhatAButtonDid(page) {
+  const count = () => page.locator('[data-item]').count();
+  const ofChosen = (name) => page.getByTestId('properties').getByRole('button', { name, exact: true });
+  const isOnCanvas = (what) => waitFor(page, `${what}: the keys mean the drawing`, () => document.activeElement?.dataset.testid === 'canvas');
+  for (const press of [(one) => one.click(), (one) => one.focus().then(() => page.keyboard.press('Enter'))]) {
+    await button(page, 'Save').focus();
+    await page.keyboard.press('Control+a');
+    await press(ofChosen('Remove'));
+    await until('all are removed', async () => (await count()) === 0);
+    await isOnCanvas('after Remove');
+    await page.keyboard.press('Control+z');
+    await until('Ctrl+Z brings them back', async () => (await count()) === 3);
+  }
+  await page.keyboard.press('Control+a');
+  await ofChosen('Group').click();
+  await page.keyboard.press('Control+c');
+  await page.keyboard.press('Control+v');
+  await until('a group is pasted', async () => (await count()) === 6);
+  await page.keyboard.press('Control+z');
+  await until('and goes', async () => (await count()) === 3);
+  await isOnCanvas('after that');
+  await page.keyboard.press('Control+z');
+  await until('and the group, too', async () => !(await page.getByTestId('editor-told').innerText()).includes('changed'));
+}
+
 // What one may see and another may not, and where each begins.
 async function choosesStarts(page) {
   const put = async (name, svg) => check((await asks(page, 'PUT', `/api/screens/${name}`, { svg, version: 0 })).status === 200, `${name} is drawn`);
@@ -365,6 +391,7 @@ await leadOverPage(given, {
     await namesIt(page);
     await copiesWithKeys(page);
     await copiesFromAnywhere(page);
+    await undoesWhatAButtonDid(page);
     await choosesStarts(page);
     await eachBeginsElsewhere(page);
     await restsWhileNothingChanges(page);

@@ -65,6 +65,7 @@ async function survivesAReload(page) {
   check((await page.getByRole('button', { name: '1 h', exact: true }).getAttribute('aria-pressed')) === 'true', 'and span');
   await page.getByRole('button', { name: 'remove B1' }).click();
   await waitFor(page, 'one goes', () => document.querySelector('[data-tag=B1]') === null);
+  await waitFor(page, 'what is seen is not the group any more', () => document.querySelector('[data-testid=trend-groups]').selectedOptions[0]?.text === 'filling & more, changed');
   await page.getByTestId('trend-groups').selectOption('');
   await page.getByTestId('trend-groups').selectOption('filling & more');
   await waitFor(page, 'and the group brings it back', () => document.querySelector('[data-tag=B1]') !== null);
@@ -82,10 +83,33 @@ async function comparesWithTheDayBefore(page) {
   await page.getByTestId('compare').uncheck();
 }
 
+// More scales than axes: the others are told in words. More lines than colours: the others are dashed.
+async function tellsWhatHasNoAxis(page) {
+  const before = await tagsShown(page);
+  const free = (await asks(page, 'GET', '/api/history/tags')).json.tags.filter((tag) => !before.includes(tag));
+  check((await page.getByTestId('no-axis').count()) === 0, 'with few scales each has its axis');
+  for (const tag of free.slice(0, 7 - before.length)) {
+    await page.getByLabel('Tag to add').fill(tag);
+    await page.getByRole('button', { name: 'Add', exact: true }).click();
+    await waitFor(page, `${tag} joins in`, (wanted) => [...document.querySelectorAll('[data-testid=history-values] tbody tr')].some(({ dataset }) => dataset.tag === wanted), tag);
+  }
+  for (const axis of await page.getByLabel(/^axis of /).all()) await axis.selectOption('own');
+  const last = (await tagsShown(page)).at(-1);
+  await waitFor(page, 'what has no axis is named with its range', (tag) => new RegExp(`${tag} \\(.+ to .+\\)`).test(document.querySelector('[data-testid=no-axis]')?.innerText ?? ''), last);
+  check((await page.locator('[data-testid=history-values] i.dashed').count()) === 1, 'the seventh line is dashed, in the legend, too');
+  await shot(page, 'many-axes');
+  await page.getByTestId('trend-groups').selectOption('');
+  await page.getByTestId('trend-groups').selectOption('filling & more');
+  await until('the group is shown again', async () => (await tagsShown(page)).join() === before.join());
+}
+
+const savedGroup = async (page, wanted) => (await asks(page, 'GET', '/api/trends')).json.groups.find(({ name }) => name === wanted);
+
 // A group keeps and names what there is no history of.
 async function namesWhatIsMissing(page) {
   const saved = await asks(page, 'PUT', '/api/trends/partly%20dead', { tags: ['B1', 'Main.sinee'], axes: {}, span_s: 60 });
   check(saved.status === 200, `a group with a tag that is not there is saved (${saved.status})`);
+  const savedMs = (await savedGroup(page, 'partly dead')).saved_ms;
   await page.getByTestId('trend-groups').focus();
   await waitFor(page, 'it is listed', () => [...document.querySelectorAll('[data-testid=trend-groups] option')].some(({ value }) => value === 'partly dead'));
   await page.getByTestId('trend-groups').selectOption('partly dead');
@@ -103,8 +127,14 @@ async function namesWhatIsMissing(page) {
   }
   await page.getByRole('button', { name: 'Save as group …' }).click();
   await page.getByRole('button', { name: 'Save', exact: true }).click();
+  await waitFor(page, 'whoever replaces a group is asked first', () => /“partly dead”, saved by operator/.test(document.querySelector('dialog')?.innerText ?? ''));
+  await page.keyboard.press('Escape');
+  check((await savedGroup(page, 'partly dead')).saved_ms === savedMs, 'and has replaced nothing by that');
+  await page.getByRole('button', { name: 'Save', exact: true }).click();
+  await dialog(page).getByRole('button', { name: 'Replace group' }).click();
+  await waitFor(page, 'then it is replaced', () => document.querySelector('dialog') === null && document.querySelector('#trend-name') === null);
   await until('saved again it is whole', async () => {
-    const group = (await asks(page, 'GET', '/api/trends')).json.groups.find(({ name }) => name === 'partly dead');
+    const group = await savedGroup(page, 'partly dead');
     return group.tags.join() === 'B1,Main.sinee' && group.span_s === 60;
   });
   await removes(page, 'partly dead');
@@ -199,6 +229,7 @@ try {
   await savesAGroup(page);
   await survivesAReload(page);
   await comparesWithTheDayBefore(page);
+  await tellsWhatHasNoAxis(page);
   await namesWhatIsMissing(page);
   await removesTheGroup(page);
   await acknowledgesAllInSight(page, server);

@@ -2,6 +2,7 @@
 
 #include "runtime/base/number_text.h"
 #include "runtime/base/time_text.h"
+#include "runtime/ground/naming/text_literal.h"
 
 #include <algorithm>
 #include <charconv>
@@ -162,6 +163,13 @@ std::string read_text(const Variable& variable, std::span<const std::byte> image
     std::string operator()(const std::string& value) const { return value; }
   };
   return std::visit(Writer{variable}, read_value(variable, image));
+}
+
+std::string read_printable(const Variable& variable, std::span<const std::byte> image) {
+  std::string text = read_text(variable, image);
+  if (!bytecode::is_string(variable.type)) return text;
+  const bool is_wide = variable.type == bytecode::ElementaryType::Wstring;
+  return naming::literal_text(text, is_wide ? naming::TextWidth::Double : naming::TextWidth::Single);
 }
 
 }  // namespace stepwright::reader

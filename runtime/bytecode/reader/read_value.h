@@ -29,4 +29,7 @@ double read_quantity(const Variable& variable, std::span<const std::byte> image)
 // text of a string without quotes. Requires the image of the variable's program.
 std::string read_text(const Variable& variable, std::span<const std::byte> image);
 
+// The same for terminals: a string as its literal writes it between the quotes, "a$N$1B[31m".
+std::string read_printable(const Variable& variable, std::span<const std::byte> image);
+
 }  // namespace stepwright::reader

@@ -83,7 +83,38 @@ bool take_escape(std::string_view& text, TextWidth width, std::u16string& out) {
   return true;
 }
 
+// Of a control character (C0, DEL, C1); empty: it is none.
+std::string escape_of(char32_t character, TextWidth width) {
+  switch (character) {
+    case U'\n':
+      return "$N";
+    case U'\r':
+      return "$R";
+    case U'\t':
+      return "$T";
+    case U'\f':
+      return "$P";
+    default:
+      break;
+  }
+  if (character >= 0x20 && (character < 0x7F || character > 0x9F)) return {};
+  constexpr std::string_view kDigits = "0123456789ABCDEF";
+  return (width == TextWidth::Single ? "$" : "$00") + std::string(1, kDigits[character >> 4]) +
+         kDigits[character & 0xF];
+}
+
 }  // namespace
+
+std::string literal_text(std::string_view text, TextWidth width) {
+  std::string out;
+  while (!text.empty()) {
+    const std::string_view before = text;
+    const char32_t character = take_character(text);
+    const std::string escape = character == U'$' ? "$$" : escape_of(character, width);
+    out += escape.empty() ? before.substr(0, before.size() - text.size()) : escape;
+  }
+  return out;
+}
 
 std::optional<std::u16string> parse_text(std::string_view inside, TextWidth width, TextMistake& mistake) {
   std::u16string out;

@@ -24,4 +24,8 @@ struct TextMistake {
 // 255; `mistake` says where then.
 std::optional<std::u16string> parse_text(std::string_view inside, TextWidth width, TextMistake& mistake);
 
+// The other way, for terminals: `text` (UTF-8) with control characters as literals write them ($N, $1B; $001B
+// in a Double one) and `$` as `$$`. So a text is one line, and acts on nothing.
+std::string literal_text(std::string_view text, TextWidth width);
+
 }  // namespace stepwright::naming

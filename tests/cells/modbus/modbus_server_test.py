@@ -28,6 +28,8 @@ PROGRAM Main
     pair AT %MW20 : ARRAY[0..99] OF INT;
     i : INT;
     levels : ARRAY[0..9] OF REAL;
+    soak : TIME; {range := 0..60}
+    words : STRING := 'a$1B[31mred$N  Main.fake = TRUE';
   END_VAR
   count := count + 1;
   copy := wish;
@@ -131,6 +133,8 @@ class ModbusServer(unittest.TestCase):
             for value in range(300):
                 client.write(PAIR, *[value] * 100)
             self.assertEqual(client.read(PAIR, 100), [299] * 100)
+        words = self.good("watch", "--config", cell.config, "Main.words", "--count", "1")
+        self.assertIn("Main.words = a$1B[31mred$N  Main.fake = TRUE\n", words, "a text is one line, and acts on no terminal")
         torn = self.good("watch", "--config", cell.config, "Main.torn", "--count", "1")
         self.assertRegex(torn, r"Main\.torn\D+0\b", "the program saw half a request")
 
@@ -334,6 +338,7 @@ write = ["input 3", "holdin"]
     def test_the_register_map_is_a_document(self):
         ranges = ('[[modbus.server.range]]\ntable = "holding"\nfirst = 5000\nvariable = "Main.levels"\n'
                   '[[modbus.server.range]]\ntable = "holding"\nfirst = 6000\nvariable = "Main.level"\n'
+                  '[[modbus.server.range]]\ntable = "holding"\nfirst = 7000\nvariable = "Main.soak"\n'
                   '[tags."Main.levels"]\nunit = "m"\ndescription = "of each tank"\n')
         cell = self.cell(ranges)
         rows = list(csv.DictReader(io.StringIO(self.good("registers", cell.folder / "main.swb", "--config", cell.config,
@@ -345,6 +350,8 @@ write = ["input 3", "holdin"]
         table = self.good("registers", cell.folder / "main.swb", "--config", cell.config)
         self.assertIn("| 5018-5019 | 3 | Main.levels[9] | REAL |", table)
         self.assertIn("| l | how full \\| it is (buffer; 0 to 200) |", table)
+        self.assertRegex(table, r"Main\.soak \| TIME \|.*\(0 s to 60 s\)", "its registers count nanoseconds")
+        self.assertEqual(words["Main.soak"], ("", "", "", "0 s", "60 s"))
         listed = json.loads(self.good("registers", cell.folder / "main.swb", "--config", cell.config, "--format", "json"))
         level = next(each for each in listed if each["name"] == "Main.level")
         self.assertEqual((level["unit"], level["group"], level["normal"]), ("l", "buffer", [0, 200]))

@@ -77,6 +77,7 @@ export function tagValue(value: TagValue | undefined, type: string): string {
   if (typeof value === 'string') return value;
   if (type === 'BOOL') return value > 0 ? 'TRUE' : 'FALSE';
   if (isTime(type)) return durationText(value);
+  if (isDate(type)) return dateLiteral(value, type);
   if (type === 'REAL' || type === 'LREAL') return realText(value);
   return String(value);
 }
@@ -84,6 +85,18 @@ export function tagValue(value: TagValue | undefined, type: string): string {
 // "1.500", "1E38", "2E-5": what is not 0 does not look like 0.
 function realText(value: number): string {
   return value === 0 || (Math.abs(value) < MOST && Math.abs(value) >= 0.0005) ? fixedText(value, 3) : powerText(value);
+}
+
+// Of a date that was kept as a number, in nanoseconds; a double does not count those of a date of today.
+export const isDate = (type: string): boolean => ['DATE', 'DT', 'TOD'].includes(type);
+function dateLiteral(ns: number, type: string): string {
+  const micros = Math.round(ns / 1e3);
+  const time = new Date(Math.floor(micros / 1e6) * 1e3);
+  if (Number.isNaN(time.getTime())) return String(ns);
+  const [day = '', rest = ''] = time.toISOString().split('T');
+  const part = String(((micros % 1e6) + 1e6) % 1e6).padStart(6, '0').replace(/0+$/, '');
+  const clock = rest.slice(0, 8) + (part && `.${part}`);
+  return `${type}#${type === 'DATE' ? day : type === 'TOD' ? clock : `${day}-${clock}`}`.replace('DATE#', 'D#');
 }
 
 export const isTime = (type: string): boolean => type === 'TIME' || type === 'LTIME';

@@ -1,14 +1,15 @@
 // What the cell and the program say of a tag beside its value: hmi_web/doc/tags.md.
 
-import { fixed, isTime, short, tagValue } from './format';
+import { fixed, isDate, isTime, short, tagValue } from './format';
 import type { ProgramMessage, Tag, TagNote } from './protocol';
-import { isLongInteger, type TagValue, type Value } from './value';
+import { isLongInteger, isRounded, type TagValue, type Value } from './value';
 
 // IEC 61131-3 does not tell upper and lower case apart.
 const fold = (name: string) => name.toLowerCase();
 const withoutIndices = (name: string) => name.replace(/\[[^\]]*\]/g, '');
 export const hasDecimals = (type: string) => type !== 'BOOL' && !isTime(type); // which people choose
 
+const ROUNDED_DIGITS = 15; // that are certain
 const MOST = 1e9; // beyond it the power of ten says more than digits
 
 export class TagNotes {
@@ -60,7 +61,8 @@ export function told(value: TagValue | undefined, type: string, note?: TagNote, 
   if (typeof named === 'string' && typeof value === 'number') return named;
   if (typeof named === 'string' && isLongInteger(type)) return withUnit(named, note);
   if (typeof named !== 'number') return tagValue(named, type);
-  if (isTime(type)) return tagValue(named, type);
+  if (isTime(type) || isDate(type)) return tagValue(named, type);
+  if (isRounded(named, type)) return withUnit(`≈ ${Number(named.toPrecision(ROUNDED_DIGITS))}`, note);
   const chosen = note?.decimals !== undefined && hasDecimals(type) && Math.abs(named) < MOST;
   return withUnit(chosen ? fixed(named, note.decimals ?? 0) : tagValue(named, type), note);
 }

@@ -9,12 +9,11 @@ import { isTime } from '../lib/format';
 import { pointNote, TagNotes } from '../lib/tag_notes';
 import type { Value } from '../lib/value';
 import type { History } from './records';
-import { axisOf } from './trend_view';
+import { axisOf, MOST_AXES } from './trend_view';
 
 const HEIGHT = 300;
 const COLOURS = 6;
 const PER_TAG = 4; // series of uPlot: greatest, least, last, a day before
-const MOST_AXES = 4; // that are drawn; others have their scales all the same
 const BOOL_RANGE: [number, number] = [-0.1, 1.1];
 
 export interface Range {
@@ -27,6 +26,7 @@ export interface Trace {
   label: string;
   unit: string;
   colour: string; // name of the custom property
+  dashed: boolean; // the second one of its colour
   scale: string; // tags of one scale share it
   range?: [least: number, greatest: number]; // its ends; without: those of the values
   isBool: boolean;
@@ -57,7 +57,7 @@ export function tracesOf(
     const isBool = typeOf(tag) === 'BOOL';
     const scale = axis.kind === 'unit' ? (isBool ? '@bool' : unit) : `@${tag}`;
     const range: [number, number] | null = axis.kind === 'range' ? [axis.least, axis.greatest] : isBool ? BOOL_RANGE : null;
-    return { tag, label, unit, colour: `--series-${(index % COLOURS) + 1}`, scale, isBool, ...(range ? { range } : {}) };
+    return { tag, label, unit, colour: `--series-${(index % COLOURS) + 1}`, dashed: index >= COLOURS, scale, isBool, ...(range ? { range } : {}) };
   });
 }
 
@@ -74,7 +74,7 @@ function seriesOf(trace: Trace): uPlot.Series[] {
     points: { show: false },
     paths: uPlot.paths.stepped?.({ align: 1 }) ?? null,
   } as uPlot.Series;
-  return [edge, { ...edge }, line, { ...line, width: 1, dash: [4, 4] }];
+  return [edge, { ...edge }, trace.dashed ? { ...line, dash: [12, 4] } : line, { ...line, width: 1, dash: [4, 4] }];
 }
 
 // The powers of ten in whose units the scales of a chart are drawn at present, in the order of its traces.

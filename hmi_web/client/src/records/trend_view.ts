@@ -34,6 +34,39 @@ export function partedBy(tags: readonly string[], known: readonly string[] | nul
   return { drawn: tags.filter((tag) => has.has(tag)), missing: tags.filter((tag) => !has.has(tag)) };
 }
 
+// As a group has them: of tags that are shown, and where somebody has chosen one.
+export const ownAxes = (tags: readonly string[], axes: Readonly<Record<string, string>>): Record<string, string> =>
+  Object.fromEntries(Object.entries(axes).filter(([tag, axis]) => axis !== '' && tags.includes(tag)));
+
+// What is shown is what was saved; over another span, too.
+export function isAsSaved(group: TrendGroup, tags: readonly string[], axes: Readonly<Record<string, string>>): boolean {
+  const [own, saved] = [ownAxes(tags, axes), ownAxes(group.tags, group.axes)];
+  const names = Object.keys(own);
+  return group.tags.join(';') === tags.join(';') && names.length === Object.keys(saved).length && names.every((tag) => own[tag] === saved[tag]);
+}
+
+export const MOST_AXES = 4; // that are drawn; other scales are told in words
+
+interface Scaled {
+  tag: string;
+  scale: string;
+  isBool: boolean;
+  range?: [least: number, greatest: number];
+}
+// The tags whose scale has no axis, with its ends: those that were chosen, or those of the values.
+export function withoutAxis<Trace extends Scaled>(traces: readonly Trace[], history: History | null): { trace: Trace; least: Value; greatest: Value }[] {
+  const drawn = new Set([...new Set(traces.map(({ scale }) => scale))].slice(0, MOST_AXES));
+  return traces.flatMap((trace) => {
+    if (drawn.has(trace.scale)) return [];
+    if (trace.isBool) return [{ trace, least: 0, greatest: 1 }];
+    if (trace.range) return [{ trace, least: trace.range[0], greatest: trace.range[1] }];
+    const same = traces.flatMap(({ scale }, index) => (scale === trace.scale ? (history?.series[index] ?? []) : []));
+    const known = (columns: Value[][]) => columns.flat().filter((value) => value !== null);
+    const [lows, highs] = [known(same.map(({ least }) => least)), known(same.map(({ greatest }) => greatest))];
+    return [{ trace, least: lows.length > 0 ? Math.min(...lows) : null, greatest: highs.length > 0 ? Math.max(...highs) : null }];
+  });
+}
+
 export const DAY_MS = 86_400_000;
 const MOST_TAGS = 12;
 const LONGEST_MS = 400 * DAY_MS;

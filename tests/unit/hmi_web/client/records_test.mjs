@@ -7,7 +7,7 @@ import { test } from 'node:test';
 
 import { load } from './load_modules.mjs';
 
-const { axisOf, AlarmSound, byUrgency, dayBefore, isOver, language, evidenceText, isGroupName, msOf, partedBy, rangeText, readView, summaryOf, tracesOf, translated, wordsOf } = await load(process.env.CLIENT, [
+const { axisOf, AlarmSound, byUrgency, dayBefore, isOver, language, evidenceText, isAsSaved, isGroupName, msOf, partedBy, rangeText, readView, summaryOf, tracesOf, translated, withoutAxis, wordsOf } = await load(process.env.CLIENT, [
   'records/records', 'records/trend_view', 'records/history_chart', 'records/alarm_words', 'records/alarm_sound.svelte', 'lib/language.svelte', 'plan/evidence',
 ]);
 
@@ -159,4 +159,23 @@ test('Evidence_WhenASentenceIsKnown_ThenItIsInThePagesLanguageAndElseMarkedAsEng
   assert.deepEqual(evidenceText('level of a2 differs'), { text: 'level of a2 differs', lang: 'en' });
   assert.equal(evidenceText('held by the operator').lang, undefined);
   language.code = 'en';
+});
+
+test('Group_WhenTagsOrAxesDiffer_ThenItIsNotAsItWasSaved', () => {
+  const group = { name: 'G', tags: ['a', 'b'], axes: { a: 'own' }, span_s: 60, saved_by: 'olga', saved_ms: 1 };
+  assert.ok(isAsSaved(group, ['a', 'b'], { a: 'own', b: '', gone: 'own' }), 'of tags that are not shown no axis counts');
+  assert.ok(!isAsSaved(group, ['a'], { a: 'own' }));
+  assert.ok(!isAsSaved(group, ['a', 'b'], {}));
+  assert.ok(!isAsSaved(group, ['a', 'b'], { a: '0..9' }));
+});
+
+test('Traces_WhenThereAreMoreScalesThanAxesAndLinesThanColours_ThenTheOthersAreToldAndDashed', () => {
+  const tags = ['a', 'b', 'c', 'd', 'e', 'f', 'g'];
+  const traces = tracesOf(tags, [], undefined, { a: 'own', b: 'own', c: 'own', d: 'own', e: 'own', f: '0..5', g: 'own' });
+  const series = tags.map((tag, k) => ({ tag, least: [null, k, k + 1], greatest: [null, k + 2, k + 1], last: [null, k, k], damaged: 0 }));
+  const told = withoutAxis(traces, { now_ms: 9, known_ms: 9, from_ms: 0, to_ms: 9, column_ms: 3, series });
+  assert.deepEqual(told.map(({ trace, least, greatest }) => [trace.tag, least, greatest]), [['e', 4, 6], ['f', 0, 5], ['g', 6, 8]]);
+  assert.deepEqual(withoutAxis(traces, null).map(({ least }) => least), [null, 0, null]);
+  assert.deepEqual(withoutAxis(traces.slice(0, 4), null), []);
+  assert.deepEqual(traces.map(({ dashed }) => dashed), [false, false, false, false, false, false, true]);
 });

@@ -150,6 +150,12 @@ test('Value_WhenAnIntegerHasMoreDigitsThanANumber_ThenAllOfThemAreShown', () => 
   const digits = '9007199254740993';
   assert.equal(told(digits, 'LINT'), digits);
   assert.equal(told(digits, 'ULINT', { name: 'x', unit: 'pcs', decimals: 1 }), `${digits} pcs`);
+  assert.equal(told(Number('18446744073709551615'), 'ULINT', { name: 'x', unit: 'pcs' }), '≈ 18446744073709600000 pcs', 'what was kept of it is rounded');
+  assert.equal(told(-9007199254740994, 'LINT'), '≈ -9007199254740990');
+  assert.equal(told(9007199254740992, 'LINT'), '9007199254740992');
+  assert.equal(told(1767312000e9, 'DATE', { name: 'x', unit: 'd' }), 'D#2026-01-02', 'of an alarm');
+  assert.equal(told(45000.5e9, 'TOD'), 'TOD#12:30:00.5');
+  assert.equal(told(1767357000.25e9, 'DT'), 'DT#2026-01-02-12:30:00.25');
   assert.equal(told(digits, 'STRING'), digits);
   assert.equal(drawnNumber(digits, 'LINT'), 9007199254740992);
   assert.equal(drawnNumber('12', 'STRING'), null);

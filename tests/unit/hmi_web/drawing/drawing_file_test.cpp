@@ -124,6 +124,15 @@ INSTANTIATE_TEST_SUITE_P(
         Hostile{"<text>a &b; c</text>", "C0640 2 this is no character that XML knows: &b"},
         Hostile{"<text>\nAT&T</text>", "C0640 3 this is no character that XML knows: &T"},
         Hostile{"<rect data-on='&b;'/>", "C0640 2 this is no character"},
+        Hostile{"<text>\n a&#xD800;b</text>", "C0640 3 this is no character that XML knows: &#xD800"},
+        Hostile{"<text>&#x110000;</text>", "C0640 2 this is no character that XML knows: &#x110000"},
+        Hostile{"<text>&#4294967361;</text>", "C0640 2 this is no character that XML knows: &#42949673"},
+        Hostile{"<text>&#1;</text>", "C0640 2 this is no character that XML knows: &#1"},
+        Hostile{"<text>&#0;</text>", "C0640 2 this is no character that XML knows: &#0"},
+        Hostile{"<text>&#xFFFE;</text>", "C0640 2 this is no character that XML knows: &#xFFFE"},
+        Hostile{"<rect data-on='&#27;'/>", "C0640 2 this is no character that XML knows: &#27"},
+        Hostile{"<rect data-confirm='\x1B'/>", "C0640 2 this is no character that XML knows: U+001B"},
+        Hostile{"<!-- \xEF\xBF\xBF -->", "C0640 2 this is no character that XML knows: U+FFFF"},
         Hostile{"<g><rect></g>", "C0640 2 this is no well-formed XML"},
         Hostile{"<g id='a'><use href='#b'/></g><g id='b'><use href='#a'/></g>", "C0644 2 this <use>"}));
 
@@ -137,6 +146,26 @@ TEST(Drawing, WhenADoctypeDeclaresEntities_ThenItIsRefusedWithItsLine) {
 TEST(Drawing, WhenCharactersAreWrittenAsXmlHasThem_ThenTheyStay) {
   const std::string svg = drawn("<!-- &b; --><text>&lt;&#176;&#xB0; &amp;<![CDATA[&b;]]></text>");
   EXPECT_THAT(svg, HasSubstr("&lt;\xC2\xB0\xC2\xB0 &amp;"));
+}
+
+// Breaks within a label: U+000B of PowerPoint, U+0003 of Illustrator. Neither is a character of XML.
+TEST(Drawing, WhenADrawingProgramHasWrittenSoftBreaks_ThenTheyAreLineEnds) {
+  const std::string svg =
+      drawn("<text data-label='a&#11;b'>Tank&#11;1&#x3;2\v3</text><g><title>x</title></g>");
+  EXPECT_THAT(svg, HasSubstr("Tank\n1\n2\n3"));
+  EXPECT_THAT(svg, HasSubstr("a&#10;b"));
+}
+
+// Whatever is kept is read again.
+TEST(Drawing, WhenItIsLargerAsItIsKept_ThenItIsRefused) {
+  const std::string quotes(kLargestFile / 2, '"');
+  EXPECT_THAT(mistake(of("<text font-family='" + quotes + "'/>")),
+              HasSubstr("C0640 0 the drawing as it is kept is larger than 2 MiB"));
+}
+
+TEST(Drawing, WhenAZeroByteStandsInIt_ThenItIsRefusedWithItsLine) {
+  EXPECT_THAT(mistake(read_drawing("x", std::string("<svg viewBox='0 0 9 9'>\n<g/></svg>\0<g/>", 39))),
+              HasSubstr("C0640 2 this is no character that XML knows: U+0000"));
 }
 
 TEST(Drawing, WhenNotAnSvgOrWithoutSize_ThenItSaysSo) {

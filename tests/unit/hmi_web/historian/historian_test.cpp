@@ -178,6 +178,23 @@ TEST_F(HistorianTest, WhenExported_ThenEverySampleIsALineOfCsv) {
             "\"say \"\"a\"\",b\",1969-12-31T23:59:59.999999999Z,2,good\r\n");
 }
 
+TEST_F(HistorianTest, WhenANumberBeyond2To53IsExported_ThenItSaysNoDigitsThatWereNotKept) {
+  open();
+  const TagId count = *historian_->tag("count", kAll);
+  append(count, {{0, 9007199254740992.0}, {1'000'000'000, 18446744073709551615.0}});
+  std::string text;
+  const std::vector<TagId> tags = {count};
+  const auto damage = historian_->export_csv(tags, kAlways, [&](std::string_view piece) {
+    text += piece;
+    return true;
+  });
+  ASSERT_TRUE(damage.has_value());
+  EXPECT_EQ(text,
+            "tag,time,value,quality\r\n"
+            "count,1970-01-01T00:00:00Z,9007199254740992,good\r\n"
+            "count,1970-01-01T00:00:01Z,1.8446744073709552e+19,good\r\n");
+}
+
 TEST_F(HistorianTest, WhenTheSinkWantsNoMore_ThenTheExportEnds) {
   open();
   const TagId level = *historian_->tag("level", kAll);

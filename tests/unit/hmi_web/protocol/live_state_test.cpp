@@ -1,5 +1,6 @@
 #include "hmi_web/protocol/live_state.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,6 +11,7 @@ namespace stepwright::protocol {
 namespace {
 
 using nlohmann::json;
+using testing::HasSubstr;
 
 class LiveStateTest : public testing::Test {
  protected:
@@ -48,10 +50,27 @@ TEST_F(LiveStateTest, WhenNothingIsThereYet_ThenTheWholeStateComes) {
 }
 
 TEST_F(LiveStateTest, WhenATagIsATime_ThenItsNanosecondsAreTold) {
-  state_.times = {1, 3};
-  state_.tags = {0.000004, 0.000004, 2.0, 0.0040005, 4.0};
+  state_.tags = {0.0, 0.000004, 2.0, 0.0040005, 4.0};
   live_.take(state_, 2, true);
   EXPECT_EQ(whole()["tags"], json({{"0", 0}, {"1", 0.000004}, {"2", 2}, {"3", 0.0040005}, {"4", 4}}));
+}
+
+TEST_F(LiveStateTest, WhenATagIsARealOrAnLreal_ThenItIsToldWithTheFewestDigitsThatMeanIt) {
+  state_.reals = {0, 1, 4};
+  state_.tags = {0.00123F, 4e-5F, 1.23456789, static_cast<double>(0.1F), 0.1F};
+  live_.take(state_, 2, true);
+  EXPECT_THAT(live_.message({0, TagChoice::everything(), {}}),
+              HasSubstr(R"("tags":{"0":0.00123,"1":4e-05,"2":1.23456789,"3":0.10000000149011612,"4":0.1})"));
+  state_.tags = {1e6F, 16777216.0F, 1e300, 12345678.5, 3.4028235e38F};
+  live_.take(state_, 3, false);
+  EXPECT_THAT(live_.message({2, TagChoice::everything(), {}}),
+              HasSubstr(R"("tags":{"0":1000000,"1":16777216,"2":1e+300,"3":12345678.5,"4":3.4028235e+38})"));
+}
+
+TEST_F(LiveStateTest, WhenAPointIsSmall_ThenItHasSixDigits) {
+  state_.points = {0.00123456789, 4e-5, 1234.56789};
+  live_.take(state_, 2, false);
+  EXPECT_EQ(whole()["points"], json({0.00123457, 0.00004, 1234.568}));
 }
 
 TEST_F(LiveStateTest, WhenTagsHaveTexts_ThenTheyTravelAsTextWheneverTheyChange) {

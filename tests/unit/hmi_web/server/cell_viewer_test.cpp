@@ -51,6 +51,15 @@ TEST(CellViewer, WhenAnImageIsSeen_ThenStepsTransitionsAndTagsAreReadFromIt) {
   EXPECT_EQ(state.scan, 12u);
 }
 
+TEST(CellViewer, WhenVariablesAreReals_ThenTheyAreNamedAsThat) {
+  Observation seen = running(bytes({0, 0, 0, 0, 0, 0, 0}));
+  auto layout = small_layout();
+  layout->tags[1].type = ElementaryType::Real;
+  seen.layout = layout;
+  CellViewer viewer({});
+  EXPECT_EQ(viewer.view(seen).state.reals, std::vector<std::uint32_t>{1});
+}
+
 // A STRING[4], a WSTRING[2] and a DATE.
 TEST(CellViewer, WhenVariablesAreTexts_ThenTheyAreReadAsTextAndHaveNoNumber) {
   auto layout = std::make_shared<ProgramLayout>();

@@ -37,6 +37,13 @@ class ValueTextsTest : public testing::Test {
     add("Main.levels[2]", ElementaryType::Int);
     add("Main.delay", ElementaryType::Time);
     add("Main.hot", ElementaryType::Bool);
+    add("Main.day", ElementaryType::Date);
+    add("Main.clock", ElementaryType::Tod);
+    add("Main.due", ElementaryType::Dt);
+    add("Main.count", ElementaryType::Ulint);
+    add("Main.balance", ElementaryType::Lint);
+    layout_.program.tags[5].note.unit = "d";
+    layout_.program.tags[8].note.unit = "pcs";
     layout_.program.enumerations = {{{7, "Auto"}}};
     layout_.program.tags[1].enumeration = 0;
     layout_.program.tags[0].note.unit = "m3";
@@ -69,6 +76,18 @@ TEST_F(ValueTextsTest, WhenATagIsDescribed_ThenItsNumberHasUnitDecimalsAndName) 
 TEST_F(ValueTextsTest, WhenATimeHasADeclaredUnit_ThenItHasOneUnitOnly) {
   EXPECT_EQ(text("Main.delay", 20), "20 s");
   EXPECT_EQ(text("Main.delay", 0.004), "4 ms");
+}
+
+TEST_F(ValueTextsTest, WhenATagIsADate_ThenItIsToldAsPeopleWriteIt) {
+  EXPECT_EQ(text("Main.day", 1767312000e9), "D#2026-01-02") << "without the unit that somebody has given it";
+  EXPECT_EQ(text("Main.clock", 45000.5e9), "TOD#12:30:00.5");
+  EXPECT_EQ(text("Main.due", 1767357000.25e9), "DT#2026-01-02-12:30:00.25");
+}
+
+TEST_F(ValueTextsTest, WhenAnIntegerHasMoreDigitsThanWereKept_ThenItIsToldAsRounded) {
+  EXPECT_EQ(text("Main.count", 18446744073709551615.0), "≈ 18446744073709600000 pcs");
+  EXPECT_EQ(text("Main.balance", -9007199254740994.0), "≈ -9007199254740990");
+  EXPECT_EQ(text("Main.balance", -9007199254740992.0), "-9007199254740992");
 }
 
 }  // namespace

@@ -23,5 +23,12 @@ TEST(TextLiteral, Escapes_WhenIllFormed_ThenTheirPlaceIsKnown) {
   }
 }
 
+TEST(LiteralText, WhenATextHasControlCharacters_ThenTheyAreWrittenAsInLiterals) {
+  EXPECT_EQ(literal_text("a\x1B[31mred\n  Main.fake = TRUE", TextWidth::Single),
+            "a$1B[31mred$N  Main.fake = TRUE");
+  EXPECT_EQ(literal_text("5$ \xC2\xB0\r\t\f\x7F\xC2\x9B", TextWidth::Single), "5$$ \xC2\xB0$R$T$P$7F$9B");
+  EXPECT_EQ(literal_text("\xE2\x82\xAC\x1B", TextWidth::Double), "\xE2\x82\xAC$001B");
+}
+
 }  // namespace
 }  // namespace stepwright::naming
