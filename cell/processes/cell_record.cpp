@@ -1,6 +1,9 @@
 #include "cell/processes/cell_record.h"
 
+#include <signal.h>
+
 #include <algorithm>
+#include <cerrno>
 #include <nlohmann/json.hpp>
 
 #include "runtime/ground/process/files.h"
@@ -47,6 +50,12 @@ result::Result<void> check_same_cell(const CellRecord& record, const config::Cel
                           " is that of another cell, which is up: '" + record.cell + "', " + record.config,
                       "one of the two has to have a state folder of its own: [cell] state_dir = \"state\"; " +
                           file + " is not up, and nothing was done");
+}
+
+result::Result<void> check_state_folder(const config::CellConfig& config) {
+  const auto record = read_record(record_path(config));
+  if (!record || (kill(record->pid, 0) != 0 && errno == ESRCH)) return {};
+  return check_same_cell(*record, config);
 }
 
 std::string to_json(const CellRecord& record) {

@@ -69,6 +69,10 @@ std::string whole_path(const std::filesystem::path& file);
 [[nodiscard]] result::Result<void> check_same_cell(const CellRecord& record,
                                                    const config::CellConfig& config);
 
+// The same for whoever speaks to the runtime of the folder: M0023 if another cell is up there. Without a
+// record, or with that of a process that has ended, whoever serves the socket is left to say who he is.
+[[nodiscard]] result::Result<void> check_state_folder(const config::CellConfig& config);
+
 std::string to_json(const CellRecord& record);
 // E0002 or nothing.
 [[nodiscard]] result::Diagnostics write_record(const std::filesystem::path& file, const CellRecord& record);

@@ -45,7 +45,12 @@ std::vector<RecipeTag> RecipeService::known_tags() const {
 
 result::Diagnostics RecipeService::problems_of(const Recipe& recipe) const {
   auto checked = recipes::check(known_tags(), recipe.values);
-  return checked ? result::Diagnostics{} : std::move(checked.error());
+  if (!checked) return std::move(checked.error());
+  // What the program that runs would refuse; a variable that is forced can be released.
+  auto spelt = checked_by_program(std::move(*checked));
+  if (spelt || nobody_answers(spelt.error())) return {};
+  std::erase_if(spelt.error(), [](const result::Diagnostic& each) { return each.code == kTagForced; });
+  return std::move(spelt.error());
 }
 
 std::vector<PresentTag> RecipeService::present() const {

@@ -249,6 +249,10 @@ std::optional<reader::Variable> CellAlarms::variable_of(const std::string& name,
 
 CellAlarms::Read CellAlarms::reader_of(const std::string& name, const server::ProgramLayout* layout) const {
   const auto flag = [](bool value) { return std::optional<double>(value ? 1.0 : 0.0); };
+  // What is no number is neither above nor below a limit.
+  const auto known = [](const std::optional<double>& value) {
+    return value && std::isnan(*value) ? std::nullopt : value;
+  };
   if (name == kRuntimeAlive)
     return [flag](const RecordedScan& scan) { return flag(scan.observation->runtime_alive); };
   if (name == kRuntimeFault) {
@@ -263,18 +267,18 @@ CellAlarms::Read CellAlarms::reader_of(const std::string& name, const server::Pr
   const auto point = std::ranges::find(points_, name, &protocol::Point::id);
   if (point != points_.end()) {
     const auto index = static_cast<std::size_t>(point - points_.begin());
-    return [index](const RecordedScan& scan) -> std::optional<double> {
+    return [index, known](const RecordedScan& scan) -> std::optional<double> {
       if (!scan.observation->runtime_alive) return std::nullopt;
-      return scan.view->state.points.at(index);
+      return known(scan.view->state.points.at(index));
     };
   }
   const auto tag = variable_of(name, layout);
   if (!tag) return nullptr;
-  return [tag = *tag](const RecordedScan& scan) -> std::optional<double> {
+  return [tag = *tag, known](const RecordedScan& scan) -> std::optional<double> {
     if (!scan.observation->runtime_alive || !scan.observation->snapshot) return std::nullopt;
     // Before its first scan the program has read nothing and computed nothing.
     if (scan.observation->snapshot->scan == 0) return std::nullopt;
-    return server::read(tag, scan.observation->snapshot->image);
+    return known(server::read(tag, scan.observation->snapshot->image));
   };
 }
 

@@ -15,6 +15,7 @@
 
 #include "cell/config/cell_options.h"
 #include "cell/monitor_check/missing_monitors.h"
+#include "cell/processes/cell_record.h"
 #include "programs/download/program_verdict.h"
 #include "runtime/bytecode/writer/document_section.h"
 #include "runtime/ground/process/command_line.h"
@@ -182,6 +183,8 @@ int download(const config::CellConfig& config, const Arguments& arguments) {
   const auto bytes = std::as_bytes(std::span(*image));
   if (const auto problems = cell_monitors::missing_monitors(config, bytes); !problems.empty())
     return refuse(arguments, problems, ExitCode::BadInput);
+  if (const auto own = processes::check_state_folder(config); !own)
+    return refuse(arguments, own.error(), ExitCode::BadInput);
   auto connection = service::Connection::open(config.socket_path(),
                                               {.role = service::Role::Controller, .name = "download"});
   if (!connection) return refuse(arguments, connection.error(), ExitCode::RuntimeFault);

@@ -3,12 +3,15 @@
 #include <thread>
 #include <utility>
 
+#include "cell/processes/cell_record.h"
+
 namespace stepwright::monitor {
 
 using namespace std::chrono_literals;
 
 result::Result<std::unique_ptr<Attached>> Attached::open(const config::CellConfig& config,
                                                          service::Role role) {
+  if (auto own = processes::check_state_folder(config); !own) return result::forward(own);
   auto connection = service::Connection::open(config.socket_path(), {.role = role, .name = "monitor"});
   if (!connection) return result::forward(connection);
   auto self = std::make_unique<Attached>();

@@ -179,6 +179,9 @@ void CellKeeper::become_ready() {
     console_.say("the cell '" + setting_.config.name + "' is up without its program: " + missing);
     console_.say("its page is " + address_ + "; a program that is downloaded is taken");
   }
+  if (setting_.config.controller.remote() && !setting_.config.controller.loaded_by_hand &&
+      ask_program(setting_.config, record().clock).state == kNoAnswer)
+    console_.say("its controller does not answer yet; `stepwright status` says when it does");
   tell_token();
   const std::string down = "`stepwright down " + setting_.config.file.string() + "`";
   console_.say(setting_.terminal ? "Ctrl-C ends it; so does " + down : down + " ends it");

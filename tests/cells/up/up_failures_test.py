@@ -138,6 +138,10 @@ class Failures(unittest.TestCase):
             self.assertEqual(done.returncode, code, done.stdout + done.stderr)
             self.assertRegex(done.stderr, rf"^{re.escape(str(other.config))}: M0023: .*is that of another cell, which is up: .*{re.escape(str(cell.config))}")
             self.assertIn("[cell] state_dir", done.stderr)
+        for command in (("force", "Main.n", "1"), ("snapshot", "Main.n"), ("stop",), ("download", cell.state / "program.swb", "--replace")):
+            done = stepwright(command[0], "--config", other.config, *command[1:])
+            self.assertNotEqual(done.returncode, 0, (command, done.stdout))
+            self.assertIn("M0023", done.stderr, command)
         self.assertTrue(process.running())
         self.assertEqual(cell.run("status").returncode, 0)
         self.assertEqual(cell.run("down").returncode, 0)

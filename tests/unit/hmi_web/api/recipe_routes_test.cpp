@@ -126,6 +126,15 @@ TEST_F(RecipeRoutesTest, WhenAFileIsDamaged_ThenTheListSaysSo) {
   EXPECT_EQ(ask("GET", "/api/recipes/Bad").status, 409u);
 }
 
+TEST_F(RecipeRoutesTest, WhenTheProgramWouldRefuseAValue_ThenTheListSaysSo) {
+  ASSERT_EQ(ask("PUT", "/api/recipes/Blue", kBlue).status, 200u);
+  EXPECT_EQ(get("/api/recipes/Blue")["problems"].size(), 0u);
+  fixture_.cell.refuse("TRUE");
+  EXPECT_EQ(get("/api/recipes/Blue")["problems"].size(), 1u);
+  fixture_.cell.fail_with("D0001");
+  EXPECT_EQ(get("/api/recipes/Blue")["problems"].size(), 0u) << "nobody knows while no runtime answers";
+}
+
 TEST(RecipeRoutes, WhenTheServerHasNone_ThenEveryRowSaysSo) {
   for (const Route& row : recipe_routes({})) {
     const Answer answer = row.handler({});

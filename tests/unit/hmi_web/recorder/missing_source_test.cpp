@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "hmi_web/recorder/cell_alarms.h"
@@ -94,6 +95,15 @@ TEST_F(MissingSourceTest, WhenTheDeviceOfAnInputDoesNotAnswer_ThenItsValueRaises
   unread_.clear();
   look(program({"main.first", "main.second"}), 1);
   EXPECT_EQ(listed()["second"]["state"], "unacknowledged");
+}
+
+TEST_F(MissingSourceTest, WhenAValueIsNoNumber_ThenItIsNotNormal) {
+  open({alarm("high", "a1.level")});
+  look(program({"main.level"}), 0, std::numeric_limits<double>::quiet_NaN());
+  EXPECT_EQ(listed()["high"]["state"], "no value");
+  EXPECT_EQ(listed()["high"]["problem"], "'a1.level' has no value");
+  look(program({"main.level"}), 0, 50.0);
+  EXPECT_EQ(listed(true)["high"]["problem"], "");
 }
 
 TEST_F(MissingSourceTest, WhenTheProgramHasNotScannedYet_ThenItsValuesRaiseNothing) {
