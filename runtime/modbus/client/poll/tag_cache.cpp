@@ -12,8 +12,9 @@ namespace {
 using std::chrono::duration_cast;
 using std::chrono::milliseconds;
 
-std::int64_t ms_between(TagCache::Clock::time_point from, TagCache::Clock::time_point to) {
-  return duration_cast<milliseconds>(to - from).count();
+// Who asks may have looked at the clock before the value came: it is new then.
+std::int64_t age_ms(TagCache::Clock::time_point read, TagCache::Clock::time_point now) {
+  return std::max<std::int64_t>(0, duration_cast<milliseconds>(now - read).count());
 }
 
 }  // namespace
@@ -145,7 +146,7 @@ void TagCache::collect(Clock::time_point now, std::span<std::byte> inputs) const
     if (tag.quality_byte) inputs[*tag.quality_byte] = static_cast<std::byte>(quality);
     if (!tag.age) return;
     const double age =
-        state.ever ? static_cast<double>(ms_between(state.good_at, now)) : std::numeric_limits<double>::max();
+        state.ever ? static_cast<double>(age_ms(state.good_at, now)) : std::numeric_limits<double>::max();
     put_field(inputs, *tag.age, image_bits_of(tag.age->type, age));
   };
   const std::scoped_lock lock(mutex_);
@@ -204,7 +205,7 @@ void TagCache::report(Clock::time_point now, std::vector<DeviceStatus>& status) 
     said.groups = state.groups;
     const auto add = [&](const Tag& tag, const State& known, bool output, Quality quality) {
       said.tags.push_back({tag.name, tag.address, output, number_of(tag.field.type, known.bits), quality,
-                           known.ever ? ms_between(known.good_at, now) : -1, known.wall});
+                           known.ever ? age_ms(known.good_at, now) : -1, known.wall});
     };
     for (std::size_t i = 0; i < state.in.size(); ++i)
       add(state.inputs[i], state.in[i], false, quality_of(state.in[i], too_old(state, i, now)));
