@@ -53,6 +53,7 @@ class Status(unittest.TestCase):
 
     def test_a_cell_without_its_program_is_not_called_ready(self):
         cell = self.kept(program=MANY)
+        self.addCleanup(cell.run, "down")
         up = cell.run("up", "--detach", "--set", "runtime.memory_limit_mb=1")
         self.assertEqual(up.returncode, 5, up.stdout + up.stderr)
         self.assertRegex(up.stderr, r"the cell '[\w-]+' is up without its program: .*R0076: ")
