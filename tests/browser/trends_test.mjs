@@ -145,6 +145,7 @@ async function removes(page, name) {
   await page.getByRole('button', { name: 'Remove group' }).click();
   check((await dialog(page).innerText()).includes(`“${name}”`), 'it is asked for first');
   await dialog(page).getByRole('button', { name: 'Remove group' }).click();
+  await waitFor(page, 'and done', () => document.querySelector('dialog') === null);
 }
 
 async function removesTheGroup(page) {
