@@ -122,10 +122,17 @@ async function namesOrders(page) {
   await dialogIsGone(page, 'and is left without a start');
 }
 
+const isAllDone = () =>
+  document.querySelector('[data-testid=phase]')?.innerText === 'done' &&
+  document.querySelectorAll('[data-row=step] td').length > 0 &&
+  [...document.querySelectorAll('[data-row=step] td')].every((cell) => cell.innerText === 'all done');
+
 async function tellsTheEnd(page) {
-  await waitFor(page, 'all is done, in words and figures', () =>
-    document.querySelector('[data-testid=phase]').innerText === 'done' &&
-    [...document.querySelectorAll('[data-row=step] td')].every((cell) => cell.innerText === 'all done'));
+  await waitFor(page, 'all is done, in words and figures', isAllDone);
+  const late = await page.context().newPage();
+  await late.goto(page.url());
+  await waitFor(late, 'also for who comes when it is over', isAllDone);
+  await late.close();
   const seen = await page.evaluate(() => {
     const { steps, held, shares, joints, waits, least, off, distances } = globalThis.seen;
     return { steps: steps.map((one) => [...one]), held: held.map((one) => [...one]), joints: joints.map((one) => one.size), waits: [...waits], falls: shares.map((list) => list.filter((share, k) => k > 0 && share < list[k - 1] && share > 0).length), least, off, distances };
