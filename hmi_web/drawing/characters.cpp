@@ -5,7 +5,8 @@
 #include <charconv>
 #include <cstdint>
 #include <cstdio>
-#include <utility>
+
+#include "runtime/ground/markup/xml_scan.h"
 
 namespace stepwright::drawing {
 namespace {
@@ -32,18 +33,6 @@ bool is_known_entity(std::string_view name) {
   return read.ec == std::errc() && read.ptr == name.data() + name.size() && is_character(code);
 }
 
-// Behind the comment, the CDATA or the instruction that begins at `at`; `at` itself: none does.
-std::size_t end_of_plain(std::string_view text, std::size_t at) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kPlain = {
-      {{"<!--", "-->"}, {"<![CDATA[", "]]>"}, {"<?", "?>"}}};
-  for (const auto& [begin, end] : kPlain) {
-    if (!text.substr(at).starts_with(begin)) continue;
-    const std::size_t found = text.find(end, at + begin.size());
-    return found == std::string_view::npos ? text.size() : found + end.size();
-  }
-  return at;
-}
-
 // U+FFFE and U+FFFF, which are characters of UTF-8, but of no text.
 bool is_at_noncharacter(std::string_view rest) {
   return rest.starts_with("\xEF\xBF\xBE") || rest.starts_with("\xEF\xBF\xBF");
@@ -62,7 +51,7 @@ std::optional<std::size_t> place_of_control(std::string_view text) {
 std::optional<std::size_t> place_of_unknown_entity(std::string_view text) {
   for (std::size_t at = text.find_first_of("&<"); at < text.size(); at = text.find_first_of("&<", at)) {
     if (text[at] == '<') {
-      const std::size_t end = end_of_plain(text, at);
+      const std::size_t end = markup::end_of_plain(text, at);
       at = std::max(end, at + 1);
       continue;
     }

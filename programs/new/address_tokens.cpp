@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "ladder/syntax/blank.h"
-#include "programs/new/xml_text.h"
+#include "runtime/ground/markup/xml_scan.h"
 
 namespace stepwright::new_cell {
 namespace {
@@ -62,14 +62,14 @@ class Scan {
         const std::size_t end = std::min(xml_.find('<', at), xml_.size());
         copy(at, end);
         at = end;
-      } else if (const std::size_t plain = end_of_plain(xml_, at); plain != at) {
+      } else if (const std::size_t plain = markup::end_of_plain(xml_, at); plain != at) {
         if (xml_.substr(at).starts_with(kCdata) && untold_ == 0)
           std::copy(xml_.begin() + static_cast<std::ptrdiff_t>(at + kCdata.size()),
                     xml_.begin() + static_cast<std::ptrdiff_t>(plain - kCdataEnd.size()),
                     code_.begin() + static_cast<std::ptrdiff_t>(at + kCdata.size()));
         at = plain;
       } else {
-        const std::size_t end = end_of_tag(xml_, at);
+        const std::size_t end = markup::end_of_tag(xml_, at);
         tag(at, end);
         at = end;
       }

@@ -6,7 +6,7 @@
 #include <variant>
 
 #include "programs/new/named_bodies.h"
-#include "programs/new/xml_text.h"
+#include "runtime/ground/markup/xml_scan.h"
 #include "runtime/ground/naming/ascii_names.h"
 
 namespace stepwright::new_cell {
@@ -35,11 +35,11 @@ bool has_list(const graphic::Pou& pou) {
 std::size_t end_of_element(std::string_view xml, std::size_t begin) {
   int depth = 0;
   for (std::size_t at = begin; at < xml.size(); at = xml.find('<', at)) {
-    if (const std::size_t plain = end_of_plain(xml, at); plain != at) {
+    if (const std::size_t plain = markup::end_of_plain(xml, at); plain != at) {
       at = plain;
       continue;
     }
-    const std::size_t end = end_of_tag(xml, at);
+    const std::size_t end = markup::end_of_tag(xml, at);
     if (xml.substr(at).starts_with("</"))
       --depth;
     else if (xml[end - 2] != '/')

@@ -63,11 +63,17 @@ result::Result<void> check_program(const std::filesystem::path& programs, const 
 }
 
 // Why the program that the cell names is not loaded; empty: it is, or the cell names none.
-std::string missing_program(const config::CellConfig& config, const std::string& clock) {
+std::string missing_program(const config::CellConfig& config) {
   if (config.boot.program.empty() || config.controller.remote()) return "";
-  const processes::ProgramRecord program = ask_program(config, clock);
+  const processes::ProgramRecord program = ask_program(config);
   if (!is_missing(program, config)) return "";
   return program.detail.empty() ? "`stepwright status` says what is" : program.detail;
+}
+
+// A gateway is ready before its controller has power, and serves its socket once that answers.
+bool is_without_controller(const config::CellConfig& config) {
+  return config.controller.remote() && !config.controller.loaded_by_hand &&
+         ask_program(config).state == kNoAnswer;
 }
 
 }  // namespace
@@ -172,15 +178,14 @@ void CellKeeper::become_ready() {
       std::ranges::all_of(members_, [](const KeptProcess& each) { return each.phase() == Phase::Ready; });
   if (ready_ || !all) return;
   ready_ = true;
-  const std::string missing = missing_program(setting_.config, record().clock);
+  const std::string missing = missing_program(setting_.config);
   if (missing.empty()) {
     console_.say("the cell '" + setting_.config.name + "' is ready: " + address_);
   } else {
     console_.say("the cell '" + setting_.config.name + "' is up without its program: " + missing);
     console_.say("its page is " + address_ + "; a program that is downloaded is taken");
   }
-  if (setting_.config.controller.remote() && !setting_.config.controller.loaded_by_hand &&
-      ask_program(setting_.config, record().clock).state == kNoAnswer)
+  if (is_without_controller(setting_.config))
     console_.say("its controller does not answer yet; `stepwright status` says when it does");
   tell_token();
   const std::string down = "`stepwright down " + setting_.config.file.string() + "`";

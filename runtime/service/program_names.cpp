@@ -49,9 +49,8 @@ std::vector<host::ImageBits> parts_of(std::uint32_t address, std::span<const std
 result::Result<reader::NamedVariable> writable(const reader::ProgramInfo& info, std::string_view name) {
   auto found = reader::resolve_name(info, name);
   if (!found) return found;
-  const auto& tags = info.tags();
-  const auto tag = std::ranges::find(tags, found->name, &reader::Tag::name);
-  if (tag == tags.end() || (tag->flags & bytecode::kSymbolConstant) == 0) return found;
+  const reader::Tag* const tag = info.find_tag(found->name);
+  if (tag == nullptr || (tag->flags & bytecode::kSymbolConstant) == 0) return found;
   return result::fail(kNoSuchValue, {found->name, 0, 0}, "`" + found->name + "` is a constant of the program",
                       "a variable without CONSTANT can be written and forced");
 }

@@ -187,7 +187,7 @@ ARROWS = {
     "hmi_web/recorder": ["hmi_web/alarms", "hmi_web/api", "hmi_web/historian", "hmi_web/server", "runtime/ground/csv"],
     "hmi_web/access": ["runtime/ground/result"],
     "hmi_web/recipes": ["hmi_web/access", "runtime/bytecode/reader", "runtime/ground/settings"],
-    "hmi_web/drawing": ["runtime/ground/result"],
+    "hmi_web/drawing": ["runtime/ground/markup", "runtime/ground/result"],
     "hmi_web/screens": ["hmi_web/access", "hmi_web/drawing", "runtime/bytecode/reader"],
     "hmi_web/change": ["hmi_web/access", "runtime/host"],
     "hmi_web/trends": ["hmi_web/access"],

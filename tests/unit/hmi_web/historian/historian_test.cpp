@@ -27,6 +27,15 @@ class HistorianTest : public testing::Test {
     for (const Sample& sample : samples) historian_->append(tag, sample);
     ASSERT_TRUE(historian_->flush().has_value());
   }
+  std::string exported(const std::vector<TagId>& tags) {
+    std::string text;
+    const auto damage = historian_->export_csv(tags, kAlways, [&](std::string_view piece) {
+      text += piece;
+      return true;
+    });
+    EXPECT_TRUE(damage.has_value());
+    return text;
+  }
   std::vector<Sample> all(TagId tag) { return historian_->range(tag, kAlways, 10'000'000).value().samples; }
 
   support::TemporaryFolder folder_;
@@ -163,14 +172,7 @@ TEST_F(HistorianTest, WhenExported_ThenEverySampleIsALineOfCsv) {
   const TagId level = *historian_->tag("level", kAll), odd = *historian_->tag("say \"a\",b", kAll);
   append(level, {{0, 0.1}, {1'500'000'000, -3.0, Quality::Bad}, {1'800'000'000'000'000'001, 1e300}});
   append(odd, {{-1, 2.0}});
-  std::string text;
-  const std::vector<TagId> tags = {level, odd};
-  const auto damage = historian_->export_csv(tags, kAlways, [&](std::string_view piece) {
-    text += piece;
-    return true;
-  });
-  ASSERT_TRUE(damage.has_value());
-  EXPECT_EQ(text,
+  EXPECT_EQ(exported({level, odd}),
             "tag,time,value,quality\r\n"
             "level,1970-01-01T00:00:00Z,0.1,good\r\n"
             "level,1970-01-01T00:00:01.5Z,-3,bad\r\n"
@@ -182,14 +184,7 @@ TEST_F(HistorianTest, WhenANumberBeyond2To53IsExported_ThenItSaysNoDigitsThatWer
   open();
   const TagId count = *historian_->tag("count", kAll);
   append(count, {{0, 9007199254740992.0}, {1'000'000'000, 18446744073709551615.0}});
-  std::string text;
-  const std::vector<TagId> tags = {count};
-  const auto damage = historian_->export_csv(tags, kAlways, [&](std::string_view piece) {
-    text += piece;
-    return true;
-  });
-  ASSERT_TRUE(damage.has_value());
-  EXPECT_EQ(text,
+  EXPECT_EQ(exported({count}),
             "tag,time,value,quality\r\n"
             "count,1970-01-01T00:00:00Z,9007199254740992,good\r\n"
             "count,1970-01-01T00:00:01Z,1.8446744073709552e+19,good\r\n");

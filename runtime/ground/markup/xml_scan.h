@@ -1,12 +1,12 @@
 #pragma once
 
-// Where the parts of a well-formed XML text begin and end, so that it can be changed in place and stays the
-// same everywhere else. Pure; any thread.
+// Where the parts of an XML text begin and end, so that it can be looked through, or changed in place, as it
+// is written. Pure; any thread.
 
 #include <cstddef>
 #include <string_view>
 
-namespace stepwright::new_cell {
+namespace stepwright::markup {
 
 // What begins at `at` and has no elements (a comment, CDATA, an instruction): where it ends, or `at` if it is
 // a tag.
@@ -15,4 +15,4 @@ std::size_t end_of_plain(std::string_view xml, std::size_t at);
 // Behind the '>' of the tag at `at`: attributes may hold one.
 std::size_t end_of_tag(std::string_view xml, std::size_t at);
 
-}  // namespace stepwright::new_cell
+}  // namespace stepwright::markup

@@ -1,6 +1,6 @@
-#include "programs/new/xml_text.h"
+#include "runtime/ground/markup/xml_scan.h"
 
-namespace stepwright::new_cell {
+namespace stepwright::markup {
 
 std::size_t end_of_plain(std::string_view xml, std::size_t at) {
   constexpr std::string_view kPlain[][2] = {{"<!--", "-->"}, {"<![CDATA[", "]]>"}, {"<?", "?>"}};
@@ -27,4 +27,4 @@ std::size_t end_of_tag(std::string_view xml, std::size_t at) {
   return at;
 }
 
-}  // namespace stepwright::new_cell
+}  // namespace stepwright::markup
