@@ -11,7 +11,8 @@ export function passedSteps(program: ProgramMessage, active: Set<number>, action
   const entered = new Set<number>(active);
   program.steps.forEach((step, index) => {
     const state = states.get(step.name);
-    if (state === 'done') passed.add(index);
+    // The plan may come before the image in which its step is left.
+    if (state === 'done' && !active.has(index)) passed.add(index);
     if (state === 'done' || state === 'active') entered.add(index);
   });
   // How many transitions lead into each step.

@@ -36,6 +36,13 @@ test('Ticks_WhenThePlanSaysWhatIsDone_ThenThatHolds', () => {
   assert.deepEqual(ticked(plan, [1], [{ ...actions[0], state: 'active' }, { ...actions[1], state: 'pending' }]), ['START']);
 });
 
+test('Ticks_WhenThePlanComesBeforeTheImage_ThenAnActiveStepIsNotTicked', () => {
+  const plan = chart(['START', 's1', 's2'], [[[0], [1]], [[1], [2]]]);
+  const actions = [{ index: 0, text: '', step: 's1', state: 'done' }, { index: 1, text: '', step: 's2', state: 'active' }];
+  assert.deepEqual(ticked(plan, [1], actions), ['START'], 'it is active still');
+  assert.deepEqual(ticked(plan, [2], actions), ['START', 's1']);
+});
+
 test('Picture_WhenItHasAnyShape_ThenWhatIsWrongIsLeftOut', () => {
   for (const wrong of [null, 7, [], { steps: 5, lines: [[1, 2, 3], 'x'] }]) {
     const picture = readPicture(wrong, 'Main');
