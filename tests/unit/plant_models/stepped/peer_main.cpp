@@ -57,8 +57,10 @@ int main(int argc, char** argv) {
     if (now && how == "no_number") level = std::numeric_limits<double>::quiet_NaN();
     if (now && how == "shrinks" && ftruncate(stepwright::stepped::kPeerArea, 64) == 0)
       return "it could be made smaller";
-    if (now && how == "answers_early" && write(stepwright::stepped::kPeerSocket, "rr", 2) != 2)
-      return "no socket";
+    if (now && how == "answers_early") {
+      if (write(stepwright::stepped::kPeerSocket, "rr", 2) != 2) return "no socket";
+      pause();  // however late somebody reads it, the step is not done
+    }
     if (now && how == "scribbles") {
       auto& header = area.header();
       header.magic = 0;
