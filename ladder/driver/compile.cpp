@@ -6,6 +6,7 @@
 #include "ladder/driver/container_names.h"
 #include "ladder/driver/front_end.h"
 #include "ladder/driver/sheets.h"
+#include "ladder/driver/unshown_notes.h"
 #include "ladder/print/program_document.h"
 #include "runtime/bytecode/writer/document_section.h"
 
@@ -24,12 +25,22 @@ void name_files(std::vector<graphic::Sheet>& sheets, const std::string& folder) 
         names[static_cast<std::size_t>(std::find(files.begin(), files.end(), each.file) - files.begin())];
 }
 
+bool has_pragmas(const CompileInput& input) {
+  return std::ranges::any_of(input.texts, [](const source::NamedText& each) { return each.text.find('{') != std::string::npos; });
+}
+
+// What is read once more for people: the document of the container, if it is wanted, and warnings of pragmas.
 // What cannot be drawn has no document; it runs all the same.
-std::vector<std::byte> with_sources(std::vector<std::byte> container, const CompileInput& input) {
+void add_sources(const CompileInput& input, const semantics::Model& model, std::vector<std::byte>& container,
+                 source::DiagnosticSink& sink) {
+  const bool document = input.document && !container.empty();
+  if (!document && !has_pragmas(input)) return;
   auto sheets = sheets_of(input);
-  if (!sheets) return container;
+  if (!sheets) return;
+  warn_of_unshown_notes(*sheets, model, sink);
+  if (!document) return;
   name_files(*sheets, input.folder);
-  return writer::with_document(container, print::program_document(*sheets));
+  container = writer::with_document(container, print::program_document(*sheets));
 }
 
 // What is said of a watcher is said of what it was made from.
@@ -57,8 +68,9 @@ result::Result<CompileOutput> compile(const CompileInput& input) {
   if (runs) {
     auto container = front.container(*model);
     if (!container) return result::forward(container);
-    output.container = input.document ? with_sources(std::move(*container), input) : std::move(*container);
+    output.container = std::move(*container);
   }
+  add_sources(input, *model, output.container, sink);
   lint::check(*model, front.unit(), front.user_pous(), input.lint, sink);
   output.warnings = at_origins(lint::without_suppressed(sink.take(), front.sources()), input.watchers);
   return output;

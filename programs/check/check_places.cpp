@@ -1,6 +1,8 @@
 #include "programs/check/check_places.h"
 
+#include <linux/magic.h>
 #include <sys/stat.h>
+#include <sys/vfs.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -35,12 +37,21 @@ bool is_too_long(const fs::path& path) {
          });
 }
 
+// Where the kernel shows what it knows; root, too, makes nothing there.
+bool is_of_kernel(const fs::path& folder) {
+  struct statfs info {};
+  return statfs(folder.c_str(), &info) == 0 &&
+         (info.f_type == PROC_SUPER_MAGIC || info.f_type == SYSFS_MAGIC);
+}
+
 class PlaceCheck {
  public:
   explicit PlaceCheck(const config::CellConfig& config) : config_(config), state_(whole(config.state_dir)) {
     struct stat info {};
     if (stat(state_.c_str(), &info) != 0) {
-      closed_ = errno != ENOENT;  // check_state_dir says why
+      const bool missing = errno == ENOENT;
+      if (missing) folder("cell", "state_dir", state_);
+      closed_ = !missing || !problems_.empty();  // check_state_dir says why one that is there cannot be used
     } else if (access(state_.c_str(), R_OK | X_OK) != 0) {
       closed_ = true;
       problems_.push_back({"C0476", Severity::Warning, where_of(config, "cell", "state_dir"),
@@ -70,6 +81,7 @@ class PlaceCheck {
                   "make it, or name a file in a folder that is there");
     if (!S_ISDIR(info.st_mode))
       return tell(table, key, folder.string() + " is no folder", "name a file in a folder");
+    if (is_of_kernel(folder)) return of_kernel(table, key, folder);
     if (access(folder.c_str(), W_OK | X_OK) != 0) may_not(table, key, folder);
   }
 
@@ -85,6 +97,7 @@ class PlaceCheck {
     }
     if (!S_ISDIR(info.st_mode))
       return tell(table, key, there.string() + " is no folder", "name a folder, or what can become one");
+    if (is_of_kernel(there)) return of_kernel(table, key, there);
     if (access(there.c_str(), W_OK | X_OK) != 0) may_not(table, key, there);
   }
 
@@ -104,6 +117,11 @@ class PlaceCheck {
 
   void is_folder(const char* table, const char* key, const fs::path& path) {
     tell(table, key, path.string() + " is a folder", "name a file");
+  }
+
+  void of_kernel(const char* table, const char* key, const fs::path& folder) {
+    tell(table, key, "nothing can be made in " + folder.string() + ", which is the kernel's",
+         "name another place");
   }
 
   void cannot(const char* table, const char* key, const fs::path& path) {

@@ -48,9 +48,13 @@ std::string number(double value) {
   return text;
 }
 
+bool is_time(const std::string& type) {
+  return type == "TIME" || type == "LTIME";
+}
+
 // An end of the range that is normal: of a TIME in seconds, whereas its registers count nanoseconds.
 std::string end_of(double value, const std::string& type) {
-  return number(value) + (type == "TIME" || type == "LTIME" ? " s" : "");
+  return number(value) + (is_time(type) ? " s" : "");
 }
 
 // With its group and the range that is normal: "level of the buffer (tanks; 0 to 200)".
@@ -145,6 +149,7 @@ std::string to_json(const std::vector<TaggedRow>& rows) {
     const nlohmann::json said = protocol::to_json(note);
     for (const char* key : {"unit", "description", "group", "normal"})
       if (said.contains(key)) entry[key] = said[key];
+    if (note.normal && is_time(row.type)) entry["normal_unit"] = "s";
     list.push_back(std::move(entry));
   }
   return list.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";

@@ -19,7 +19,7 @@ struct Options {
   bool json = false;                   // status
 };
 
-// The cell's file, read and checked; M0012 if it is not there.
+// The cell's file, read and checked.
 [[nodiscard]] result::Result<config::CellConfig> load(const Options& options);
 // The same of a cell that may be up already, whatever has become of its file since: wrong values are left to
 // who starts it.

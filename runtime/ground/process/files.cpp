@@ -25,6 +25,11 @@ result::Diagnostics unwritten(const std::string& path, int reason, const std::st
            is_full ? "the disk is full: make room there" : "its folder must exist and take a new file"}};
 }
 
+tl::unexpected<result::Diagnostics> unread(const std::string& path, int reason) {
+  const std::string why = reason == 0 ? std::string() : std::string(": ") + std::strerror(reason);
+  return result::fail("E0001", {path, 0, 0}, "cannot read the file" + why);
+}
+
 // "-" is standard output.
 std::string place_of(const std::string& path) {
   return path == "-" ? "/dev/stdout" : path;
@@ -60,9 +65,10 @@ result::Result<std::ifstream> open_file(const std::string& path) {
     return result::fail("E0001", {path, 0, 0}, "cannot read what is no regular file",
                         "a pipe or a device may have no end: write it to a file first");
   }
+  if (fs::is_directory(status)) return unread(path, EISDIR);
+  errno = 0;
   std::ifstream file(path, std::ios::binary);
-  if (!file || !fs::is_regular_file(status))
-    return result::fail("E0001", {path, 0, 0}, "cannot read the file");
+  if (!file) return unread(path, errno);
   return file;
 }
 
@@ -76,7 +82,7 @@ result::Result<std::string> read_file(const std::string& path, std::uintmax_t mo
   };
   std::error_code error;
   const std::uintmax_t size = fs::file_size(path, error);
-  if (error) return result::fail("E0001", {path, 0, 0}, "cannot read the file");
+  if (error) return unread(path, error.value());
   if (size > most_bytes) return too_large();
   // Files of /proc have a size of 0, and others may grow.
   std::string text;
@@ -86,7 +92,7 @@ result::Result<std::string> read_file(const std::string& path, std::uintmax_t mo
     file->read(text.data() + had, static_cast<std::streamsize>(step));
     text.resize(had + static_cast<std::size_t>(file->gcount()));
   }
-  if (file->bad()) return result::fail("E0001", {path, 0, 0}, "cannot read the file");
+  if (file->bad()) return unread(path, errno);
   if (text.size() > most_bytes) return too_large();
   return text;
 }

@@ -73,6 +73,14 @@ class CheckPlaces(unittest.TestCase):
         self.assertIn("cell.toml:3:13: C0462: ", done.stderr)
         self.assertNotIn("C0476", done.stderr, "it is said once")
 
+    def test_a_state_folder_that_nobody_can_make_is_told_once(self):
+        for place, other in (("/proc/nix", "/sys/nix"), ("/sys/nix/deep", "/proc/nix/deep")):
+            done = self.check(f'[history]\nfolder = "deep/history"\n[hmi]\nscreens_dir = "{other}"\n', state=place)
+            self.assertEqual(done.returncode, 1, done.stderr)
+            self.assertRegex(done.stderr, rf"cell\.toml:3:13: C0476: \[cell\] state_dir cannot be written: nothing can be made in {place[:5].rstrip('/')}")
+            self.assertRegex(done.stderr, rf"C0476: \[hmi\] screens_dir cannot be written: nothing can be made in {other[:5].rstrip('/')}")
+            self.assertEqual(done.stderr.count("C0476"), 2, done.stderr)
+
     @unittest.skipUnless(os.geteuid() == 0 and shutil.which("setpriv"), "needs root, to become another user")
     def test_a_state_folder_that_this_user_may_not_read_is_a_warning(self):
         (self.folder / "state").mkdir(mode=0o700)

@@ -89,7 +89,8 @@ class Check(unittest.TestCase):
         self.file.unlink()
         result = stepwright("check", "--config", self.file)
         self.assertEqual(result.returncode, 1)
-        self.assertIn("there is no such file", result.stderr)
+        self.assertIn("M0012: there is no such cell", result.stderr)
+        self.assertIn("stepwright new", result.stderr)
 
     def test_what_is_said_of_a_tag_that_the_program_lacks_is_a_warning(self):
         source = self.folder / "line.st"

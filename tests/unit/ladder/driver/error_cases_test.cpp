@@ -180,6 +180,23 @@ const ErrorCase kCases[] = {
      "PROGRAM main\nVAR x : STRUCT s : STRUCT a : INT; END_STRUCT; b : INT; {unit := 'l'} END_STRUCT; "
      "END_VAR\n"
      "x.b := x.s.a;\nEND_PROGRAM"},
+    {"TagPragmaOfInstance", "W0020", 2, 5,
+     "PROGRAM main\nVAR t : TON; {unit := 'l'} END_VAR\nt(IN := TRUE);\nEND_PROGRAM", "[tags]"},
+    {"TagPragmaOfInstances", "W0020", 2, 5,
+     "PROGRAM main\nVAR t : ARRAY[0..1] OF TON; {group := 'g'} END_VAR\nt[0](IN := TRUE);\nEND_PROGRAM",
+     "[tags]"},
+    {"TagPragmaOfStructure", "W0020", 2, 5,
+     "PROGRAM main\nVAR x : STRUCT a : INT; END_STRUCT; {unit := 'l'} END_VAR\nx.a := x.a + 1;\nEND_PROGRAM"},
+    {"TagPragmaOfTemp", "W0020", 2, 10,
+     "PROGRAM main\nVAR_TEMP x : INT; {unit := 'l'} END_VAR VAR y : INT; END_VAR\nx := 1;\ny := y + "
+     "x;\nEND_PROGRAM"},
+    {"TagPragmaOfExternal", "W0020", 3, 14,
+     "VAR_GLOBAL x : INT; {unit := 'm'} END_VAR\nPROGRAM main\nVAR_EXTERNAL x : INT; {unit := 'l'} "
+     "END_VAR\nx := x + 1;\nEND_PROGRAM",
+     "VAR_GLOBAL"},
+    {"TagPragmaInFunction", "W0020", 2, 11,
+     "FUNCTION f : INT\nVAR_INPUT x : INT; {unit := 'l'} END_VAR\nf := x;\nEND_FUNCTION\nPROGRAM "
+     "main\nVAR y : INT; END_VAR\ny := f(y);\nEND_PROGRAM"},
     {"TagPragmaNearly", "W0020", 2, 13, TAGGED("{units := 'l'}"), "'unit'"},
     {"ForeignBlockOpen", "E0102", 3, 9, BODY("i := 1; {{ if (x) { y(); }"), "}}"},
 };

@@ -78,8 +78,14 @@ TEST(Files, WhenAFileIsReadWithABound_ThenOneByteMoreIsRefused) {
   EXPECT_EQ(read_file(folder / "text", 70'000).value().size(), 70'000u);
   EXPECT_EQ(read_file(folder / "text", 69'999).error().front().code, "E0001");
   EXPECT_EQ(read_file("/proc/self/cmdline").value().find('\0') != std::string::npos, true);
-  EXPECT_EQ(read_file(folder / "none").error().front().code, "E0001");
-  EXPECT_EQ(read_file(folder.path()).error().front().code, "E0001");
+  const auto reason_of = [](const std::string& path) {
+    const result::Diagnostics refused = read_file(path).error();
+    EXPECT_EQ(refused.front().code, "E0001");
+    return refused.front().message;
+  };
+  EXPECT_EQ(reason_of(folder / "none"), "cannot read the file: No such file or directory");
+  EXPECT_EQ(reason_of(folder.path()), "cannot read the file: Is a directory");
+  EXPECT_EQ(reason_of(folder / "text" / "inside"), "cannot read the file: Not a directory");
 }
 
 // Neither waits for somebody who writes, nor takes memory without an end.
