@@ -261,10 +261,11 @@ CellReading read_cell_document(settings::TomlDocument& document, const std::file
 CellReading read_cell_config(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   std::error_code unknown;  // what is known of it is said by who reads it
   if (!std::filesystem::exists(file, unknown) && !unknown)
-    return unread(file, overrides,
-                  result::fail("M0012", {file.string(), 0, 0}, "there is no such cell",
-                               "name the cell's file, or go to its folder; `stepwright new NAME` makes a cell")
-                      .value());
+    return unread(
+        file, overrides,
+        result::fail("M0012", {file.string(), 0, 0}, "there is no such cell",
+                     "name the cell's file, or go to its folder; `stepwright new NAME` makes a cell")
+            .value());
   auto document = settings::TomlDocument::load(file);
   if (!document) return unread(file, overrides, std::move(document.error()));
   for (const std::string& entry : overrides) {

@@ -26,7 +26,8 @@ void name_files(std::vector<graphic::Sheet>& sheets, const std::string& folder) 
 }
 
 bool has_pragmas(const CompileInput& input) {
-  return std::ranges::any_of(input.texts, [](const source::NamedText& each) { return each.text.find('{') != std::string::npos; });
+  return std::ranges::any_of(
+      input.texts, [](const source::NamedText& each) { return each.text.find('{') != std::string::npos; });
 }
 
 // What is read once more for people: the document of the container, if it is wanted, and warnings of pragmas.

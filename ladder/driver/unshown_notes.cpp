@@ -1,0 +1,73 @@
+#include "ladder/driver/unshown_notes.h"
+
+#include <string>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "ladder/source/codes.h"
+#include "runtime/ground/naming/ascii_names.h"
+
+namespace stepwright::driver {
+
+namespace {
+
+using semantics::Section;
+using semantics::TypeKind;
+using semantics::Variable;
+
+TypeKind kind_of(const semantics::Type& type) {
+  return type.kind == TypeKind::Array && type.element != nullptr ? kind_of(*type.element) : type.kind;
+}
+
+struct Reason {
+  std::string why;
+  std::string hint;
+};
+
+Reason reason_of(const Variable& variable, bool of_function) {
+  const std::string name = variable.spelling;
+  if (of_function) return {"a variable of a function is no tag", "leave the pragma out"};
+  if (variable.section == Section::Temp) return {"VAR_TEMP is no tag", "leave the pragma out"};
+  if (variable.section == Section::External)
+    return {"the tag is the global variable", "say it where VAR_GLOBAL declares '" + name + "'"};
+  if (variable.type == nullptr) return {};
+  const std::string hint = "describe its members: [tags] of the cell, 'PROGRAM." + name + ".MEMBER'";
+  switch (kind_of(*variable.type)) {
+    case TypeKind::Instance:
+      return {"an instance has no value of its own", hint};
+    case TypeKind::Struct:
+      return {"a structure has no value of its own", hint};
+    default:
+      return {};
+  }
+}
+
+bool is_global(const graphic::Sheet& sheet) {
+  return sheet.kind == "VAR_GLOBAL" || sheet.kind == "CONFIGURATION";
+}
+
+}  // namespace
+
+void warn_of_unshown_notes(const std::vector<graphic::Sheet>& sheets, const semantics::Model& model,
+                           source::DiagnosticSink& sink) {
+  std::unordered_map<std::string, const semantics::Pou*> pous;
+  for (const auto& pou : model.pous) pous.emplace(naming::upper(pou->spelling), pou.get());
+  for (const graphic::Sheet& sheet : sheets) {
+    if (sheet.notes.empty()) continue;
+    const auto pou = is_global(sheet) ? pous.end() : pous.find(naming::upper(sheet.name));
+    if (!is_global(sheet) && pou == pous.end()) continue;
+    const bool of_function = pou != pous.end() && pou->second->kind == semantics::PouKind::Function;
+    std::unordered_set<std::string> noted;
+    for (const auto& note : sheet.notes) noted.insert(naming::upper(note.first));
+    for (const Variable& each : pou != pous.end() ? pou->second->variables : model.globals) {
+      if (!noted.contains(naming::upper(each.spelling))) continue;
+      const Reason reason = reason_of(each, of_function);
+      if (reason.why.empty()) continue;
+      sink.warning(source::code::kLoneTagPragma, each.where,
+                   "what the pragma says of '" + each.spelling + "' is shown nowhere: " + reason.why,
+                   reason.hint);
+    }
+  }
+}
+
+}  // namespace stepwright::driver
