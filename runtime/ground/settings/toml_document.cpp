@@ -70,7 +70,7 @@ result::Result<std::unique_ptr<TomlDocument>> TomlDocument::load(const std::file
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error)) {
     return result::fail(code + "0001", {file.string(), 0, 0}, "there is no such file",
-                        "check the path; it is taken from the current directory");
+                        "check the path: a cell names files from its own folder, the command line from the current one");
   }
   if (::access(file.c_str(), R_OK) != 0) {
     return result::fail(code + "0001", {file.string(), 0, 0},

@@ -14,7 +14,7 @@ export interface Group {
   rows: Row[];
 }
 
-const NUMBER = /^(L?REAL|U?[SDL]?INT|BOOL)$/;
+const NUMBER = /^(L?REAL|U?[SDL]?INT|BOOL|L?TIME)$/; // a TIME is a number of seconds
 // "Main.pump" of "Main.pump.speed"; of everything in an array the array.
 function ownerOf(name: string): string {
   const array = name.indexOf('[');

@@ -249,6 +249,13 @@ test('Overview_WhenTagsAreOfArrays_ThenTheyStandInTheGroupOfTheirArray', () => {
   ]);
 });
 
+test('Overview_WhenATagHasAValueThatIsANumber_ThenItCanBeDrawnOverTime', () => {
+  const tags = ['REAL', 'LINT', 'BOOL', 'TIME', 'LTIME', 'STRING', 'DT'].map((type) => ({ name: `Main.${type}`, type, address: '' }));
+  const notes = new view.TagNotes([], tags);
+  const groups = view.groupsOf(tags, notes);
+  assert.deepEqual(view.firstDrawn(groups, notes, 9), ['Main.REAL', 'Main.LINT', 'Main.BOOL', 'Main.TIME', 'Main.LTIME']);
+});
+
 test('Screen_WhenANameEndsAsAFile_ThenItIsNone', () => {
   assert.ok(view.isScreenName('start') && view.isScreenName('svg'));
   assert.ok(!view.isScreenName('mixer.svg') && !view.isScreenName('a.SVG'));
