@@ -266,6 +266,15 @@ CellReading read_cell_config(const std::filesystem::path& file, const std::vecto
         result::fail("M0012", {file.string(), 0, 0}, "there is no such cell",
                      "name the cell's file, or go to its folder; `stepwright new NAME` makes a cell")
             .value());
+  if (std::filesystem::is_directory(file, unknown)) {
+    const std::filesystem::path inside = file / "cell.toml";
+    const bool there = std::filesystem::exists(inside, unknown);
+    return unread(file, overrides,
+                  result::fail("M0012", {file.string(), 0, 0}, "this is a folder, and no cell",
+                               there ? "did you mean '" + inside.lexically_normal().string() + "'?"
+                                     : "name the cell's file; `stepwright new NAME` makes a cell")
+                      .value());
+  }
   auto document = settings::TomlDocument::load(file);
   if (!document) return unread(file, overrides, std::move(document.error()));
   for (const std::string& entry : overrides) {

@@ -30,6 +30,7 @@ constexpr std::int64_t kSilentNs = 1'000'000'000;
 constexpr std::int64_t kAheadNs = 60'000'000'000;
 // Behind the newest image: from here on nothing is known.
 constexpr std::int64_t kBehindNs = 1'000;
+constexpr std::int64_t kEndOfTime = std::numeric_limits<std::int64_t>::max();
 
 // By the index of the tag.
 std::vector<bool> unread_tags(const protocol::CellState& state) {
@@ -98,14 +99,28 @@ result::Result<void> CellRecorder::start() {
     if (!made) return result::forward(made);
     points_.push_back(*made);
   }
+  close_open_ends();
   return {};
+}
+
+// A process that was killed, or that a full disk kept from writing, has not said that it looks no more.
+void CellRecorder::close_open_ends() {
+  for (const std::string& name : historian_->names()) {
+    const auto tag = historian_->find(name);
+    if (!tag || name == kEpochTag) continue;
+    const auto end = historian_->range(*tag, {kEndOfTime, kEndOfTime}, 1);
+    if (!end || !end->before || end->before->quality == Quality::Missing) continue;
+    const std::int64_t time_ns = std::max(end->before->time_ns, begun_ns_) + kBehindNs;
+    batch_.push_back({*tag, {time_ns, 0.0, Quality::Missing}});
+  }
+  historian_->append(batch_);
+  batch_.clear();
 }
 
 std::optional<KnownEpoch> CellRecorder::known_epoch() const {
   const auto tag = historian_->find(kEpochTag);
   if (!tag) return std::nullopt;
-  constexpr std::int64_t kEnd = std::numeric_limits<std::int64_t>::max();
-  const auto end = historian_->range(*tag, {kEnd, kEnd}, 1);
+  const auto end = historian_->range(*tag, {kEndOfTime, kEndOfTime}, 1);
   if (!end || !end->before) return std::nullopt;
   return KnownEpoch{std::llround(end->before->value) * 1'000, end->before->time_ns};
 }

@@ -12,7 +12,8 @@
 // (no runtime, no program, no such variable any more, no answer of the device that it is read from) is kept
 // as missing, so that nobody takes a value for lasting that nobody saw. So is the time between two images of
 // which others were lost on their way, if it is longer than a page looks apart, and any time in which images
-// ought to come and none does for a second.
+// ought to come and none does for a second; and the time from the last that a process has written, which was
+// killed or had a full disk, to the first image of the next one.
 //
 // A calendar that has jumped far ahead is not believed until somebody accepts it (calendar.h): nothing is
 // deleted for its age by that, and nothing is recorded in a time to come.
@@ -95,6 +96,7 @@ class CellRecorder {
 
   CellRecorder(RecorderOptions options, Clock wall_clock);
   result::Result<void> start();
+  void close_open_ends();
   std::optional<KnownEpoch> known_epoch() const;
   result::Result<Series> series(const std::string& name);
   void take_layout(const std::shared_ptr<const server::ProgramLayout>& layout);

@@ -17,7 +17,8 @@ result::Result<FileLock> FileLock::take(const std::filesystem::path& file) {
   if (descriptor < 0)
     return result::fail(kCannotOpen, {name},
                         std::string("the file cannot be opened: ") + std::strerror(errno),
-                        "see that its folder exists and can be written");
+                        errno == EACCES || errno == EPERM ? "be the user who runs the cell, or root"
+                                                          : "see that its folder exists and can be written");
   FileLock lock(descriptor);
   if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0)
     return result::fail(kInUse, {file.string()}, "another process writes the file", "end the other process");

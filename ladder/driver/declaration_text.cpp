@@ -72,12 +72,12 @@ std::string DeclarationText::configuration(const graphic::Project& project, cons
   if (project.tasks.empty() && project.instances.empty()) return shared;
   const std::string name =
       project.configuration.empty() ? std::string("project_configuration") : project.configuration;
-  std::string text = "CONFIGURATION " + name + "\n" + shared;
+  std::string text = mark(project.configuration_where) + "CONFIGURATION " + name + "\n" + shared;
   if (project.resources.empty()) text += items_text(project, 0, mark);
   for (std::size_t i = 0; i < project.resources.size(); ++i) {
     const graphic::Resource& resource = project.resources[i];
-    text += "RESOURCE " + resource.name + " ON PLC\n" + globals(resource.globals, mark) +
-            items_text(project, i, mark) + "END_RESOURCE\n";
+    text += mark(project.configuration_where) + "RESOURCE " + resource.name + " ON PLC\n" +
+            globals(resource.globals, mark) + items_text(project, i, mark) + "END_RESOURCE\n";
   }
   return text + "END_CONFIGURATION\n";
 }

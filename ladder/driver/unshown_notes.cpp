@@ -2,7 +2,6 @@
 
 #include <string>
 #include <unordered_map>
-#include <unordered_set>
 
 #include "ladder/source/codes.h"
 #include "runtime/ground/naming/ascii_names.h"
@@ -24,7 +23,18 @@ struct Reason {
   std::string hint;
 };
 
-Reason reason_of(const Variable& variable, bool of_function) {
+// What names of values (syntax::TagPragma::values) mean nothing for.
+Reason misnamed(const semantics::Type& type, std::size_t names) {
+  if (names == 0) return {};
+  if (type.kind == TypeKind::Array && type.element != nullptr) return misnamed(*type.element, names);
+  if (type.is_bool())
+    return names > 2 ? Reason{"a BOOL has two values, and " + std::to_string(names) + " names here", ""}
+                     : Reason{};
+  const bool whole = type.is_integer() || type.is_bits() || type.kind == TypeKind::Enumeration;
+  return whole ? Reason{} : Reason{"only BOOL and whole numbers have names of values", ""};
+}
+
+Reason reason_of(const Variable& variable, bool of_function, const graphic::TagNote& note) {
   const std::string name = variable.spelling;
   if (of_function) return {"a variable of a function is no tag", "leave the pragma out"};
   if (variable.section == Section::Temp) return {"VAR_TEMP is no tag", "leave the pragma out"};
@@ -38,7 +48,7 @@ Reason reason_of(const Variable& variable, bool of_function) {
     case TypeKind::Struct:
       return {"a structure has no value of its own", hint};
     default:
-      return {};
+      return misnamed(*variable.type, note.values.size());
   }
 }
 
@@ -57,15 +67,15 @@ void warn_of_unshown_notes(const std::vector<graphic::Sheet>& sheets, const sema
     const auto pou = is_global(sheet) ? pous.end() : pous.find(naming::upper(sheet.name));
     if (!is_global(sheet) && pou == pous.end()) continue;
     const bool of_function = pou != pous.end() && pou->second->kind == semantics::PouKind::Function;
-    std::unordered_set<std::string> noted;
-    for (const auto& note : sheet.notes) noted.insert(naming::upper(note.first));
+    std::unordered_map<std::string, const graphic::TagNote*> noted;
+    for (const auto& note : sheet.notes) noted.emplace(naming::upper(note.first), &note.second);
     for (const Variable& each : pou != pous.end() ? pou->second->variables : model.globals) {
-      if (!noted.contains(naming::upper(each.spelling))) continue;
-      const Reason reason = reason_of(each, of_function);
+      const auto note = noted.find(naming::upper(each.spelling));
+      if (note == noted.end()) continue;
+      const Reason reason = reason_of(each, of_function, *note->second);
       if (reason.why.empty()) continue;
       sink.warning(source::code::kLoneTagPragma, each.where,
-                   "what the pragma says of '" + each.spelling + "' is shown nowhere: " + reason.why,
-                   reason.hint);
+                   "what a pragma says of '" + each.spelling + "' is not shown: " + reason.why, reason.hint);
     }
   }
 }

@@ -71,7 +71,7 @@ pugi::xml_node chosen_configuration(ReadContext& context, pugi::xml_node instanc
   std::ranges::copy_if(all, std::back_inserter(running), runs_program);
   if (name.empty()) found = context.dialect().exported_tasks && !running.empty() ? running : all;
   if (found.size() == 1) return found.front();
-  std::string hint = "choose one: compile, test and show have --configuration NAME";
+  std::string hint = "choose one: --configuration NAME (of compile, test, show, new)";
   if (running.size() == 1) hint = source::with_dialects(std::move(hint), &source::Dialect::exported_tasks);
   context.error(found[1], code::kExchangeUnsupported,
                 "the project has several configurations: " + quoted_names(found), std::move(hint));

@@ -229,6 +229,7 @@ class ProjectReader {
 
   void configuration(pugi::xml_node node) {
     project_.configuration = context_.required(node, "name");
+    project_.configuration_where = context_.file().offset(node);
     for (const pugi::xml_node each : node.children()) {
       if (local_name(each) == "resource") resource(each);
       if (local_name(each) == "globalVars")

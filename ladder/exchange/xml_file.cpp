@@ -5,6 +5,7 @@
 #include <sstream>
 #include <utility>
 
+#include "ladder/exchange/xml_encoding.h"
 #include "ladder/source/codes.h"
 
 namespace stepwright::exchange {
@@ -82,10 +83,10 @@ result::Result<XmlFile> XmlFile::parse(std::string name, std::string text) {
   if (text.size() > kMaxBytes) return fail({}, "the file is larger than 64 MiB", "split the project");
   XmlFile file;
   file.name_ = name;
-  file.text_ = std::move(text);
+  auto read = as_utf8(name, std::move(text));
+  if (!read) return result::forward(read);
+  file.text_ = std::move(*read);
   if (file.text_.rfind("\xEF\xBB\xBF", 0) == 0) file.skipped_ = 3;
-  if (file.text_.rfind("\xFF\xFE", 0) == 0 || file.text_.rfind("\xFE\xFF", 0) == 0)
-    return fail({{}, 1, 1}, "the file is not UTF-8", "save it with the encoding UTF-8");
   const pugi::xml_parse_result parsed = file.document_.load_buffer(
       file.text_.data() + file.skipped_, file.text_.size() - file.skipped_, kParse, pugi::encoding_utf8);
   if (!parsed) {

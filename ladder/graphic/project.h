@@ -131,8 +131,9 @@ struct Project {
   std::vector<Pou> pous;
   std::vector<Task> tasks;
   std::vector<ProgramInstance> instances;
-  std::string configuration{};        // its name; empty = a standard one
-  std::vector<Resource> resources{};  // index Task::resource, ProgramInstance::resource; empty = one
+  std::string configuration{};            // its name; empty = a standard one
+  std::uint32_t configuration_where = 0;  // byte of file_text, 0 = none
+  std::vector<Resource> resources{};      // index Task::resource, ProgramInstance::resource; empty = one
   std::vector<VariableList> global_lists{};
   // The file that the project was read from: what `where` counts in. Empty if there is none.
   std::string file_name{};

@@ -18,6 +18,8 @@ namespace stepwright::sources {
 
 namespace {
 
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // of UTF-8, which some editors write
+
 std::string counted(std::size_t count, const char* what) {
   return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
@@ -48,8 +50,10 @@ driver::CompileInput SourceFiles::input() const {
 }
 
 void SourceFiles::add(const std::string& name, std::string text, result::Diagnostics& diagnostics) {
+  const bool xml = process::is_xml(name);
+  if (!xml && text.starts_with(kByteOrderMark)) text.erase(0, kByteOrderMark.size());
   files.push_back({name, text});
-  if (!process::is_xml(name)) {
+  if (!xml) {
     texts.push_back({name, std::move(text)});
     return;
   }

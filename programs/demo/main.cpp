@@ -258,5 +258,8 @@ int main(int argc, char** argv) {
   action.sa_handler = [](int) { stepwright::demo::stop_requested = true; };
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+  struct sigaction hangup {};  // a terminal that is closed; nohup has it ignored
+  if (sigaction(SIGHUP, nullptr, &hangup) == 0 && hangup.sa_handler != SIG_IGN)
+    sigaction(SIGHUP, &action, nullptr);
   return stepwright::demo::demo_main(argc, argv);
 }

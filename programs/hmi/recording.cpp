@@ -11,6 +11,8 @@
 namespace stepwright::hmi {
 namespace {
 
+constexpr std::chrono::seconds kBetweenLooks{1};
+
 std::int64_t real_time_ns() {
   return std::chrono::duration_cast<std::chrono::nanoseconds>(
              std::chrono::system_clock::now().time_since_epoch())
@@ -72,7 +74,29 @@ std::optional<std::string> Recording::take(const server::Observation& seen, cons
   note_calendar();
   auto message = recorder_->take(seen, view);
   note_variables();
+  note_disk();
   return message;
+}
+
+// What waits for room is written when there is some, as much as memory may keep meanwhile.
+void Recording::note_disk() {
+  const auto now = std::chrono::steady_clock::now();
+  if (now < next_look_) return;
+  next_look_ = now + kBetweenLooks;
+  const historian::HistorianStatus values = recorder_->historian().status();
+  const alarms::JournalStatus journal = recorder_->alarms().journal().status();
+  const bool failing = values.failing || journal.failing;
+  if (std::exchange(failing_, failing) == failing) return;
+  if (!failing) return log_.info("history", "values and alarms are recorded again");
+  log_.error("history", "nothing can be recorded: " +
+                            result::to_string(values.failing ? values.problems : journal.problems) +
+                            "; it is kept in memory and tried again");
+}
+
+Recording::~Recording() {
+  if (!recorder_) return;
+  if (const auto done = recorder_->flush(); !done)
+    log_.error("history", "what was recorded last is lost: " + result::to_string(done.error()));
 }
 
 // A program that lacks what an alarm watches is told once for each: nothing else would show it.

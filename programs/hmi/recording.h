@@ -38,6 +38,9 @@ class Recording : public api::CellRecords {
                                                                        const protocol::Synoptic& synoptic,
                                                                        log::Logger& log);
 
+  // Says what could not be written to the end.
+  ~Recording() override;
+
   // The next look at the cell; gives the message for pages, if it is news.
   std::optional<std::string> take(const server::Observation& seen, const server::CellView& view);
 
@@ -61,13 +64,16 @@ class Recording : public api::CellRecords {
   api::Answer answer(Ask ask, const Parameters& given) const;
   void note_calendar();
   void note_variables();
+  void note_disk();
 
   const recorder::RecorderOptions options_;
   log::Logger& log_;
   std::chrono::steady_clock::time_point next_try_{};
   std::uint64_t alarms_revision_ = 0;                                  // that the log knows
   std::vector<std::pair<std::string, std::string>> without_variable_;  // likewise: alarms and their variables
-  bool doubted_ = false;  // the calendar, as the log was told last
+  bool doubted_ = false;                               // the calendar, as the log was told last
+  bool failing_ = false;                               // the disk, likewise
+  std::chrono::steady_clock::time_point next_look_{};  // at the disk
   mutable std::shared_mutex mutex_;
   std::unique_ptr<recorder::CellRecorder> recorder_;  // this and below: guarded by mutex_; null: not open yet
   std::optional<recorder::RecordQueries> queries_;

@@ -121,7 +121,7 @@ result::Result<void> begin_recording(Attached& runtime, service::BeginRecording 
 }  // namespace
 
 int record(const config::CellConfig& config, const RecordArguments& arguments) {
-  const process::StopSignal stop;
+  const process::StopSignal stop(process::OnHangup::End);
   const auto role = arguments.status ? service::Role::Observer : service::Role::Controller;
   auto runtime = Attached::open(config, role);
   if (!runtime) return fail(runtime.error(), ExitCode::BadInput);
@@ -142,7 +142,7 @@ int record(const config::CellConfig& config, const RecordArguments& arguments) {
 }
 
 int trace_to_csv(const config::CellConfig& config, const TraceArguments& arguments) {
-  const process::StopSignal stop;
+  const process::StopSignal stop(process::OnHangup::End);
   auto names = all_names(arguments.names, arguments.list_file);
   if (!names) return fail(names.error(), ExitCode::BadInput);
   if (names->empty()) {

@@ -32,6 +32,12 @@ std::optional<exchange::SettingsElement> settings_in(const fs::path& file) {
   return std::move(*element);
 }
 
+std::uint32_t number_of(const std::string& text, std::uint32_t otherwise) {
+  std::uint32_t number = 0;
+  const char* const end = text.data() + text.size();
+  return std::from_chars(text.data(), end, number).ptr == end && !text.empty() ? number : otherwise;
+}
+
 std::vector<Node> nodes_in(const fs::path& folder) {
   std::vector<Node> nodes;
   std::error_code error;
@@ -42,8 +48,7 @@ std::vector<Node> nodes_in(const fs::path& folder) {
     const auto base = settings_in(entry.path() / "baseconfnode.xml");
     if (!base) continue;
     Node node{entry.path(), name.substr(0, at), name.substr(at + 1), 0, {}};
-    const std::string channel = base->text("IEC_Channel", "0");
-    std::from_chars(channel.data(), channel.data() + channel.size(), node.channel);
+    node.channel = number_of(base->text("IEC_Channel", "0"), 0);
     if (auto settings = settings_in(entry.path() / "confnode.xml")) node.settings = std::move(*settings);
     nodes.push_back(std::move(node));
   }
@@ -78,6 +83,7 @@ ForeignDevice device_of(const Node& client, const std::string& unit) {
   device.name = client.name + " unit " + unit;
   device.unit = unit;
   device.period_ms = text("Invocation_Rate_in_ms", "100");
+  device.timeout_ms = text("Timeout_in_ms", "");
   if (client.kind == "ModbusTCPclient") {
     const std::string host = text("Remote_IP_Address", "localhost");
     device.host = host == "localhost" ? "127.0.0.1" : host;
@@ -105,6 +111,11 @@ void read_client(const Node& root, const Node& client, ForeignDevices& found) {
     const auto [place, first] = units.try_emplace(unit, found.devices.size());
     if (first) found.devices.push_back(device_of(client, unit));
     request.device = place->second;
+    request.first = number_of(node.settings.text("Start_Address", "0"), 0);
+    request.count = number_of(node.settings.text("Nr_of_Channels", "1"), 1);
+    ForeignDevice& device = found.devices[request.device];
+    const std::string timeout = node.settings.text("Timeout_in_ms", "");
+    if (number_of(timeout, 0) > number_of(device.timeout_ms, 0)) device.timeout_ms = timeout;
     found.requests.push_back(std::move(request));
   }
 }
@@ -135,7 +146,8 @@ std::optional<ForeignObject> object_at(const ForeignDevices& devices, const std:
     if (each.written != written ||
         !std::equal(each.levels.begin(), each.levels.end(), parsed->levels.begin()))
       continue;
-    return ForeignObject{&each, parsed->levels.back()};
+    const std::uint32_t number = parsed->levels.back();
+    if (number >= each.first && number - each.first < each.count) return ForeignObject{&each, number};
   }
   return std::nullopt;
 }

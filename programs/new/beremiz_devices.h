@@ -19,6 +19,8 @@ struct ForeignRequest {
   std::vector<std::uint32_t> levels;  // of its variables, but for the last one
   std::string object;  // as [[modbus.device.group]] has it: "coil", "discrete", "input", "holding"
   bool written = false;
+  std::uint32_t first = 0;  // of its objects, which are numbered as the device numbers them
+  std::uint32_t count = 1;
   std::size_t device = 0;  // index of ForeignDevices::devices
 };
 
@@ -30,6 +32,7 @@ struct ForeignDevice {
   std::string baud, parity, stop_bits;  // of the line
   std::string unit;
   std::string period_ms;
+  std::string timeout_ms;  // empty: none is said
 };
 
 struct ForeignDevices {
@@ -41,7 +44,7 @@ struct ForeignDevices {
 // `folder`: that of the project.
 ForeignDevices read_beremiz_devices(const std::filesystem::path& folder);
 
-// Where a variable with an address of several levels is.
+// Where a variable with an address of several levels is; nothing if no request reaches so far.
 struct ForeignObject {
   const ForeignRequest* request;
   std::uint32_t number;

@@ -18,8 +18,10 @@ using naming::Area;
 // A text of one line, as TOML and tables of Markdown have it between other words.
 std::string one_line(const std::string& text) {
   std::string line;
-  for (const char c : text)
-    line += c == '\n' || c == '\r' || c == '\t' ? ' ' : c == '"' ? '\'' : c == '|' ? '/' : c;
+  for (const char c : text) {
+    const bool control = static_cast<unsigned char>(c) < 0x20 || c == 0x7F;
+    line += control ? ' ' : c == '"' ? '\'' : c == '|' ? '/' : c;
+  }
   const std::size_t first = line.find_first_not_of(' ');
   return first == std::string::npos ? "" : line.substr(first, line.find_last_not_of(' ') - first + 1);
 }
@@ -129,6 +131,7 @@ std::string device_of(const TakenProject& project, std::size_t index) {
   if (tags.empty()) return "";
   return "\n[[modbus.device]]\nname = " + quoted(device.name) + "\n" + place_of(device) +
          "unit = " + number(device.unit) +
+         (device.timeout_ms.empty() ? "" : "\ntimeout_ms = " + number(device.timeout_ms)) +
          "\n[[modbus.device.group]]\nperiod_ms = " + number(device.period_ms) + "\ntags = [\n" + tags + "]\n";
 }
 

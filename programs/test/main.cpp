@@ -15,12 +15,15 @@ namespace {
 constexpr const char* kCell = "cell.toml";
 
 // Those of the cell in whose folder the command is started, in its dialect. What is wrong with its file is
-// left to `check`.
-void take_sources_of_cell(stepwright::test_program::TestArguments& arguments) {
-  if (!std::filesystem::exists(kCell)) return;
-  const stepwright::config::BootSection boot = stepwright::config::read_cell_config(kCell).config.boot;
+// left to `check`, unless nothing of it can be read, which is given.
+stepwright::result::Diagnostics take_sources_of_cell(stepwright::test_program::TestArguments& arguments) {
+  if (!std::filesystem::exists(kCell)) return {};
+  auto cell = stepwright::config::read_cell_config(kCell);
+  if (cell.config.values.empty() && stepwright::result::has_errors(cell.problems)) return cell.problems;
+  const stepwright::config::BootSection& boot = cell.config.boot;
   for (const auto& each : boot.sources) arguments.sources.push_back(each.string());
   arguments.source_options.dialect = stepwright::source::find_dialect(boot.dialect);
+  return {};
 }
 
 }  // namespace
@@ -43,7 +46,10 @@ int main(int argc, char** argv) {
   app.add_option("--junit", arguments.junit_file, "write the report as JUnit XML");
   app.footer("Exit codes: 0 all tests pass, 1 a test failed or the sources are wrong, 2 usage.");
   if (const auto exit = process::parse(app, argc, argv)) return *exit;
-  if (arguments.sources.empty()) take_sources_of_cell(arguments);
+  if (arguments.sources.empty()) {
+    const auto unread = take_sources_of_cell(arguments);
+    if (!unread.empty()) return process::fail(unread, result::ExitCode::BadInput);
+  }
   if (arguments.sources.empty()) {
     std::fprintf(stderr,
                  "sources is required: there is no %s here that names some\n"

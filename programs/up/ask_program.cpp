@@ -33,6 +33,10 @@ ProgramRecord ask_program(const config::CellConfig& config, const std::string& c
   return {kNoAnswer, "no answer", "it is served, and sends no status"};
 }
 
+bool is_in_fault(const ProgramRecord& program) {
+  return program.state == host::name_of(host::RuntimeState::Fault);
+}
+
 bool is_missing(const ProgramRecord& program, const config::CellConfig& config) {
   const bool named = !config.boot.program.empty() && !config.controller.remote();
   return program.state == kNoAnswer || (named && program.state == host::name_of(host::RuntimeState::Empty));

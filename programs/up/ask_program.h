@@ -16,6 +16,8 @@ inline constexpr const char* kNoAnswer = "unknown";
 // kNoAnswer then, and the detail says why.
 processes::ProgramRecord ask_program(const config::CellConfig& config, const std::string& clock = {});
 
+bool is_in_fault(const processes::ProgramRecord& program);
+
 // Whether the program that the cell names is not loaded, or nothing is known of it.
 bool is_missing(const processes::ProgramRecord& program, const config::CellConfig& config);
 

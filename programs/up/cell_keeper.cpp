@@ -62,12 +62,14 @@ result::Result<void> check_program(const std::filesystem::path& programs, const 
                       "is it built, or installed? (scripts/build release programs)");
 }
 
-// Why the program that the cell names is not loaded; empty: it is, or the cell names none.
-std::string missing_program(const config::CellConfig& config) {
+// Why the cell is up and does not do what it is for; empty: it does, or names no program.
+std::string idle_program(const config::CellConfig& config) {
   if (config.boot.program.empty() || config.controller.remote()) return "";
   const processes::ProgramRecord program = ask_program(config);
-  if (!is_missing(program, config)) return "";
-  return program.detail.empty() ? "`stepwright status` says what is" : program.detail;
+  const bool missing = is_missing(program, config);
+  if (!missing && !is_in_fault(program)) return "";
+  return (missing ? "without its program: " : "and its program is in fault: ") +
+         (program.detail.empty() ? "`stepwright status` says what is" : program.detail);
 }
 
 // A gateway is ready before its controller has power, and serves its socket once that answers.
@@ -178,11 +180,11 @@ void CellKeeper::become_ready() {
       std::ranges::all_of(members_, [](const KeptProcess& each) { return each.phase() == Phase::Ready; });
   if (ready_ || !all) return;
   ready_ = true;
-  const std::string missing = missing_program(setting_.config);
-  if (missing.empty()) {
+  const std::string idle = idle_program(setting_.config);
+  if (idle.empty()) {
     console_.say("the cell '" + setting_.config.name + "' is ready: " + address_);
   } else {
-    console_.say("the cell '" + setting_.config.name + "' is up without its program: " + missing);
+    console_.say("the cell '" + setting_.config.name + "' is up " + idle);
     console_.say("its page is " + address_ + "; a program that is downloaded is taken");
   }
   if (is_without_controller(setting_.config))
@@ -192,7 +194,7 @@ void CellKeeper::become_ready() {
   console_.say(setting_.terminal ? "Ctrl-C ends it; so does " + down : down + " ends it");
   keep_record();
   init_.ready(address_);
-  setting_.on_up(missing.empty() ? ExitCode::Done : ExitCode::RuntimeFault);
+  setting_.on_up(idle.empty() ? ExitCode::Done : ExitCode::RuntimeFault);
 }
 
 void CellKeeper::tell_failure(const KeptProcess& member) {

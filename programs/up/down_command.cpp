@@ -6,10 +6,12 @@
 #include <chrono>
 #include <cstdio>
 #include <cstring>
+#include <optional>
 #include <thread>
 
 #include "cell/processes/cell_record.h"
 #include "programs/up/cell_lock.h"
+#include "programs/up/find_keeper.h"
 #include "runtime/ground/process/command_line.h"
 
 namespace stepwright::up {
@@ -40,26 +42,54 @@ result::Diagnostics left_behind(const config::CellConfig& config, pid_t pid) {
   return problems;
 }
 
+result::Result<void> ask_to_end(pid_t pid, const std::string& file) {
+  if (kill(pid, SIGTERM) == 0 || errno == ESRCH) return {};
+  return result::fail("M0016", {file, 0, 0},
+                      "process " + std::to_string(pid) +
+                          ", which keeps the cell up, takes no signal: " + std::strerror(errno),
+                      "be the user who has started it");
+}
+
+tl::unexpected<result::Diagnostics> stays_up(const std::string& what, const std::string& file) {
+  return result::fail("M0016", {file, 0, 0}, what + " does not go down",
+                      "`stepwright status " + file + "` shows what still runs");
+}
+
+// A cell whose state folder says nothing of it: removed meanwhile, or named by a file that says something
+// else by now. Nothing if nobody keeps the cell of this file up.
+std::optional<int> end_unknown(const Options& options) {
+  const std::string& file = options.cell;
+  const auto pid = find_keeper(options);
+  if (!pid) return std::nullopt;
+  if (const auto asked = ask_to_end(*pid, file); !asked) return fail(asked.error(), ExitCode::RuntimeFault);
+  const auto deadline = std::chrono::steady_clock::now() + kMostWait;
+  while (find_keeper(options) == pid) {
+    if (std::chrono::steady_clock::now() > deadline)
+      return fail(stays_up("process " + std::to_string(*pid) + ", which keeps the cell up,", file).value(),
+                  ExitCode::RuntimeFault);
+    std::this_thread::sleep_for(kLook);
+  }
+  std::printf("the cell of %s is down: process %d kept it up, of which its state folder knew nothing\n",
+              file.c_str(), static_cast<int>(*pid));
+  return to_int(ExitCode::Done);
+}
+
 }  // namespace
 
 int run_down(const Options& options) {
   const auto config = load_for_a_look(options);
-  if (!config) return fail(config.error(), ExitCode::BadInput);
-  auto found = find_cell(*config);
+  result::Result<std::optional<CellRecord>> found = std::optional<CellRecord>();
+  if (config) found = find_cell(*config);
   if (found && !*found) {
+    if (const auto exit = end_unknown(options)) return *exit;
+    if (!config) return fail(config.error(), ExitCode::BadInput);
     std::printf("cell '%s' is not up\n", config->name.c_str());
     return to_int(ExitCode::Done);
   }
   if (!found) return fail(found.error(), ExitCode::RuntimeFault);
   const pid_t pid = (*found)->pid;
-  if (kill(pid, SIGTERM) != 0 && errno != ESRCH) {
-    const auto refused =
-        result::fail("M0016", {config->file.string(), 0, 0},
-                     "process " + std::to_string(pid) +
-                         ", which keeps the cell up, takes no signal: " + std::strerror(errno),
-                     "be the user who has started it");
-    return fail(refused.value(), ExitCode::RuntimeFault);
-  }
+  if (const auto asked = ask_to_end(pid, config->file.string()); !asked)
+    return fail(asked.error(), ExitCode::RuntimeFault);
   const auto deadline = std::chrono::steady_clock::now() + kMostWait;
   while (found && *found && std::chrono::steady_clock::now() < deadline) {
     std::this_thread::sleep_for(kLook);
@@ -68,12 +98,9 @@ int run_down(const Options& options) {
     if (!found && found.error().front().code == processes::kOfAnotherCell) found = std::nullopt;
     if (!found) found = std::optional<CellRecord>(CellRecord{});
   }
-  if (found && *found) {
-    const auto late = result::fail("M0016", {config->file.string(), 0, 0},
-                                   "the cell '" + config->name + "' does not go down",
-                                   "`stepwright status " + config->file.string() + "` shows what still runs");
-    return fail(late.value(), ExitCode::RuntimeFault);
-  }
+  if (found && *found)
+    return fail(stays_up("the cell '" + config->name + "'", config->file.string()).value(),
+                ExitCode::RuntimeFault);
   std::printf("cell '%s' is down\n", config->name.c_str());
   const result::Diagnostics problems = left_behind(*config, pid);
   return problems.empty() ? to_int(ExitCode::Done) : fail(problems, ExitCode::RuntimeFault);

@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <optional>
 
 #include "cell/processes/kept_process.h"
 #include "programs/up/ask_program.h"
 #include "programs/up/cell_lock.h"
+#include "programs/up/find_keeper.h"
 #include "runtime/ground/process/command_line.h"
 #include "runtime/ground/result/counted.h"
-#include "runtime/host/state_name.h"
 
 namespace stepwright::up {
 namespace {
@@ -31,8 +32,7 @@ bool has_runtime(const config::CellConfig& config, const CellRecord& record) {
 }
 
 bool has_failed(const CellRecord& record, const config::CellConfig& config) {
-  return record.program && (record.program->state == host::name_of(host::RuntimeState::Fault) ||
-                            is_missing(*record.program, config));
+  return record.program && (is_in_fault(*record.program) || is_missing(*record.program, config));
 }
 
 void print(const CellRecord& record) {
@@ -79,14 +79,30 @@ void print_not_up(const config::CellConfig& config, bool json) {
   }
 }
 
+// Somebody keeps the cell of this file up, and its state folder does not say so.
+result::Result<void> check_unknown(const Options& options) {
+  const auto pid = find_keeper(options);
+  if (!pid) return {};
+  return result::fail(
+      "M0024", {options.cell, 0, 0},
+      "process " + std::to_string(*pid) + " keeps this cell up, and its state folder knows nothing of it",
+      "was the folder removed, or the file changed meanwhile? `stepwright down " + options.cell +
+          "` ends it");
+}
+
 }  // namespace
 
 int run_status(const Options& options) {
   const auto config = load_for_a_look(options);
-  if (!config) return fail(config.error(), ExitCode::BadInput);
-  const auto found = find_cell(*config);
+  result::Result<std::optional<CellRecord>> found = std::optional<CellRecord>();
+  if (config) found = find_cell(*config);
   if (!found) return fail(found.error(), ExitCode::RuntimeFault);
   if (!*found) {
+    if (const auto known = check_unknown(options); !known) {
+      if (!config) std::fprintf(stderr, "%s\n", result::to_string(config.error()).c_str());
+      return fail(known.error(), ExitCode::RuntimeFault);
+    }
+    if (!config) return fail(config.error(), ExitCode::BadInput);
     print_not_up(*config, options.json);
     return to_int(ExitCode::RuntimeFault);
   }

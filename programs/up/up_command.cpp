@@ -55,7 +55,7 @@ bool sources_can_be_read(const config::CellConfig& config) {
 }
 
 int keep_up(const config::CellConfig& config, const Options& options, Detached& detached) {
-  const process::StopSignal stop;
+  const process::StopSignal stop(process::OnHangup::End);
   std::error_code unknown;  // then the first program is told as missing
   const auto programs = std::filesystem::read_symlink("/proc/self/exe", unknown).parent_path();
   std::vector<std::string> names = processes::starting_order(config);

@@ -112,7 +112,7 @@ ExitCode fail(const result::Diagnostics& wrong, ExitCode code) {
 }  // namespace
 
 ExitCode run_publish(const config::CellConfig& config, const PublishArguments& arguments) {
-  const process::StopSignal stop;
+  const process::StopSignal stop(process::OnHangup::End);
   process::ReloadSignal reload;
   process::NotifySocket init;
   if (auto wrong = check_names(arguments); !wrong.empty()) return fail(wrong, ExitCode::BadInput);

@@ -238,6 +238,8 @@ bool HostRuntime::still_holds(const NewestEvent& event, const ScanFigures& figur
       return figures.state == RuntimeState::Fault;
     case EventKind::Stopped:
       return figures.state == RuntimeState::Stopped;
+    case EventKind::Changed:
+      return false;  // what it was before is no reason why it runs
     default:
       return figures.state == RuntimeState::Running;
   }

@@ -30,7 +30,10 @@ constexpr timeval kSendTimeout{1, 0};
 constexpr std::size_t kReadBytes = 64u << 10;
 
 tl::unexpected<result::Diagnostics> failed(const std::filesystem::path& path, const std::string& message) {
-  return result::fail("R0001", {path.string(), 0, 0}, message, "is the runtime of this cell running?");
+  const bool refused = errno == EACCES || errno == EPERM;
+  return result::fail(
+      "R0001", {path.string(), 0, 0}, message,
+      refused ? "be the user who runs the cell, or root" : "is the runtime of this cell running?");
 }
 
 int remaining_ms(Clock::time_point deadline) {

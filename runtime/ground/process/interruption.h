@@ -1,7 +1,7 @@
 #pragma once
 
-// SIGINT and SIGTERM as a flag for long work that can be cancelled: the first one asks it to end with what it
-// has, the next one ends the process at once.
+// SIGINT, SIGTERM and SIGHUP as a flag for long work that can be cancelled: the first one asks it to end with
+// what it has, the next one ends the process at once.
 //
 // Thread rule: make it on the thread that starts the work, before any other: threads inherit the blocked
 // signals. The flag may be read from any thread.
@@ -29,7 +29,7 @@ class Interruption {
  private:
   void watch();
 
-  StopSignal signal_;
+  StopSignal signal_{OnHangup::End};
   int over_;  // an eventfd: the work is done
   std::atomic<bool> came_{false};
   std::thread watcher_;

@@ -1,15 +1,19 @@
 #pragma once
 
 // SIGTERM and SIGINT as a descriptor to poll, so that a process ends between two turns of its loop and never
-// in the middle of one. Make it before any thread is started: threads inherit the blocked signals.
+// in the middle of one; SIGHUP, too, of a program that people start at a terminal and that has nothing to
+// read again: a terminal that is closed ends it in order, unless it was started to stay (nohup). Make it
+// before any thread is started: threads inherit the blocked signals.
 
 #include <chrono>
 
 namespace stepwright::process {
 
+enum class OnHangup { Leave, End };
+
 class StopSignal {
  public:
-  StopSignal();
+  explicit StopSignal(OnHangup hangup = OnHangup::Leave);
   ~StopSignal();
   StopSignal(const StopSignal&) = delete;
   StopSignal& operator=(const StopSignal&) = delete;

@@ -179,7 +179,7 @@ class From(unittest.TestCase):
     def test_devices_over_modbus_that_beremiz_keeps_beside_the_project_are_taken(self):
         folder = self.root / "project"
         self.write(project([("level", ' address="%IW2.0.1.7"', "<WORD/>"), ("valve", ' address="%QX2.0.0.3"', "<BOOL/>"),
-                            ("flag", ' address="%QX2.0.0.0.0"', "<BOOL/>"),
+                            ("flag", ' address="%QX2.0.0.0.0"', "<BOOL/>"), ("beyond", ' address="%QX2.0.0.8"', "<BOOL/>"), ("before", ' address="%IW2.0.1.6"', "<INT/>"),
                             ("rows", ' address="%IW2.0.1.10"', '<array><dimension lower="0" upper="3"/><baseType><INT/></baseType></array>')], "valve := level < WORD#500;"), "project/plc.xml")
         node = lambda name, channel, settings: (self.write(f'<BaseParams IEC_Channel="{channel}" Name="x"/>', f"project/{name}/baseconfnode.xml"),
                                                 self.write(settings, f"project/{name}/confnode.xml"))
@@ -187,14 +187,15 @@ class From(unittest.TestCase):
         node("bus@modbus/press@ModbusTCPclient", 0,
              '<ModbusTCPclient Remote_IP_Address="10.0.0.9" Remote_Port_Number="1502" Invocation_Rate_in_ms="200"/>')
         node("bus@modbus/press@ModbusTCPclient/a@ModbusRequest", 0, '<ModbusRequest Function="15 - Write Multiple Coils" SlaveID="4" Nr_of_Channels="8"/>')
-        node("bus@modbus/press@ModbusTCPclient/b@ModbusRequest", 1, '<ModbusRequest Function="04 - Read Input Registers" SlaveID="4" Start_Address="7"/>')
+        node("bus@modbus/press@ModbusTCPclient/b@ModbusRequest", 1, '<ModbusRequest Function="04 - Read Input Registers" SlaveID="4" Start_Address="7" Nr_of_Channels="8" Timeout_in_ms="450"/>')
         node("bus@modbus/ours@ModbusTCPserver", 1, "<ModbusServerNode/>")
         made, said = self.take(folder)
         cell = (made / "cell.toml").read_text(encoding="utf-8")
-        for part in ('[io]\nkind = "modbus"', 'name = "press unit 4"\nhost = "10.0.0.9"\nport = 1502\nunit = 4', "period_ms = 200",
+        for part in ('[io]\nkind = "modbus"', 'name = "press unit 4"\nhost = "10.0.0.9"\nport = 1502\nunit = 4', "period_ms = 200", "timeout_ms = 450",
                      'address = "%IW0", input = 7, type = "uint16" }', 'name = "run.valve", address = "%QX0.1", coil = 3 }'):
             self.assertIn(part, cell)
-        self.assertIn("run.flag at %QX2.0.0.0.0: no request", said)
+        for name in ("flag at %QX2.0.0.0.0", "beyond at %QX2.0.0.8", "before at %IW2.0.1.6"):
+            self.assertIn(f"run.{name}: no request", said)
         self.assertIn("run.rows at %IW2.0.1.10: ARRAY[0..3] OF INT, of which only the first value has a tag in cell.toml", said)
         self.assertIn("bus/ours: a ModbusTCPserver", said)
         self.sound(made)

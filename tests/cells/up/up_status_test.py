@@ -1,10 +1,14 @@
 """`stepwright status` tells how the program is, not only its processes; `up` with a disk that is full says so."""
 
+import pathlib
+import shutil
+import signal
+import tempfile
 import unittest
 
-from kept_cell import KeptCell
+from kept_cell import DEVICES, KeptCell
 from mounts import fill, mount, need_mounts, unmount
-from processes import eventually
+from processes import eventually, stepwright
 
 TRAPS = """\
 PROGRAM Main
@@ -41,7 +45,7 @@ class Status(unittest.TestCase):
 
     def test_a_program_in_fault_is_told_with_its_reason_and_by_the_exit_code(self):
         cell = self.kept(program=TRAPS)
-        cell.ready()
+        cell.up().wait_for(r"the cell '.*' is (ready: http|up and its program is in fault: .*zero)")
         self.assertTrue(eventually(lambda: self.program(cell) == "fault"), cell.status())
         status = cell.run("status")
         self.assertEqual(status.returncode, 5, status.stdout)
@@ -50,6 +54,14 @@ class Status(unittest.TestCase):
         self.assertEqual({each["phase"] for each in record["processes"]}, {"ready"})
         self.assertEqual(record["program"]["mode"], "real clock")
         self.assertIn("zero", record["program"]["detail"])
+
+    def test_a_cell_that_is_in_fault_when_all_run_is_not_called_ready(self):
+        cell = self.kept(more=DEVICES, domain=97)
+        self.addCleanup(cell.run, "down")
+        up = cell.run("up", "--detach")
+        self.assertEqual(up.returncode, 5, up.stdout + up.stderr)
+        self.assertRegex(up.stderr, r"the cell '[\w-]+' is up and its program is in fault: .")
+        self.assertEqual(cell.run("status").returncode, 5)
 
     def test_a_cell_without_its_program_is_not_called_ready(self):
         cell = self.kept(program=MANY)
@@ -62,6 +74,60 @@ class Status(unittest.TestCase):
         status = cell.run("status")
         self.assertEqual(status.returncode, 5, status.stdout)
         self.assertRegex(status.stdout, r"(?m)^  program empty \(real clock\): .*R0076: ")
+
+
+class NotKnown(unittest.TestCase):
+    """A cell that is up, of which its state folder says nothing any more."""
+
+    def kept(self):
+        cell = KeptCell()
+        self.addCleanup(cell.__exit__)
+        return cell, cell.ready()
+
+    def ended(self, cell, up):
+        done = cell.run("down")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn(f"process {up.pid} kept it up", done.stdout)
+        self.assertEqual(up.wait(), 0, up.output())
+        self.assertIn("is down", up.output())
+
+    def test_a_state_folder_that_was_removed_hides_nothing(self):
+        cell, up = self.kept()
+        shutil.rmtree(cell.state)
+        status = cell.run("status")
+        self.assertEqual(status.returncode, 5, status.stdout)
+        self.assertRegex(status.stderr, rf"M0024: process {up.pid} keeps this cell up")
+        other = cell.run("down", "--set", "cell.name=other")
+        self.assertEqual((other.returncode, other.stdout), (0, "cell 'other' is not up\n"), "another cell of the same file")
+        self.ended(cell, up)
+        self.assertIn("is not up", cell.run("down").stdout)
+
+    def test_a_file_that_cannot_be_read_any_more_keeps_nobody_from_ending_the_cell(self):
+        cell, up = self.kept()
+        cell.config.write_text(cell.config.read_text(encoding="utf-8") + "[clock\n", encoding="utf-8")
+        status = cell.run("status")
+        self.assertEqual(status.returncode, 5, status.stdout)
+        self.assertIn("C0001", status.stderr)
+        self.assertIn("M0024", status.stderr)
+        self.ended(cell, up)
+        self.assertEqual(cell.run("down").returncode, 1)
+
+    def test_a_terminal_that_is_closed_ends_the_cell_in_order(self):
+        cell, up = self.kept()
+        up.send(signal.SIGHUP)
+        self.assertEqual(up.wait(), 0, up.output())
+        self.assertRegex(up.output(), r"(?s)ends hmi.*ends runtime.*is down")
+        self.assertFalse((cell.state / "up.json").exists())
+
+    def test_a_folder_is_no_cell_and_its_cell_is_named(self):
+        with tempfile.TemporaryDirectory(prefix="stepwright-test-") as folder:
+            for command in ("up", "check", "status"):
+                done = stepwright(command, folder)
+                self.assertEqual(done.returncode, 1)
+                self.assertIn(f"{folder}: M0012: this is a folder, and no cell", done.stderr)
+                self.assertIn("stepwright new", done.stderr)
+            pathlib.Path(folder, "cell.toml").write_text("", encoding="utf-8")
+            self.assertIn(f"did you mean '{folder}/cell.toml'?", stepwright("check", folder).stderr)
 
 
 class FullDisk(unittest.TestCase):

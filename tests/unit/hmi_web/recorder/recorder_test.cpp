@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -308,6 +310,29 @@ TEST_F(RecorderTest, WhenImagesAreLostOnTheirWay_ThenTheHistoryHasAGapAndNoValue
       ask("/api/history/export.csv?tags=points/a1.level&to_ms=" + std::to_string(kWall / 1'000'000 + 1'000))
           .text;
   EXPECT_NE(csv.find(",missing\r\n"), std::string::npos) << csv;
+}
+
+TEST_F(RecorderTest, WhenTheProcessWasKilled_ThenNoValueLastsOverTheTimeInWhichNobodyLooked) {
+  open();
+  look(0.0, {5}, 50.0);
+  look(1.0, {7}, 51.0);
+  ASSERT_TRUE(recorder_->flush().has_value());
+  // What a process leaves that has no time for an end.
+  std::filesystem::copy(options_.folder, folder_ / "killed");
+  options_.folder = folder_ / "killed";
+  open();
+  look(60.0, {7}, 51.0);
+  const json series = trend("points/a1.level;plan.speed", 0.0, 60.999999, 61)["series"];
+  for (const json& one : series) {
+    EXPECT_FALSE(one["last"][1].is_null()) << one.dump();
+    for (int i = 2; i < 60; ++i) EXPECT_TRUE(one["last"][i].is_null()) << i << one.dump();
+    EXPECT_FALSE(one["last"][60].is_null()) << one.dump();
+  }
+  recorder_.reset();  // in order: nothing is added to what this one says itself
+  open();
+  look(70.0, {7}, 51.0);
+  const std::string csv = ask("/api/history/export.csv?tags=plan.speed&from_ms=0").text;
+  EXPECT_EQ(std::ranges::count(csv, '\n'), 7) << csv;
 }
 
 TEST_F(RecorderTest, WhenADeviceDoesNotAnswer_ThenItsTagsAreMissingUntilItDoes) {

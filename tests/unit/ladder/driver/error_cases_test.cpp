@@ -197,6 +197,11 @@ const ErrorCase kCases[] = {
     {"TagPragmaInFunction", "W0020", 2, 11,
      "FUNCTION f : INT\nVAR_INPUT x : INT; {unit := 'l'} END_VAR\nf := x;\nEND_FUNCTION\nPROGRAM "
      "main\nVAR y : INT; END_VAR\ny := f(y);\nEND_PROGRAM"},
+    {"TagPragmaNamesOfBool", "W0020", 2, 5,
+     "PROGRAM main\nVAR x : BOOL; {values := ['a', 'b', 'c']} END_VAR\nx := NOT x;\nEND_PROGRAM"},
+    {"TagPragmaNamesOfReal", "W0020", 2, 5,
+     "PROGRAM main\nVAR x : ARRAY[0..1] OF REAL; {values := ['a', 'b']} END_VAR\nx[0] := x[0] + "
+     "1.0;\nEND_PROGRAM"},
     {"TagPragmaNearly", "W0020", 2, 13, TAGGED("{units := 'l'}"), "'unit'"},
     {"ForeignBlockOpen", "E0102", 3, 9, BODY("i := 1; {{ if (x) { y(); }"), "}}"},
 };

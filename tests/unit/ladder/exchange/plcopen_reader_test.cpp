@@ -188,6 +188,16 @@ TEST_P(RoundTrip, WhenWrittenAndRead_ThenTheProgramIsTheSame) {
 
 INSTANTIATE_TEST_SUITE_P(Projects, RoundTrip, testing::Values(editor_ladder, editor_blocks, editor_chart));
 
+TEST(PlcopenReader, WhenAnotherEncodingIsDeclared_ThenItsCharactersAreRead) {
+  std::string xml =
+      editor_project(editor_program("<variable name=\"a\"><type><BOOL/></type><documentation><xhtml:p>20 \xB0"
+                                    "C, 5 \x80, caf\xE9"
+                                    "</xhtml:p></documentation></variable>\n",
+                                    "<FBD>\n</FBD>\n"));
+  xml.replace(xml.find("utf-8"), 5, "iso-8859-1");
+  EXPECT_EQ(read(xml).pous.at(0).variables.at(0).comment, "20 °C, 5 €, café");
+}
+
 struct BadCase {
   const char* name;
   std::string text;
@@ -222,6 +232,12 @@ INSTANTIATE_TEST_SUITE_P(
         BadCase{"CutOff", "<project>\n<types>", "E0801", "no well-formed XML", 2},
         BadCase{"Entities", "<!DOCTYPE p [<!ENTITY a \"b\">]>\n<project/>", "E0801", "document types", 1},
         BadCase{"Utf16", "\xFF\xFE<", "E0801", "not UTF-8", 1},
+        BadCase{"NoUtf8",
+                "<project>\n<a>\xB0"
+                "C</a></project>",
+                "E0801", "not of UTF-8", 2},
+        BadCase{"Encoding", "<?xml version=\"1.0\" encoding=\"Shift_JIS\"?>\n<project/>", "E0801",
+                "'Shift_JIS' is not read", 1},
         BadCase{"Deep", deep(1000), "E0801", "nested too deeply", 2},
         BadCase{"NoProject", "\n<plan/>", "E0802", "no PLCopen project", 2},
         BadCase{"NoTypes", "<project/>", "E0802", "<project> has no child <fileHeader>", 1},
