@@ -63,8 +63,10 @@ result::Result<std::string> as_utf8(const std::string& name, std::string text) {
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
     return fail({{}, 1, 1}, "the file is not UTF-8");
   const std::string encoding(declared(text));
-  if (is_any_of(encoding, {"ISO-8859-1", "ISO8859-1", "latin1", "windows-1252", "cp1252"}))
+  if (is_any_of(encoding, {"ISO-8859-1", "ISO8859-1", "latin1", "windows-1252", "cp1252"})) {
+    text.replace(text.find(encoding), encoding.size(), "UTF-8");
     return from_latin(text);
+  }
   if (!is_any_of(encoding, {"", "UTF-8", "UTF8", "US-ASCII", "ASCII"}))
     return fail({{}, 1, 1}, "the encoding '" + encoding + "' is not read");
   if (const auto broken = result::place_of_no_utf8(name, text))

@@ -10,7 +10,8 @@
 namespace stepwright::exchange {
 
 // Of UTF-8, US-ASCII, ISO-8859-1 and Windows-1252, with a byte order mark or without; the lines stay what
-// they are. Fails with E0801 where another encoding is declared, or at the first byte that is not of UTF-8.
+// they are, and what is declared is UTF-8 then. Fails with E0801 where another encoding is declared, or at
+// the first byte that is not of UTF-8.
 [[nodiscard]] result::Result<std::string> as_utf8(const std::string& name, std::string text);
 
 }  // namespace stepwright::exchange

@@ -146,8 +146,8 @@ class From(unittest.TestCase):
                                                 self.write(settings, f"project/{name}/confnode.xml"))
         node("bus@modbus", 0, "<ModbusRoot/>")
         node("bus@modbus/good@ModbusTCPclient", 1, '<ModbusTCPclient Remote_IP_Address="10.0.0.9"/>')
-        node("bus@modbus/good@ModbusTCPclient/a@ModbusRequest", 0, '<ModbusRequest Function="04 - Read Input Registers"/>')
-        node("bus@modbus/bad@ModbusTCPclient/a@ModbusRequest", 0, '<ModbusRequest Function="04 - Read Input Registers"/>')
+        node("bus@modbus/good@ModbusTCPclient/a@ModbusRequest", 0, '<ModbusRequest Function="04 - Read Input Registers" Nr_of_Channels="8"/>')
+        node("bus@modbus/bad@ModbusTCPclient/a@ModbusRequest", 0, '<ModbusRequest Function="04 - Read Input Registers" Nr_of_Channels="8"/>')
         for number, (port, why) in enumerate((("99999", "must lie between 1 and 65535"), ("abc", "must be a whole number"), ("1\\", "must be a whole number"))):
             node("bus@modbus/bad@ModbusTCPclient", 0, f'<ModbusTCPclient Remote_IP_Address="10.0.0.8" Remote_Port_Number="{port}"/>')
             made, said = self.take(folder, name=f"line{number}")
@@ -192,13 +192,35 @@ class From(unittest.TestCase):
         made, said = self.take(folder)
         cell = (made / "cell.toml").read_text(encoding="utf-8")
         for part in ('[io]\nkind = "modbus"', 'name = "press unit 4"\nhost = "10.0.0.9"\nport = 1502\nunit = 4', "period_ms = 200", "timeout_ms = 450",
-                     'address = "%IW0", input = 7, type = "uint16" }', 'name = "run.valve", address = "%QX0.1", coil = 3 }'):
+                     'address = "%IW1", input = 7, type = "uint16" }', 'name = "run.valve", address = "%QX0.1", coil = 3 }'):
             self.assertIn(part, cell)
         for name in ("flag at %QX2.0.0.0.0", "beyond at %QX2.0.0.8", "before at %IW2.0.1.6"):
             self.assertIn(f"run.{name}: no request", said)
         self.assertIn("run.rows at %IW2.0.1.10: ARRAY[0..3] OF INT, of which only the first value has a tag in cell.toml", said)
         self.assertIn("bus/ours: a ModbusTCPserver", said)
         self.sound(made)
+
+    def test_a_project_in_latin_letters_is_taken_with_its_words(self):
+        text = project([("a", ' address="%QX0.0"', "<BOOL/>")], "a := TRUE;")
+        text = text.replace("<BOOL/></type>", "<BOOL/></type><documentation><xhtml:p>Kühlung 20 °C</xhtml:p></documentation>", 1)
+        self.assertIn("Kühlung", text)
+        head = re.sub(r"<\?xml.*?\?>", "", text, count=1)
+        source = self.root / "latin.xml"
+        source.write_bytes(b'<?xml version="1.0" encoding="ISO-8859-1"?>' + head.encode("latin-1"))
+        made, _ = self.take(source)
+        self.assertIn('description = "Kühlung 20 °C"', (made / "cell.toml").read_text(encoding="utf-8"))
+        self.sound(made)
+        self.assertTrue((made / "main.xml").read_text(encoding="utf-8").startswith('<?xml version="1.0" encoding="UTF-8"?>'))
+        source.write_bytes(b'<?xml version="1.0" encoding="UTF-8"?>' + head.encode("latin-1"))
+        done = stepwright("new", self.root / "other", "--from", source)
+        self.assertEqual(done.returncode, 1, done.stdout)
+        self.assertRegex(done.stderr, r"latin\.xml:\d+:\d+: E0801: this byte is not of UTF-8")
+
+    def test_a_project_without_instances_is_told_at_its_configuration(self):
+        source = self.write(project([("a", "", "<BOOL/>")], "a := TRUE;", task='<task name="slow" interval="T#1s" priority="0"/>'))
+        made, said = self.take(source, runs=False)
+        self.assertRegex(said, r"main\.xml:\d+:\d+: E0601")
+        self.assertNotIn(".cfg:", said)
 
     def test_what_is_left_is_said_and_the_rest_is_written(self):
         folder = self.root / "project"

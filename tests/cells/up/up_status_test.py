@@ -1,13 +1,14 @@
 """`stepwright status` tells how the program is, not only its processes; `up` with a disk that is full says so."""
 
 import pathlib
+import re
 import shutil
 import signal
 import tempfile
 import unittest
 
-from kept_cell import DEVICES, KeptCell
-from mounts import fill, mount, need_mounts, unmount
+from kept_cell import DEVICES, NO_PLANT, PAGE, PROGRAM, RUNS, KeptCell
+from mounts import empty, fill, mount, need_mounts, unmount
 from processes import eventually, stepwright
 
 TRAPS = """\
@@ -56,7 +57,8 @@ class Status(unittest.TestCase):
         self.assertIn("zero", record["program"]["detail"])
 
     def test_a_cell_that_is_in_fault_when_all_run_is_not_called_ready(self):
-        cell = self.kept(more=DEVICES, domain=97)
+        needed = DEVICES.replace('address = "%QX0.0", coil = 0', 'address = "%IX0.0", discrete = 0').replace("sources", "autostart = true\nsources")
+        cell = self.kept(more=needed, program=PROGRAM.replace("lamp AT %QX0.0", "lamp AT %IX0.0").replace("  lamp := TRUE;\n", ""))
         self.addCleanup(cell.run, "down")
         up = cell.run("up", "--detach")
         self.assertEqual(up.returncode, 5, up.stdout + up.stderr)
@@ -131,6 +133,22 @@ class NotKnown(unittest.TestCase):
 
 
 class FullDisk(unittest.TestCase):
+    def test_a_history_that_finds_no_room_is_told_while_it_lasts_and_at_the_end(self):
+        need_mounts()
+        cell = KeptCell(more=NO_PLANT + RUNS + PAGE + '[history]\nfolder = "history"\n')
+        self.addCleanup(cell.__exit__)
+        mount(cell.state, "size=4m", "nr_inodes=64")
+        self.addCleanup(unmount, cell.state)
+        up = cell.ready()
+        fill(cell.state)
+        up.wait_for("nothing can be recorded: .*S0003")
+        empty(cell.state)
+        up.wait_for("values and alarms are recorded again")
+        fill(cell.state)
+        self.assertTrue(eventually(lambda: len(re.findall("nothing can be recorded", up.output())) == 2), up.output())
+        up.end()
+        self.assertRegex(up.output(), "what was recorded last is lost: .*S0003")
+
     def cell(self):
         """A cell whose state folder has room for files and none for what is in them."""
         need_mounts()

@@ -324,7 +324,7 @@ TEST_F(RecorderTest, WhenTheProcessWasKilled_ThenNoValueLastsOverTheTimeInWhichN
   look(60.0, {7}, 51.0);
   const json series = trend("points/a1.level;plan.speed", 0.0, 60.999999, 61)["series"];
   for (const json& one : series) {
-    EXPECT_FALSE(one["last"][1].is_null()) << one.dump();
+    EXPECT_FALSE(one["greatest"][1].is_null()) << one.dump();
     for (int i = 2; i < 60; ++i) EXPECT_TRUE(one["last"][i].is_null()) << i << one.dump();
     EXPECT_FALSE(one["last"][60].is_null()) << one.dump();
   }

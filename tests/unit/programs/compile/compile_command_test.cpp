@@ -28,6 +28,16 @@ TEST_F(CompileCommand, WhenTheReportGoesToADash_ThenItIsStandardOutput) {
   EXPECT_THAT(output, HasSubstr("image_hash"));
 }
 
+// Editors of Windows write one.
+TEST_F(CompileCommand, WhenASourceBeginsWithAByteOrderMark_ThenItIsNone) {
+  const std::string source = write("main.st", std::string("\xEF\xBB\xBF") + kMain);
+  ASSERT_EQ(run("compile " + source + " -o " + path("marked.swb")), 0) << errors;
+  ASSERT_EQ(run("compile " + write("main.st", kMain) + " -o " + path("plain.swb")), 0) << errors;
+  EXPECT_EQ(text("marked.swb"), text("plain.swb"));
+  EXPECT_EQ(run("compile --check " + write("wrong.st", "\xEF\xBB\xBFPROGRAM m\nx := 1;\nEND_PROGRAM\n")), 1);
+  EXPECT_THAT(errors, HasSubstr("wrong.st:2:1: "));
+}
+
 // A slip of the fingers costs nobody a file.
 TEST_F(CompileCommand, WhenAnOutputIsASource_ThenItStays) {
   const std::string source = write("main.st", kMain);
