@@ -84,7 +84,6 @@ _stepwright_precompiled(stepwright_precompiled)
 _stepwright_precompiled(stepwright_precompiled_light ${STEPWRIGHT_LIGHT_OPTIONS})
 _stepwright_precompiled_for_programs(stepwright_programs_precompiled)
 _stepwright_precompiled_for_programs(stepwright_programs_precompiled_light ${STEPWRIGHT_LIGHT_OPTIONS})
-target_precompile_headers(stepwright_programs_precompiled_light PRIVATE <CLI/CLI.hpp>)  # of all command lines
 
 function(_stepwright_link target scope)
   foreach(folder IN LISTS ARGN)
