@@ -11,6 +11,7 @@
 #include "runtime/ground/result/closest.h"
 #include "runtime/ground/settings/toml_document.h"
 #include "supervisor/motion/robot/urdf_reader.h"
+#include "supervisor/tamp/intervals/arm/srs_exact.h"
 #include "supervisor/tamp/intervals/arm/srs_reach.h"
 #include "supervisor/tamp/intervals/reach/column_arm.h"
 
@@ -59,11 +60,12 @@ class SequenceReader {
   void read_arm(const TomlTable& table) {
     const std::string name = new_name(table, arms_);
     file_.shoulders.emplace_back();
+    file_.exacts.emplace_back();
     std::optional<ReachTable> reach = table.has("urdf") ? urdf_reach(table) : column_reach(table);
     // Whatever is wrong with it has been said; the rest of the file is read.
     if (!reach) reach = reach_table({}, 0.5);
     file_.reaches.push_back(std::make_unique<const ReachTable>(*std::move(reach)));
-    file_.cell.arms.push_back({name, file_.reaches.back().get()});
+    file_.cell.arms.push_back({name, file_.reaches.back().get(), file_.exacts.back().get()});
   }
 
   // The width of cells, if there are not too many of them.
@@ -93,6 +95,7 @@ class SequenceReader {
     }
     if (!cell_m) return std::nullopt;
     file_.shoulders.back() = {{arm.x_m, arm.y_m, arm.z_m}, 0.0};
+    file_.exacts.back() = std::make_unique<const ColumnReach>(arm);
     return reach_table(arm, *cell_m);
   }
 
@@ -128,6 +131,8 @@ class SequenceReader {
     if (!cell_m) return std::nullopt;
     Shoulder& shoulder = file_.shoulders.back() = reach->shoulder();
     for (std::size_t axis = 0; axis < 3; ++axis) shoulder.at_m[axis] += metres_of(at[axis]);
+    if (auto exact = SrsExact::make(*chain, at))
+      file_.exacts.back() = std::make_unique<const SrsExact>(*std::move(exact));
     return reach->table(*cell_m, at);
   }
 

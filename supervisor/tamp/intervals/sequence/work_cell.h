@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "runtime/ground/result/result.h"
+#include "supervisor/tamp/intervals/reach/exact_reach.h"
 #include "supervisor/tamp/intervals/reach/reach_bounds.h"
 
 namespace stepwright::tamp {
@@ -35,6 +36,7 @@ struct AngleRange {
 struct Arm {
   std::string name;
   const ReachBounds* reach = nullptr;
+  const ExactReach* exact = nullptr;  // none: nothing is proved to be within reach
 };
 
 // The hand above the object. With `radius_m` its axis passes beside the object's origin by up to that.
