@@ -208,7 +208,8 @@ ExitCode run_reach(const ReachArguments& arguments) {
       std::printf("neither refuted nor solved in its budget\n");
     if (answered.solution.answer != tamp::Answer::Infeasible) print_ranges(network);
     if (feasible && !is_reached)
-      std::printf("not refuted by the bounds of reach; no poses were found that the arms reach for certain\n");
+      std::printf(
+          "not refuted by the bounds of reach; no poses were found that the arms reach for certain\n");
   }
   json document = {{"feasible", feasible},
                    {"reached", is_reached},

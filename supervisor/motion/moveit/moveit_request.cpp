@@ -40,8 +40,8 @@ class RequestReader {
   }
 
   void refuse_constraints(const YAML::Node& given, const char* of) {
-    for (const char* each : {"joint_constraints", "position_constraints", "orientation_constraints",
-                             "visibility_constraints"})
+    for (const char* each :
+         {"joint_constraints", "position_constraints", "orientation_constraints", "visibility_constraints"})
       refuse_some(reader_.member(given, each, false), of);
   }
 

@@ -272,17 +272,16 @@ result::Result<void> place_framed(const Robot& robot, std::span<const double> va
   std::vector<Transform> links(robot.links.size());
   LinkFrames(robot).place(values, links);
   for (const MoveItScene::Framed& each : scene.framed) {
-    const auto given =
-        std::ranges::find(scene.frames, each.frame, &std::pair<std::string, Transform>::first);
+    const auto given = std::ranges::find(scene.frames, each.frame, &std::pair<std::string, Transform>::first);
     const int link = robot.link(each.frame);
     if (link < 0 && given == scene.frames.end()) {
       if (each.frame == kWorldFrame) continue;
       std::vector<std::string> names;
       for (const Link& known : robot.links) names.push_back(known.name);
       const std::string* meant = result::closest(each.frame, names, 2);
-      return result::fail(code::kNotOfRobot, each.where, "there is no frame '" + each.frame + "'",
-                          meant ? "did you mean '" + *meant + "'?"
-                                : "a link, 'world', or one of 'fixed_frame_transforms'");
+      return result::fail(
+          code::kNotOfRobot, each.where, "there is no frame '" + each.frame + "'",
+          meant ? "did you mean '" + *meant + "'?" : "a link, 'world', or one of 'fixed_frame_transforms'");
     }
     const Transform& frame = link >= 0 ? links[static_cast<std::size_t>(link)] : given->second;
     for (std::size_t k = each.first; k < each.first + each.count; ++k) {

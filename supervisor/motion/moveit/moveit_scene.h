@@ -59,14 +59,14 @@ struct MoveItScene {
     result::Location where;
   };
 
-  World world;  // an object of several solids is several obstacles of its name
+  World world;                           // an object of several solids is several obstacles of its name
   std::vector<result::Location> places;  // of each obstacle, in the file
   std::vector<Hanging> hanging;
   std::vector<Framed> framed;
   std::vector<std::pair<std::string, Transform>> frames;  // beside the links, in the root's frame
   std::vector<JointValue> state;                          // of the robot
   std::vector<std::pair<std::string, std::string>>
-      allowed;  // names of links or objects, from the collision matrix
+      allowed;                                // names of links or objects, from the collision matrix
   std::vector<std::string> allowed_with_all;  // likewise
 };
 

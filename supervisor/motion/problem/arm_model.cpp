@@ -53,7 +53,9 @@ result::Result<ArmModel> load_arm(const ArmFiles& files) {
     model.bodies = std::move(*bodies);
   }
   if (!has_moving_bodies(model))
-    model.notes.push_back({code::kNoBodies, result::Severity::Warning, {files.urdf.string()},
+    model.notes.push_back({code::kNoBodies,
+                           result::Severity::Warning,
+                           {files.urdf.string()},
                            "no link that moves has a body: nothing can be met",
                            "<collision> of its links, or --instead"});
   model.spheres = cover(model.bodies, files.cover);

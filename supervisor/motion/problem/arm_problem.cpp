@@ -113,7 +113,9 @@ void tell_unsaid(const ArmModel& model, const std::vector<int>& coordinates,
     if (!said) names += (names.empty() ? "'" : ", '") + name + "'";
   }
   if (!names.empty())
-    notes.push_back({code::kNotSaid, result::Severity::Warning, {file},
+    notes.push_back({code::kNotSaid,
+                     result::Severity::Warning,
+                     {file},
                      "nothing says where " + names + " is at the start: 0 is taken",
                      "'start_state', or 'robot_state' of the scene"});
 }
@@ -155,8 +157,7 @@ result::Result<ArmProblem> load_problem(const ArmModel& model, const std::filesy
   if (!end) return tl::unexpected(end.error());
   problem.rest = std::move(*rest);
   if (!ours)
-    if (auto placed = place_moveit(model, of_moveit, problem); !placed)
-      return result::forward(placed);
+    if (auto placed = place_moveit(model, of_moveit, problem); !placed) return result::forward(placed);
   tell_unsaid(model, *coordinates, {&of_moveit.state, &asked->start}, request.string(), problem.notes);
   problem.group = asked->group;
   problem.coordinates = std::move(*coordinates);

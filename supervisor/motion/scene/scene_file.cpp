@@ -212,8 +212,8 @@ result::Result<SceneFile> read_scene(std::string_view text, std::string name,
   return read_document(**document, folder);
 }
 
-result::Diagnostics overlaps(const World& world, const std::vector<result::Location>& places, double deeper_than_m,
-                             std::size_t most) {
+result::Diagnostics overlaps(const World& world, const std::vector<result::Location>& places,
+                             double deeper_than_m, std::size_t most) {
   result::Diagnostics warnings;
   const auto pairs = overlapping(world, deeper_than_m);
   for (std::size_t k = 0; k < std::min(most, pairs.size()); ++k) {

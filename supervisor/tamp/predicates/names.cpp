@@ -78,7 +78,8 @@ class NameCheck {
 
   void check_object(int object, bool used) {
     const std::string& name = task_.objects[static_cast<std::size_t>(object)].name;
-    const bool thing = is_asked(object, "can-move-pick", 0, true) || is_asked(object, "can-move-place", 0, true);
+    const bool thing =
+        is_asked(object, "can-move-pick", 0, true) || is_asked(object, "can-move-place", 0, true);
     if (is_asked(object, "can-move-pick", 0, false)) {
       if (cell_.arm(name) < 0) missing(name, "arm", names_of(cell_.arms));
     } else if (thing) {
@@ -95,7 +96,10 @@ class NameCheck {
   }
 
   void complain(const char* code, const lisp::Place& at, std::string message, std::string hint) {
-    wrong_.push_back({code, result::Severity::Error, {files_[at.file], at.line, at.column}, std::move(message),
+    wrong_.push_back({code,
+                      result::Severity::Error,
+                      {files_[at.file], at.line, at.column},
+                      std::move(message),
                       std::move(hint)});
   }
 

@@ -147,10 +147,10 @@ class CellReader {
       if (above_m <= kStands_m) continue;
       char text[96];
       std::snprintf(text, sizeof text, " hangs %.1f mm above what is below it", 1e3 * above_m);
-      file_.warnings.push_back({"G0106", result::Severity::Warning, places_[k],
-                                "'" + cell.things[k].name + "'" +
-                                    (std::isfinite(above_m) ? text : " stands on nothing"),
-                                "z_m is the height of its underside"});
+      file_.warnings.push_back(
+          {"G0106", result::Severity::Warning, places_[k],
+           "'" + cell.things[k].name + "'" + (std::isfinite(above_m) ? text : " stands on nothing"),
+           "z_m is the height of its underside"});
     }
   }
 

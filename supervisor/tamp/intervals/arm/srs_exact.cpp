@@ -28,7 +28,8 @@ bool SrsExact::reaches(const Point3& at, Angle angle) const {
   const motion::Transform tip = hanging(at, base_nm_, angle);
   for (const motion::SwivelArc& arc : arm_.arcs(tip))
     if (arc.to_rad - arc.from_rad >= kRoom_rad &&
-        arm_.solve(tip, 0.5 * (arc.from_rad + arc.to_rad), arc.branch)) return true;
+        arm_.solve(tip, 0.5 * (arc.from_rad + arc.to_rad), arc.branch))
+      return true;
   return false;
 }
 

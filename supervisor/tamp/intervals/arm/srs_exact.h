@@ -1,7 +1,8 @@
 #pragma once
 
 // The exact reach of an arm with spherical shoulder, elbow and spherical wrist, by its inverse kinematics in
-// closed form, for a tool that hangs down. The elbow has a few degrees to spare. Collisions are not looked at.
+// closed form, for a tool that hangs down. The elbow has a few degrees to spare. Collisions are not looked
+// at.
 //
 // Immutable; any thread.
 //

@@ -73,9 +73,8 @@ std::optional<Cause> explain(const WorkCell& cell, std::span<const Action> seque
       cause.suggestions.push_back(std::move(suggestion));
     }
   }
-  std::ranges::stable_sort(cause.suggestions, {}, [](const Suggestion& each) {
-    return std::pair(!each.proved, weight(each));
-  });
+  std::ranges::stable_sort(cause.suggestions, {},
+                           [](const Suggestion& each) { return std::pair(!each.proved, weight(each)); });
   cause.sentence = sentence_of(cell, sequence, cause);
   return cause;
 }

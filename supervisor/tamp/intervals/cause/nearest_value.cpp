@@ -37,7 +37,7 @@ bool is_region(Parameter parameter) {
 class ValueSearch {
  public:
   ValueSearch(const WorkCell& cell, std::span<const Action> sequence, Parameter parameter,
-               std::size_t subject, std::size_t which, const CauseOptions& options)
+              std::size_t subject, std::size_t which, const CauseOptions& options)
       : cell_(cell),
         sequence_(sequence.begin(), sequence.end()),
         parameter_(parameter),
@@ -71,11 +71,13 @@ class ValueSearch {
 
   bool is_known() const {
     return options_.prove && std::ranges::all_of(sequence_, [&](const Action& each) {
-      return each.kind == ActionKind::MoveAway || cell_.arms[each.arm].exact != nullptr;
-    });
+             return each.kind == ActionKind::MoveAway || cell_.arms[each.arm].exact != nullptr;
+           });
   }
 
-  bool is_left() const { return questions_ < options_.most_questions && proofs_ < options_.most_proofs && refused_ < kMostRefused; }
+  bool is_left() const {
+    return questions_ < options_.most_questions && proofs_ < options_.most_proofs && refused_ < kMostRefused;
+  }
 
   double unit() const { return is_angle(parameter_) ? kRound_rad : kRound_m; }
 

@@ -26,7 +26,7 @@ struct NearestValue {
 // Rounded to 0.1 mm or 0.1 degrees away from the present value where that does, too. Nothing if there is
 // none.
 std::optional<NearestValue> nearest_value(const WorkCell& cell, std::span<const Action> sequence,
-                                    Parameter parameter, std::size_t subject, std::size_t which,
-                                    const CauseOptions& options);
+                                          Parameter parameter, std::size_t subject, std::size_t which,
+                                          const CauseOptions& options);
 
 }  // namespace stepwright::tamp

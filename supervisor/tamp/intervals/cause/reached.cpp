@@ -124,8 +124,7 @@ class ReachedSearch {
     for (const Point3& at : points_of(network_.box(spot))) {
       if (!spend()) return false;
       const std::size_t mark = network_.mark();
-      for (std::uint32_t axis = 0; axis < 3; ++axis)
-        network_.choose(3 * spot + axis, {at[axis], at[axis]});
+      for (std::uint32_t axis = 0; axis < 3; ++axis) network_.choose(3 * spot + axis, {at[axis], at[axis]});
       if (network_.propagate() && turn(number, visit, tool_at(visit, at))) return true;
       network_.undo(mark);
     }

@@ -203,7 +203,8 @@ std::string sentence_of(const WorkCell& cell, std::span<const Action> sequence, 
   std::string sentence = first != nullptr ? complaint(cell, sequence, *first) : "no single number helps";
   if (!arms.empty()) sentence += " for " + arms;
   if (!others.empty()) sentence += " with " + joined(others);
-  if (first != nullptr) sentence += first->proved ? "; " + first->text + " would do" : "; not before " + first->text;
+  if (first != nullptr)
+    sentence += first->proved ? "; " + first->text + " would do" : "; not before " + first->text;
   return sentence;
 }
 

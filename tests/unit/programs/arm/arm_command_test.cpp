@@ -112,7 +112,8 @@ TEST_F(ArmCommand, WhenFilesAreWrong_ThenEveryMistakeHasItsPlace) {
             1);
   EXPECT_THAT(errors, HasSubstr("A0404: there is no link 'rigth_hand'\n  hint: did you mean 'right_hand'?"));
   EXPECT_THAT(errors, HasSubstr("A0404: there is no thing 'tabel'\n  hint: did you mean 'table'?"));
-  EXPECT_EQ(plan("", write("mesh.toml", "[[mesh]]\nname = \"m\"\nfile = \"gone.stl\"\nat_m = [1, 0, 0]\n")), 1);
+  EXPECT_EQ(plan("", write("mesh.toml", "[[mesh]]\nname = \"m\"\nfile = \"gone.stl\"\nat_m = [1, 0, 0]\n")),
+            1);
   EXPECT_THAT(errors, HasSubstr("mesh.toml:3:"));
   EXPECT_THAT(errors, HasSubstr("A0201: 'gone.stl': "));
   EXPECT_EQ(run(""), 2);
@@ -158,7 +159,8 @@ TEST_F(ArmCommand, WhenASceneOfMoveItSaysMore_ThenItCounts) {
   const std::string robot = R"(<robot name="r"><link name="a"/>
     <link name="b"><collision><geometry><box size="0.1 0.1 0.1"/></geometry></collision></link>
     <joint name="slide" type="prismatic"><parent link="a"/><child link="b"/><axis xyz="1 0 0"/><limit lower="-2" upper="2"/></joint></robot>)";
-  const std::string request = "group_name: any\ngoal_constraints: [{joint_constraints: [{joint_name: slide, position: 1}]}]\n";
+  const std::string request =
+      "group_name: any\ngoal_constraints: [{joint_constraints: [{joint_name: slide, position: 1}]}]\n";
   const std::string wall =
       "world: {collision_objects: [{id: wall, primitives: [{type: box, dimensions: [0.1, 1, 1]}], "
       "primitive_poses: [{position: {x: 1, y: 0, z: 0}}]}]}\n";
@@ -177,9 +179,10 @@ TEST_F(ArmCommand, WhenASceneOfMoveItSaysMore_ThenItCounts) {
   EXPECT_EQ(nlohmann::json::parse(text("m.json"))["from"][0], -1.5);
   EXPECT_EQ(errors.find("A0405"), std::string::npos);
   // A joint without ends goes the short way round.
-  const std::string turning = "<robot name='r'><link name='a'/><link name='b'><collision><geometry><box size='0.1 0.1 "
-                              "0.1'/></geometry></collision></link><joint name='slide' type='continuous'><parent "
-                              "link='a'/><child link='b'/><axis xyz='0 0 1'/></joint></robot>";
+  const std::string turning =
+      "<robot name='r'><link name='a'/><link name='b'><collision><geometry><box size='0.1 0.1 "
+      "0.1'/></geometry></collision></link><joint name='slide' type='continuous'><parent "
+      "link='a'/><child link='b'/><axis xyz='0 0 1'/></joint></robot>";
   EXPECT_EQ(run(write("t.urdf", turning) + " " + write("e.yaml", "world: {collision_objects: []}\n") + " " +
                 write("t.yaml",
                       "group_name: any\nstart_state: {joint_state: {name: [slide], position: [3]}}\n"
@@ -187,8 +190,9 @@ TEST_F(ArmCommand, WhenASceneOfMoveItSaysMore_ThenItCounts) {
             0)
       << errors;
   EXPECT_THAT(output, HasSubstr("length 0.283"));
-  const std::string bare = "<robot name='r'><link name='a'/><link name='b'/><joint name='slide' type='prismatic'>"
-                           "<parent link='a'/><child link='b'/><limit lower='-2' upper='2'/></joint></robot>";
+  const std::string bare =
+      "<robot name='r'><link name='a'/><link name='b'/><joint name='slide' type='prismatic'>"
+      "<parent link='a'/><child link='b'/><limit lower='-2' upper='2'/></joint></robot>";
   EXPECT_EQ(run(write("bare.urdf", bare) + " " + path("s.yaml") + " " + path("r.yaml") + " --time 0.1"), 0);
   EXPECT_THAT(errors, HasSubstr("A0114: no link that moves has a body"));
 }

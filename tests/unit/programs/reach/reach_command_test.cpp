@@ -126,18 +126,20 @@ TEST_F(ReachCommand, WhenAnArmIsThatOfAUrdf_ThenItsReachCounts) {
 // What would do is put into the file, and the arm reaches it for certain.
 TEST_F(ReachCommand, WhenAPoseOfAUrdfIsOutOfReach_ThenWhatWouldDoIsReached) {
   const auto pick_at = [&](const std::string& x, const std::string& y, const std::string& z) {
-    return run(write("pick.toml",
-                     "[[arm]]\nname = \"right\"\nurdf = \"" STEPWRIGHT_SOURCE_DIR
-                     "/tests/cells/robot_cell/two_arms.urdf\"\nbase = \"base\"\ntip = \"right_tcp\"\n"
-                     "[[grasp]]\nname = \"top\"\nheight_m = 0.1\n[[object]]\nname = \"can\"\nx_m = " +
-                         x + "\ny_m = " + y + "\nz_m = " + z + "\n[[action]]\narm = \"right\"\npick = \"can\"\n") +
-               " --json " + path("pick.json"));
+    return run(
+        write("pick.toml", "[[arm]]\nname = \"right\"\nurdf = \"" STEPWRIGHT_SOURCE_DIR
+                           "/tests/cells/robot_cell/two_arms.urdf\"\nbase = \"base\"\ntip = \"right_tcp\"\n"
+                           "[[grasp]]\nname = \"top\"\nheight_m = 0.1\n[[object]]\nname = \"can\"\nx_m = " +
+                               x + "\ny_m = " + y + "\nz_m = " + z +
+                               "\n[[action]]\narm = \"right\"\npick = \"can\"\n") +
+        " --json " + path("pick.json"));
   };
   ASSERT_EQ(pick_at("0.5", "0.5", "0.71"), 3) << output;
   const auto suggestions = nlohmann::json::parse(text("pick.json"))["cause"]["suggestions"];
   ASSERT_FALSE(suggestions.empty()) << output;
   for (const auto& each : suggestions) {
-    const std::string said = each["text"].get<std::string>(), value = std::to_string(each["to_m"].get<double>());
+    const std::string said = each["text"].get<std::string>(),
+                      value = std::to_string(each["to_m"].get<double>());
     const auto if_at = [&](const char* where, const char* else_at) {
       return said.find(where) == std::string::npos ? std::string(else_at) : value;
     };

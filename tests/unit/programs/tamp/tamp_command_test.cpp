@@ -52,7 +52,8 @@ class ChangedTamp : public TampCommand {
   int run_changed(const std::vector<std::pair<std::string, std::string>>& in_cell,
                   const std::vector<std::pair<std::string, std::string>>& in_problem) {
     const std::string root = STEPWRIGHT_SOURCE_DIR "/tests/cells/";
-    std::string cell = content(root + "robot_cell/tamp_p2.toml"), problem = content(root + "robot_cell/p2.hddl");
+    std::string cell = content(root + "robot_cell/tamp_p2.toml"),
+                problem = content(root + "robot_cell/p2.hddl");
     for (const auto& [from, to] : in_cell) replace(cell, from, to);
     for (const auto& [from, to] : in_problem) replace(problem, from, to);
     replace(cell, "robot = \"", "robot = \"" + root + "robot_cell/");
@@ -82,9 +83,11 @@ TEST_F(ChangedTamp, WhenTheProblemNamesWhatTheCellHasNot_ThenItSaysWhereAndWhatW
   EXPECT_THAT(errors, HasSubstr("G0104: the cell has no thing 'can9'\n  hint: did you mean 'can1'?"));
   EXPECT_EQ(run_changed({}, {{"right left - arm", "right left mid - arm"}}), 1);
   EXPECT_THAT(errors, HasSubstr("G0104: the cell has no arm 'mid'"));
-  EXPECT_EQ(run_changed({}, {{"tray - place", "tray shelf - place"}, {"(put can1 tray)", "(put can1 shelf)"}}), 1);
+  EXPECT_EQ(
+      run_changed({}, {{"tray - place", "tray shelf - place"}, {"(put can1 tray)", "(put can1 shelf)"}}), 1);
   EXPECT_THAT(errors, HasSubstr("G0104: the cell has no region or thing 'shelf'"));
-  EXPECT_EQ(run_changed({}, {{"tray - place", "tray shelf - place"}}), 0) << "nothing is to be put there: " << errors;
+  EXPECT_EQ(run_changed({}, {{"tray - place", "tray shelf - place"}}), 0)
+      << "nothing is to be put there: " << errors;
 }
 
 TEST_F(ChangedTamp, WhenWhatIsSaidOfTheStartIsNotSo_ThenItIsToldAtItsPlace) {
@@ -98,13 +101,15 @@ TEST_F(ChangedTamp, WhenWhatIsSaidOfTheStartIsNotSo_ThenItIsToldAtItsPlace) {
 
 // What would do, does: put into the file, it has a plan.
 TEST_F(ChangedTamp, WhenATrayIsTooFar_ThenWhatWouldDoHasAPlan) {
-  const std::string far = "name = \"tray\"\nx_m = 0.5\ny_m = 0.9\n", tray = "name = \"tray\"\nx_m = 0.5\ny_m = -0.25\n";
+  const std::string far = "name = \"tray\"\nx_m = 0.5\ny_m = 0.9\n",
+                    tray = "name = \"tray\"\nx_m = 0.5\ny_m = -0.25\n";
   ASSERT_EQ(run_changed({{tray, far}}, {}), 3) << output;
   const std::size_t at = errors.find("; tray at y ");
   ASSERT_NE(at, std::string::npos) << errors;
   EXPECT_THAT(errors, HasSubstr(" m would do"));
   const std::string value = errors.substr(at + 12, errors.find(" m would do") - at - 12);
-  EXPECT_EQ(run_changed({{tray, "name = \"tray\"\nx_m = 0.5\ny_m = " + value + "\n"}}, {}), 0) << value << errors;
+  EXPECT_EQ(run_changed({{tray, "name = \"tray\"\nx_m = 0.5\ny_m = " + value + "\n"}}, {}), 0)
+      << value << errors;
 }
 
 }  // namespace

@@ -120,8 +120,9 @@ TEST(MoveItScene, WhenItHasWhatIsNotRead_ThenItIsRefusedAtItsPlace) {
 
 TEST(MoveItScene, WhenPosesAreMapsAsMessagesArePrinted_ThenTheyAreTheSame) {
   const auto scene = read_moveit_scene(
-      replaced(kScene, "{position: [0.3, 0.8, 0.29], orientation: [0, 0, 0.70710678, 0.70710678]}",
-               "{position: {x: 0.3, y: 0.8, z: 0.29}, orientation: {x: 0, y: 0, z: 0.70710678, w: 0.70710678}}"),
+      replaced(
+          kScene, "{position: [0.3, 0.8, 0.29], orientation: [0, 0, 0.70710678, 0.70710678]}",
+          "{position: {x: 0.3, y: 0.8, z: 0.29}, orientation: {x: 0, y: 0, z: 0.70710678, w: 0.70710678}}"),
       "f.yaml");
   ASSERT_TRUE(scene) << to_string(scene.error());
   const Shape& can = scene->world.obstacles[0].shape;
@@ -174,9 +175,10 @@ TEST(MoveItScene, WhenItHasAState_ThenItsJointsAreRead) {
 TEST(MoveItScene, WhenItsMatrixAllowsAllByDefault_ThenEveryLinkMayTouchTheObject) {
   const Robot robot = tests::two_arms();
   auto scene = *read_moveit_scene(
-      replaced(kScene, "allowed_collision_matrix:\n",
-               "allowed_collision_matrix:\n  default_entry_names: [can, shelf]\n  default_entry_values: [true, "
-               "false]\n"),
+      replaced(
+          kScene, "allowed_collision_matrix:\n",
+          "allowed_collision_matrix:\n  default_entry_names: [can, shelf]\n  default_entry_values: [true, "
+          "false]\n"),
       "f.yaml");
   Semantics semantics;
   allow_pairs(robot, scene, semantics);
@@ -282,7 +284,8 @@ TEST(MoveItRequest, WhenItAsksForMoreThanAGoal_ThenItIsRefused) {
   EXPECT_EQ(wrong("path_constraints: {orientation_constraints: [{}]}\n"), "9:45 A0403");
   EXPECT_EQ(wrong("path_constraints: {joint_constraints: []}\n"), "none");
   EXPECT_EQ(wrong("trajectory_constraints: {constraints: [{}]}\n"), "9:39 A0403");
-  EXPECT_EQ(wrong("  - joint_constraints:\n      - {joint_name: left_joint_1, position: 0.5}\n"), "9:5 A0403");
+  EXPECT_EQ(wrong("  - joint_constraints:\n      - {joint_name: left_joint_1, position: 0.5}\n"),
+            "9:5 A0403");
   const auto start = [](const std::string& by) {
     return first_wrong(read_moveit_request(replaced(kRequest, "start_state:\n", by), "f.yaml"));
   };

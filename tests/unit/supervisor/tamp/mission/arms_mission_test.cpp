@@ -106,7 +106,8 @@ TEST(ArmsMission, WhenAThingSlipsAgainAndAgain_ThenTheRunEndsSafeWithTheCause) {
       << story(record);
   double last_s = record.started_s;
   for (const run::Episode& episode : record.episodes)
-    for (const run::ActionRecord& each : episode.actions) last_s = std::max(last_s, each.finished_s.value_or(0.0));
+    for (const run::ActionRecord& each : episode.actions)
+      last_s = std::max(last_s, each.finished_s.value_or(0.0));
   EXPECT_EQ(record.finished_s, last_s) << "the last action that ended, or none";
   EXPECT_FALSE(cell.controller().any_output());
 }

@@ -47,9 +47,9 @@ TEST(Reached, WhenAnArmReachesThePlaces_ThenTheWitnessMeetsEveryConstraintAndIsE
     for (const Network::Visit& visit : network.visits()) {
       Point3 at = witness->spots[network.places()[visit.place].spot];
       at[2] += visit.rise_nm;
-      const Angle tool =
-          witness->angles[network.places()[visit.place].angle] + witness->angles[visit.hand];
-      EXPECT_TRUE(asked.problem.cell.arms[network.constraints()[visit.constraint].arm].exact->reaches(at, tool))
+      const Angle tool = witness->angles[network.places()[visit.place].angle] + witness->angles[visit.hand];
+      EXPECT_TRUE(
+          asked.problem.cell.arms[network.constraints()[visit.constraint].arm].exact->reaches(at, tool))
           << seed;
     }
   }
