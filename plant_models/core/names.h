@@ -45,20 +45,21 @@ std::string joined_names(const List& list) {
   return text;
 }
 
-// "known: a, b, c"; of a long list the names that are nearest to `meant`: "the nearest of 44: a, b, c".
+// "known: a, b, c"; a long list begins with the names that are nearest to `meant`, as messages may be cut:
+// "the nearest: b, c; known: a, b, c".
 template <typename List>
 std::string known_names(const List& list, std::string_view meant, const std::string& known = "known: ") {
   constexpr std::size_t kAll = 12, kNearest = 5;
   std::vector<std::string> left = names_of(list);
   if (left.size() <= kAll) return known + joined_names(list);
-  std::string text = "the nearest of " + std::to_string(left.size()) + ": ";
+  std::string text = "the nearest: ";
   for (std::size_t k = 0; k < kNearest; ++k) {
     const std::string* next = result::closest(meant, left, 256);
     if (next == nullptr) break;
     text += (k == 0 ? "" : ", ") + *next;
     left.erase(left.begin() + (next - left.data()));
   }
-  return text;
+  return text + "; " + known + joined_names(list);
 }
 
 }  // namespace stepwright::core

@@ -35,6 +35,7 @@ class SequenceReader {
 
   // Of files that this one names.
   const result::Diagnostics& wrong() const { return wrong_; }
+  const std::vector<result::Location>& actions_at() const { return actions_at_; }
 
   SequenceFile read() {
     for (const TomlTable& table : root_.tables("arm")) read_arm(table);
@@ -217,6 +218,7 @@ class SequenceReader {
       table.report("arm", "an action has one of pick, place and move_away");
     }
     file_.sequence.push_back(std::move(action));
+    actions_at_.push_back(table.where());
   }
 
   void read_place(const TomlTable& table, Action& action) {
@@ -238,6 +240,7 @@ class SequenceReader {
   const TomlTable& root_;
   std::filesystem::path folder_;
   SequenceFile file_;
+  std::vector<result::Location> actions_at_;
   result::Diagnostics wrong_;
   std::vector<std::string> arms_, grasps_, regions_, objects_, places_;
 };
@@ -253,7 +256,8 @@ result::Result<SequenceFile> load_sequence(const std::filesystem::path& file) {
   result::Diagnostics problems = (*document)->finish();
   problems.insert(problems.end(), reader.wrong().begin(), reader.wrong().end());
   if (result::has_errors(problems)) return tl::unexpected(std::move(problems));
-  if (auto sound = validate(read.cell, read.sequence, file.string()); !sound) return result::forward(sound);
+  if (auto sound = validate(read.cell, read.sequence, file.string(), reader.actions_at()); !sound)
+    return result::forward(sound);
   return read;
 }
 

@@ -86,7 +86,7 @@ TEST_F(ReachCommand, WhenTheFileIsWrong_ThenEveryMistakeHasItsPlace) {
   EXPECT_THAT(errors, HasSubstr("I0104: 'cup' is used twice"));
   EXPECT_THAT(errors, HasSubstr("I0005"));
   EXPECT_EQ(run(file("[[action]]\narm = \"right\"\nplace = \"cup\"\non = \"tray\"\n")), 1);
-  EXPECT_THAT(errors, HasSubstr("I0102: action 1: arm 'right' does not hold 'cup'"));
+  EXPECT_THAT(errors, HasSubstr("cell.toml:20:1: I0102: action 1: arm 'right' does not hold 'cup'"));
   EXPECT_EQ(run(file("[[action]]\narm = \"right\"\n")), 1);
   EXPECT_THAT(errors, HasSubstr("an action has one of pick, place and move_away"));
   EXPECT_EQ(run(file("[[arm]]\nname = \"long\"\nmost_m = 4.9\ncell_m = 0.005\n")), 1);
