@@ -106,7 +106,7 @@ result::Result<std::vector<OfferedFault>> chosen(const std::vector<OfferedFault>
     }
     if (!any) {
       return result::fail("C0311", {}, "the plant offers no fault '" + pattern + "'",
-                          offered.empty() ? "it offers none" : "known: " + core::joined_names(offered));
+                          offered.empty() ? "it offers none" : core::known_names(offered, pattern));
     }
   }
   std::vector<OfferedFault> some;

@@ -27,7 +27,7 @@ result::Result<std::size_t> find_fault(std::string_view plant, std::span<const c
   const auto fault = core::index_of(faults, name);
   if (!fault) {
     return result::fail("C0311", {}, std::string(plant) + " has no fault named '" + std::string(name) + "'",
-                        "known faults: " + core::joined_names(faults));
+                        core::known_names(faults, name, "known faults: "));
   }
   return *fault;
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "runtime/ground/naming/ascii_names.h"
+#include "runtime/ground/result/closest.h"
 
 namespace stepwright::core {
 
@@ -42,6 +43,23 @@ std::string joined_names(const List& list) {
     text += entry.name;
   }
   return text;
+}
+
+// "known: a, b, c"; a long list begins with the names that are nearest to `meant`, as messages may be cut:
+// "the nearest: b, c; known: a, b, c".
+template <typename List>
+std::string known_names(const List& list, std::string_view meant, const std::string& known = "known: ") {
+  constexpr std::size_t kAll = 12, kNearest = 5;
+  std::vector<std::string> left = names_of(list);
+  if (left.size() <= kAll) return known + joined_names(list);
+  std::string text = "the nearest: ";
+  for (std::size_t k = 0; k < kNearest; ++k) {
+    const std::string* next = result::closest(meant, left, 256);
+    if (next == nullptr) break;
+    text += (k == 0 ? "" : ", ") + *next;
+    left.erase(left.begin() + (next - left.data()));
+  }
+  return text + "; " + known + joined_names(list);
 }
 
 }  // namespace stepwright::core

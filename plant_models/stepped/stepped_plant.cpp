@@ -98,7 +98,7 @@ result::Result<void> SteppedPlant::set_fault(std::string_view name, double value
   if (!index) {
     return result::fail("C0311", {}, "the plant has no fault '" + std::string(name) + "'",
                         about_.faults.empty() ? "[plant.faults] lists those that it has"
-                                              : "known: " + core::joined_names(about_.faults));
+                                              : core::known_names(about_.faults, name));
   }
   if (!std::isfinite(value)) {
     return result::fail("C0312", {},

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace stepwright::demo {
@@ -11,6 +12,13 @@ using nlohmann::json;
 
 double makespan_s(const run::RunRecord& record) {
   return record.finished_s - record.started_s;
+}
+
+bool any_ended(const run::RunRecord& record) {
+  return std::ranges::any_of(record.episodes, [](const run::Episode& episode) {
+    return std::ranges::any_of(episode.actions,
+                               [](const run::ActionRecord& action) { return action.finished_s.has_value(); });
+  });
 }
 
 std::optional<double> sequential_makespan_s(const std::optional<CellRunResult>& sequential) {
@@ -93,7 +101,9 @@ std::string summary_text(const CellRunResult& run, const std::optional<CellRunRe
   if (record.phase == run::Phase::Done)
     fmt::format_to(out, "Makespan {:.1f} s", makespan_s(record));
   else
-    fmt::format_to(out, "The goal was not reached; the last action ended at {:.1f} s", record.finished_s);
+    fmt::format_to(out, "The goal was not reached; {}",
+                   any_ended(record) ? fmt::format("the last action ended after {:.1f} s", makespan_s(record))
+                                     : "no action ended");
   if (const auto strict = sequential_makespan_s(sequential)) {
     fmt::format_to(out, ", strictly sequential {:.1f} s ({:.2f} times as long)", *strict,
                    *strict / makespan_s(record));

@@ -10,6 +10,7 @@
 #include "runtime/ground/process/command_line.h"
 #include "runtime/ground/process/files.h"
 #include "supervisor/tamp/intervals/cause/cause.h"
+#include "supervisor/tamp/intervals/cause/reached.h"
 #include "supervisor/tamp/intervals/cause/witness.h"
 #include "supervisor/tamp/intervals/drawing/cell_svg.h"
 #include "supervisor/tamp/intervals/file/sequence_file.h"
@@ -22,6 +23,8 @@ namespace {
 
 using nlohmann::json;
 using result::ExitCode;
+
+constexpr std::size_t kMostQuestions = 20'000;  // to arms, for poses that they reach
 
 double degrees(double rad) {
   return rad * 180.0 / std::numbers::pi;
@@ -108,21 +111,23 @@ json ranges_json(const tamp::Network& network) {
 }
 
 json cause_json(const tamp::SequenceFile& file, const tamp::Cause& cause) {
-  json constraints = json::array(), suggestions = json::array();
+  json constraints = json::array(), suggestions = json::array(), bounds = json::array();
   for (const tamp::Constraint& each : cause.constraints)
     constraints.push_back(tamp::text_of(file.cell, file.sequence, each));
   for (const tamp::Suggestion& each : cause.suggestions) {
     const bool turns =
         each.parameter == tamp::Parameter::StartAngle || each.parameter == tamp::Parameter::FinalAngle;
     const std::string unit = turns ? "_deg" : "_m";
-    suggestions.push_back({{"text", each.text},
-                           {"from" + unit, turns ? degrees(each.from) : each.from},
-                           {"to" + unit, turns ? degrees(each.to) : each.to}});
+    (each.proved ? suggestions : bounds)
+        .push_back({{"text", each.text},
+                    {"from" + unit, turns ? degrees(each.from) : each.from},
+                    {"to" + unit, turns ? degrees(each.to) : each.to}});
   }
   return {{"sentence", cause.sentence},
           {"constraints", std::move(constraints)},
           {"irreducible", cause.irreducible},
-          {"suggestions", std::move(suggestions)}};
+          {"suggestions", std::move(suggestions)},
+          {"not_before", std::move(bounds)}};
 }
 
 void print_cause(const tamp::SequenceFile& file, const tamp::Cause& cause) {
@@ -130,8 +135,15 @@ void print_cause(const tamp::SequenceFile& file, const tamp::Cause& cause) {
   std::printf("these conflict%s:\n", cause.irreducible ? ", and no part of them does" : "");
   for (const tamp::Constraint& each : cause.constraints)
     std::printf("  %s\n", tamp::text_of(file.cell, file.sequence, each).c_str());
-  if (!cause.suggestions.empty()) std::printf("any one of these would do:\n");
-  for (const tamp::Suggestion& each : cause.suggestions) std::printf("  %s\n", each.text.c_str());
+  const auto print = [&](bool proved, const char* title) {
+    for (const tamp::Suggestion& each : cause.suggestions) {
+      if (each.proved != proved) continue;
+      std::printf("%s  %s\n", title, each.text.c_str());
+      title = "";
+    }
+  };
+  print(true, "any one of these would do:\n");
+  print(false, "no pose was found that would do; none will before one of these:\n");
 }
 
 int fail(const result::Diagnostics& diagnostics) {
@@ -187,13 +199,20 @@ ExitCode run_reach(const ReachArguments& arguments) {
   if (answered.solution.answer == tamp::Answer::Infeasible)
     answered.cause = tamp::explain(file->cell, file->sequence);
   const bool to_stdout = arguments.json_file == "-" || arguments.svg_file == "-" || arguments.st_file == "-";
+  const bool feasible = answered.solution.answer == tamp::Answer::Feasible;
+  const bool is_reached = feasible && tamp::reached(file->cell, file->sequence, kMostQuestions).has_value();
   if (!to_stdout) {
+    if (file->sequence.empty()) std::printf("there are no actions: nothing to answer\n");
     if (answered.cause) print_cause(*file, *answered.cause);
     if (answered.solution.answer == tamp::Answer::Unknown)
       std::printf("neither refuted nor solved in its budget\n");
     if (answered.solution.answer != tamp::Answer::Infeasible) print_ranges(network);
+    if (feasible && !is_reached)
+      std::printf(
+          "not refuted by the bounds of reach; no poses were found that the arms reach for certain\n");
   }
-  json document = {{"feasible", answered.solution.answer == tamp::Answer::Feasible},
+  json document = {{"feasible", feasible},
+                   {"reached", is_reached},
                    {"proved", answered.solution.answer != tamp::Answer::Unknown}};
   if (answered.cause) document["cause"] = cause_json(*file, *answered.cause);
   if (answered.solution.answer != tamp::Answer::Infeasible) document["actions"] = ranges_json(network);

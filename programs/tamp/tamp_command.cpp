@@ -22,6 +22,7 @@
 #include "supervisor/tamp/planner/skeleton_planner.h"
 #include "supervisor/tamp/planner/tamp_planner.h"
 #include "supervisor/tamp/predicates/grounding.h"
+#include "supervisor/tamp/predicates/names.h"
 #include "supervisor/tamp/scene/cell_file.h"
 
 namespace stepwright::tamp_program {
@@ -101,6 +102,8 @@ result::Result<TaskOfCell> read_task_of(const tamp::scene::CellFile& file) {
   auto read = htn::read_task(task.domain, task.problem, tamp::predicates::geometric_predicates());
   if (!read) return result::forward(read);
   if (!read->warnings.empty()) (void)fail(read->warnings);
+  if (auto known = tamp::predicates::check_names(read->task, file.cell, task.domain, task.problem); !known)
+    return result::forward(known);
   task.tasks = std::move(read->task);
   return task;
 }
@@ -146,6 +149,7 @@ TampOutcome search(const tamp::scene::RobotCell& cell, const TaskOfCell& task, c
                    : arguments.method == "paper-from-one"  ? Method::PaperFromOne
                                                            : Method::Ours;
   options.seed = arguments.seed;
+  options.most_proposals = 30;
   options.cancel = interruption.flag();
   const Clock::time_point began = Clock::now();
   std::optional<tamp::planner::IntervalModel> model;
@@ -167,6 +171,7 @@ ExitCode run_tamp(const TampArguments& arguments) {
   }
   auto file = tamp::scene::load_cell(arguments.problem);
   if (!file) return fail(file.error());
+  if (!file->warnings.empty()) (void)fail(file->warnings);
   const auto task = read_task_of(*file);
   if (!task) return fail(task.error());
   if (task->skeletons && arguments.method != "ours") {
@@ -176,7 +181,10 @@ ExitCode run_tamp(const TampArguments& arguments) {
   if (arguments.grasps > 0) file->cell.manner.grasps = arguments.grasps;
   if (arguments.places > 0) file->cell.manner.places = arguments.places;
   double prepare_ms = 0.0;
-  const TampOutcome outcome = search(file->cell, *task, arguments, prepare_ms);
+  TampOutcome outcome = search(file->cell, *task, arguments, prepare_ms);
+  // All samples were tried, which proves nothing about what lies between them.
+  if (arguments.method != "ours" && outcome.kind == model::OutcomeKind::Infeasible)
+    outcome.kind = model::OutcomeKind::Exhausted;
   if (outcome.plan && !is_valid(file->cell, outcome, *task)) return ExitCode::RuntimeFault;
   if (arguments.json_file != "-" && arguments.svg_file != "-") print(file->cell, outcome);
   if (!arguments.json_file.empty()) {

@@ -122,6 +122,7 @@ void TrainMission::note_progress() {
     changed_ = true;
     action.state = ActionState::Done;
     action.finished_s = clock_.now_s();
+    record_.finished_s = *action.finished_s;
     action.actual_cost = action.planned_cost;
   }
 }

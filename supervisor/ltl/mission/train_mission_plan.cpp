@@ -111,7 +111,7 @@ void TrainMission::launch_record() {
     before_m = step.arc_m;
     episode.actions.push_back(std::move(action));
   }
-  if (record_.episodes.empty()) record_.started_s = episode.started_s;
+  if (record_.episodes.empty()) record_.started_s = record_.finished_s = episode.started_s;
   record_.episodes.push_back(std::move(episode));
 }
 

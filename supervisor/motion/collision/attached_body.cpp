@@ -50,14 +50,12 @@ result::Result<void> check_attached(const Robot& robot, const std::vector<Attach
   return {};
 }
 
-namespace {
-
-void disable_joined(const Robot& robot, Semantics& semantics) {
+Semantics joined_pairs(const Robot& robot) {
+  Semantics semantics;
   for (int link = 1; link < static_cast<int>(robot.links.size()); ++link)
     semantics.disabled.emplace_back(robot.parent_link(link), link);
+  return semantics;
 }
-
-}  // namespace
 
 CarryingRobot carrying(const Robot& robot, const SphereModel* spheres, const Bodies* bodies,
                        const Semantics* semantics, const std::vector<AttachedBody>& attached) {
@@ -65,7 +63,7 @@ CarryingRobot carrying(const Robot& robot, const SphereModel* spheres, const Bod
   if (semantics)
     all.semantics.disabled = semantics->disabled;
   else
-    disable_joined(robot, all.semantics);
+    all.semantics = joined_pairs(robot);
   for (const AttachedBody& each : attached) {
     const auto number = static_cast<int>(all.robot.links.size());
     Joint joint;

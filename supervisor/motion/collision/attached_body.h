@@ -57,6 +57,8 @@ struct CarryingRobot {
   Bodies bodies;        // empty if none were given
   Semantics semantics;  // only its disabled pairs
 };
+// Links that are joined to each other.
+Semantics joined_pairs(const Robot& robot);
 // Without semantics links that are joined to each other are disabled. Requires check_attached.
 CarryingRobot carrying(const Robot& robot, const SphereModel* spheres, const Bodies* bodies,
                        const Semantics* semantics, const std::vector<AttachedBody>& attached);

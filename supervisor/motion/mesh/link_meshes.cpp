@@ -72,12 +72,21 @@ class BodyReader {
                          {}});
       return {nullptr, true};
     }
-    auto mesh =
-        file ? read_mesh(*file, shape.scale) : result::Result<TriangleMesh>(tl::unexpected(file.error()));
+    auto mesh = file ? read_mesh(*file, shape.scale) : missing(file.error(), shape, link);
     if (!mesh) wrong_.insert(wrong_.end(), mesh.error().begin(), mesh.error().end());
     const Known known{std::make_shared<const TriangleMesh>(mesh ? std::move(*mesh) : TriangleMesh{}), false};
     read_.emplace(key, known);
     return known;
+  }
+
+  // At the place where the robot's file names it.
+  static result::Result<TriangleMesh> missing(result::Diagnostics wrong, const Shape& shape,
+                                              const std::string& link) {
+    for (result::Diagnostic& each : wrong) {
+      each.message = "the mesh '" + shape.mesh + "' of link '" + link + "' is not found";
+      if (!shape.where.file.empty()) each.where = shape.where;
+    }
+    return tl::unexpected(std::move(wrong));
   }
 
   const MeshLocator& meshes_;

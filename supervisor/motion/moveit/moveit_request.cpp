@@ -1,5 +1,7 @@
 #include "supervisor/motion/moveit/moveit_request.h"
 
+#include <algorithm>
+
 #include "runtime/ground/result/closest.h"
 #include "supervisor/motion/moveit/internal/yaml_reader.h"
 
@@ -15,10 +17,16 @@ class RequestReader {
     const bool sound = reader_.read(text, [&](const YAML::Node& root) {
       request_.group = reader_.text(root, "group_name");
       read_start(reader_.member(root, "start_state", false));
+      refuse_constraints(reader_.member(root, "path_constraints", false), "path_constraints");
+      const YAML::Node trajectory = reader_.member(root, "trajectory_constraints", false);
+      refuse_some(reader_.member(trajectory, "constraints", false), "trajectory_constraints");
       const YAML::Node all = reader_.member(root, "goal_constraints", true);
       const auto goals = reader_.items(all, "goal_constraints");
       if (goals.empty() && !all.IsNull())
         reader_.complain(code::kBadSceneMember, all, "'goal_constraints' has no goal");
+      if (goals.size() > 1)
+        reader_.complain(code::kNotRead, goals[1], "'goal_constraints' has more than one goal",
+                         "one of them is read: a request for each");
       if (!goals.empty()) read_goal(goals.front());
     });
     if (!sound) return tl::unexpected(reader_.take());
@@ -26,25 +34,35 @@ class RequestReader {
   }
 
  private:
+  void refuse_some(const YAML::Node& list, const char* name) {
+    if (!list.IsNull() && list.size() > 0)
+      reader_.complain(code::kNotRead, list, std::string("'") + name + "' are not read");
+  }
+
+  void refuse_constraints(const YAML::Node& given, const char* of) {
+    for (const char* each :
+         {"joint_constraints", "position_constraints", "orientation_constraints", "visibility_constraints"})
+      refuse_some(reader_.member(given, each, false), of);
+  }
+
   void add(std::vector<JointValue>& to, const YAML::Node& name, const YAML::Node& value) {
     const auto number = reader_.number(value, "position");
     if (!name.IsScalar())
       reader_.complain(code::kBadSceneMember, name, "the name of a joint is no text");
+    else if (std::ranges::find(to, name.Scalar(), &JointValue::joint) != to.end())
+      reader_.complain(code::kBadSceneMember, name, "the joint '" + name.Scalar() + "' is there twice");
     else if (number)
       to.push_back({name.Scalar(), *number, reader_.place(name)});
   }
 
   void read_start(const YAML::Node& state) {
     if (state.IsNull()) return;
+    const YAML::Node hanging = reader_.member(state, "attached_collision_objects", false);
+    if (!hanging.IsNull() && hanging.size() > 0)
+      reader_.complain(code::kNotRead, hanging, "'attached_collision_objects' of the start are not read",
+                       "those of the scene's 'robot_state' are");
     const YAML::Node joints = reader_.member(state, "joint_state", true);
-    if (joints.IsNull()) return;
-    const auto names = reader_.items(reader_.member(joints, "name", true), "name");
-    const auto values = reader_.items(reader_.member(joints, "position", true), "position");
-    if (names.size() != values.size()) {
-      reader_.complain(code::kBadSceneMember, joints, "the start has not one position for each joint");
-      return;
-    }
-    for (std::size_t k = 0; k < names.size(); ++k) add(request_.start, names[k], values[k]);
+    for (const auto& [name, value] : reader_.joint_state(joints)) add(request_.start, name, value);
   }
 
   void read_goal(const YAML::Node& goal) {

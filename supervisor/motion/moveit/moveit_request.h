@@ -6,22 +6,18 @@
 //   const auto request = read_moveit_request(text, "request0001.yaml");
 //   const auto start = values_for(robot, request->start, std::vector<double>(robot.coordinates.size()));
 //
-// Functions without state; any thread. Goals as values of joints are read; goals as poses are refused.
+// Functions without state; any thread. One goal, as values of joints, is read; goals as poses, several goals,
+// constraints of the path and objects that hang on the robot at first are refused, since a path that does
+// without them would be another one.
 
 #include "supervisor/motion/moveit/moveit_scene.h"
 
 namespace stepwright::motion {
 
-struct JointValue {
-  std::string joint;
-  double value = 0.0;
-  result::Location where;
-};
-
 struct MoveItRequest {
   std::string group;
   std::vector<JointValue> start;
-  std::vector<JointValue> goal;  // of the first goal
+  std::vector<JointValue> goal;
 };
 
 // Fails with A0401 to A0403.

@@ -1,15 +1,20 @@
 #include "supervisor/motion/moveit/moveit_scene.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <utility>
 
 #include "runtime/ground/result/closest.h"
+#include "supervisor/motion/kinematics/link_frames.h"
 #include "supervisor/motion/moveit/internal/yaml_mesh.h"
 #include "supervisor/motion/moveit/internal/yaml_reader.h"
 
 namespace stepwright::motion {
 
 namespace {
+
+constexpr const char* kWorldFrame = "world";  // what MoveIt calls the frame of a robot that stands still
+constexpr double kFarthestObstacle_m = 50.0;
 
 class SceneReader {
  public:
@@ -18,6 +23,9 @@ class SceneReader {
   result::Result<MoveItScene> read(std::string_view text) {
     const bool sound = reader_.read(text, [&](const YAML::Node& root) {
       const YAML::Node world = reader_.member(root, "world", true);
+      read_frames(reader_.member(root, "fixed_frame_transforms", false));
+      refuse_sizes(reader_.member(root, "link_padding", false), "link_padding", "padding", 0.0);
+      refuse_sizes(reader_.member(root, "link_scale", false), "link_scale", "scale", 1.0);
       if (!world.IsNull()) read_world(world);
       read_state(reader_.member(root, "robot_state", false));
       read_matrix(reader_.member(root, "allowed_collision_matrix", false));
@@ -35,11 +43,59 @@ class SceneReader {
   }
 
   void read_world(const YAML::Node& world) {
-    if (has_some(reader_.member(world, "octomap", false), "data"))
-      reader_.complain(code::kNotRead, world, "the world has an octomap, which is not read");
+    // An octomap with its pose, or the map alone.
+    const YAML::Node octomap = reader_.member(world, "octomap", false);
+    if (has_some(octomap, "data") || has_some(reader_.member(octomap, "octomap", false), "data"))
+      reader_.complain(code::kNotRead, octomap, "the world has an octomap, which is not read");
     for (const YAML::Node& object :
-         reader_.items(reader_.member(world, "collision_objects", false), "collision_objects"))
+         reader_.items(reader_.member(world, "collision_objects", false), "collision_objects")) {
+      const std::size_t first = scene_.world.obstacles.size();
       read_object(object, scene_.world.obstacles);
+      scene_.places.resize(scene_.world.obstacles.size(), reader_.place(object));
+      const YAML::Node frame = frame_of(object);
+      if (frame.IsNull() || frame.Scalar().empty()) continue;
+      scene_.framed.push_back(
+          {first, scene_.world.obstacles.size() - first, frame.Scalar(), reader_.place(frame)});
+    }
+  }
+
+  // Null, or the name of a frame.
+  YAML::Node frame_of(const YAML::Node& object) {
+    const YAML::Node frame = reader_.member(reader_.member(object, "header", false), "frame_id", false);
+    if (frame.IsNull() || frame.IsScalar()) return frame;
+    reader_.complain(code::kBadSceneMember, frame, "'frame_id' is no text");
+    return {};
+  }
+
+  void read_frames(const YAML::Node& list) {
+    for (const YAML::Node& each : reader_.items(list, "fixed_frame_transforms")) {
+      const Transform place =
+          reader_.pose(reader_.member(each, "transform", false), "translation", "rotation");
+      scene_.frames.emplace_back(reader_.text(each, "child_frame_id"), place);
+    }
+  }
+
+  // Links that are to be larger than they are.
+  void refuse_sizes(const YAML::Node& list, const char* name, const char* what, double none) {
+    for (const YAML::Node& each : reader_.items(list, name)) {
+      const auto value = reader_.number(reader_.member(each, what, true), what);
+      if (value && *value != none)
+        reader_.complain(code::kNotRead, each, std::string("'") + name + "' is not read");
+    }
+  }
+
+  void refuse_far(const std::string& id, const YAML::Node& at, const Obstacle& obstacle) {
+    const Shape& shape = obstacle.shape;
+    double far_m = length(shape.origin.position_m);
+    for (const double each : {shape.size_m.x, shape.size_m.y, shape.size_m.z, shape.radius_m, shape.length_m})
+      far_m = std::max(far_m, each);
+    if (obstacle.mesh)
+      for (const Vector3& each : obstacle.mesh->points) far_m = std::max(far_m, length(each));
+    if (far_m <= kFarthestObstacle_m) return;
+    char text[48];
+    std::snprintf(text, sizeof text, " has a length or place of %.6g m", far_m);
+    reader_.complain(code::kSceneUnits, at, "'" + id + "'" + text + ", beyond 50 m",
+                     "millimetres were taken for metres? lengths are in metres");
   }
 
   void read_object(const YAML::Node& object, std::vector<Obstacle>& into) {
@@ -86,8 +142,9 @@ class SceneReader {
     }
     auto found = internal::read_yaml_mesh(reader_, given, id, meshes_);
     if (!found.wrong.empty()) of_files_.insert(of_files_.end(), found.wrong.begin(), found.wrong.end());
-    if (!found.mesh.triangles.empty())
-      into.push_back(mesh(id, place, std::make_shared<const TriangleMesh>(std::move(found.mesh))));
+    if (found.mesh.triangles.empty()) return;
+    into.push_back(mesh(id, place, std::make_shared<const TriangleMesh>(std::move(found.mesh))));
+    refuse_far(id, given, into.back());
   }
 
   void read_solid(const std::string& id, const YAML::Node& solid, const Transform& place,
@@ -113,10 +170,15 @@ class SceneReader {
     into.push_back(is_box        ? box(id, place, {sizes[0], sizes[1], sizes[2]})
                    : is_cylinder ? cylinder(id, place, sizes[1], sizes[0])  // height, radius
                                  : sphere(id, place.position_m, sizes[0]));
+    refuse_far(id, given, into.back());
   }
 
   void read_state(const YAML::Node& state) {
     if (state.IsNull()) return;
+    for (const auto& [joint, value] : reader_.joint_state(reader_.member(state, "joint_state", false))) {
+      const auto number = reader_.number(value, "position");
+      if (joint.IsScalar() && number) scene_.state.push_back({joint.Scalar(), *number, reader_.place(joint)});
+    }
     const char* const name = "attached_collision_objects";
     for (const YAML::Node& each : reader_.items(reader_.member(state, name, false), name)) {
       MoveItScene::Hanging hanging;
@@ -125,6 +187,10 @@ class SceneReader {
       const YAML::Node object = reader_.member(each, "object", true);
       if (object.IsNull()) continue;
       read_object(object, hanging.solids);
+      const YAML::Node frame = frame_of(object);
+      if (!frame.IsNull() && !frame.Scalar().empty() && frame.Scalar() != hanging.link)
+        reader_.complain(code::kNotRead, frame, "what hangs on a link is placed in another frame than its",
+                         "frame_id: " + hanging.link);
       for (const YAML::Node& link : reader_.items(reader_.member(each, "touch_links", false), "touch_links"))
         hanging.touching.push_back(link.IsScalar() ? link.Scalar() : "");
       if (hanging.solids.empty())
@@ -135,6 +201,13 @@ class SceneReader {
 
   void read_matrix(const YAML::Node& matrix) {
     if (matrix.IsNull()) return;
+    const auto defaults =
+        reader_.items(reader_.member(matrix, "default_entry_names", false), "default_entry_names");
+    const auto values =
+        reader_.items(reader_.member(matrix, "default_entry_values", false), "default_entry_values");
+    for (std::size_t k = 0; k < std::min(defaults.size(), values.size()); ++k)
+      if (defaults[k].IsScalar() && is_true(values[k]))
+        scene_.allowed_with_all.push_back(defaults[k].Scalar());
     std::vector<std::string> names;
     for (const YAML::Node& each : reader_.items(reader_.member(matrix, "entry_names", false), "entry_names"))
       names.push_back(each.IsScalar() ? each.Scalar() : "");
@@ -146,13 +219,15 @@ class SceneReader {
     for (std::size_t a = 0; a < rows.size(); ++a) {
       // MoveIt writes a row as a list, or as {enabled: [...]}.
       const YAML::Node list = rows[a].IsMap() ? reader_.member(rows[a], "enabled", true) : rows[a];
-      const auto values = reader_.items(list, "entry_values");
-      for (std::size_t b = 0; b < std::min(values.size(), a); ++b) {
-        bool allowed = false;
-        if (values[b].IsScalar() && YAML::convert<bool>::decode(values[b], allowed) && allowed)
-          scene_.allowed.emplace_back(names[b], names[a]);
-      }
+      const auto row = reader_.items(list, "entry_values");
+      for (std::size_t b = 0; b < std::min(row.size(), a); ++b)
+        if (is_true(row[b])) scene_.allowed.emplace_back(names[b], names[a]);
     }
+  }
+
+  static bool is_true(const YAML::Node& value) {
+    bool is = false;
+    return value.IsScalar() && YAML::convert<bool>::decode(value, is) && is;
   }
 
   internal::YamlReader reader_;
@@ -193,7 +268,37 @@ result::Result<std::vector<AttachedBody>> attached_to(const Robot& robot, const 
   return all;
 }
 
+result::Result<void> place_framed(const Robot& robot, std::span<const double> values, MoveItScene& scene) {
+  std::vector<Transform> links(robot.links.size());
+  LinkFrames(robot).place(values, links);
+  for (const MoveItScene::Framed& each : scene.framed) {
+    const auto given = std::ranges::find(scene.frames, each.frame, &std::pair<std::string, Transform>::first);
+    const int link = robot.link(each.frame);
+    if (link < 0 && given == scene.frames.end()) {
+      if (each.frame == kWorldFrame) continue;
+      std::vector<std::string> names;
+      for (const Link& known : robot.links) names.push_back(known.name);
+      const std::string* meant = result::closest(each.frame, names, 2);
+      return result::fail(
+          code::kNotOfRobot, each.where, "there is no frame '" + each.frame + "'",
+          meant ? "did you mean '" + *meant + "'?" : "a link, 'world', or one of 'fixed_frame_transforms'");
+    }
+    const Transform& frame = link >= 0 ? links[static_cast<std::size_t>(link)] : given->second;
+    for (std::size_t k = each.first; k < each.first + each.count; ++k) {
+      Transform& origin = scene.world.obstacles[k].shape.origin;
+      origin = frame * origin;
+    }
+  }
+  return {};
+}
+
 void allow_pairs(const Robot& robot, MoveItScene& scene, Semantics& semantics) {
+  for (const std::string& one : scene.allowed_with_all) {
+    for (const Link& each : robot.links)
+      if (each.name != one) scene.allowed.emplace_back(one, each.name);
+    if (robot.link(one) < 0) continue;
+    for (const Obstacle& each : scene.world.obstacles) scene.allowed.emplace_back(one, each.name);
+  }
   for (const auto& [a, b] : scene.allowed) {
     const int first = robot.link(a), second = robot.link(b);
     if (first >= 0 && second >= 0)

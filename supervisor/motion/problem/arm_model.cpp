@@ -1,6 +1,7 @@
 #include "supervisor/motion/problem/arm_model.h"
 
 #include "runtime/ground/process/files.h"
+#include "supervisor/motion/robot/codes.h"
 #include "supervisor/motion/robot/srdf_reader.h"
 #include "supervisor/motion/robot/urdf_reader.h"
 
@@ -12,6 +13,16 @@ result::Result<Robot> load_urdf(const std::filesystem::path& file) {
   const auto text = process::read_file(file.string());
   if (!text) return tl::unexpected(text.error());
   return read_urdf(*text, file.string());
+}
+
+bool has_moving_bodies(const ArmModel& model) {
+  std::vector<bool> moves(model.robot.links.size(), false);
+  for (std::size_t link = 1; link < moves.size(); ++link) {
+    const auto parent = static_cast<std::size_t>(model.robot.parent_link(static_cast<int>(link)));
+    moves[link] = moves[parent] || model.robot.joints[link - 1].kind != JointKind::Fixed;
+    if (moves[link] && !model.bodies[link].empty()) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -41,6 +52,12 @@ result::Result<ArmModel> load_arm(const ArmFiles& files) {
     if (!bodies) return result::forward(bodies);
     model.bodies = std::move(*bodies);
   }
+  if (!has_moving_bodies(model))
+    model.notes.push_back({code::kNoBodies,
+                           result::Severity::Warning,
+                           {files.urdf.string()},
+                           "no link that moves has a body: nothing can be met",
+                           "<collision> of its links, or --instead"});
   model.spheres = cover(model.bodies, files.cover);
   return model;
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <initializer_list>
+#include <numbers>
 #include <utility>
 
 #include "runtime/ground/process/files.h"
@@ -14,8 +16,9 @@ namespace stepwright::motion {
 
 namespace {
 
+// The scene is left in the state of its file: the request says what is other at the start.
 result::Result<void> load_moveit(const ArmModel& model, const std::filesystem::path& file,
-                                 ArmProblem& problem) {
+                                 ArmProblem& problem, MoveItScene& read) {
   const auto text = process::read_file(file.string(), kMostYamlBytes + 1);
   if (!text) return tl::unexpected(text.error());
   auto scene = read_moveit_scene(*text, file.string(), &model.meshes);
@@ -23,17 +26,53 @@ result::Result<void> load_moveit(const ArmModel& model, const std::filesystem::p
   auto attached = attached_to(model.robot, *scene);
   if (!attached) return result::forward(attached);
   problem.attached = std::move(*attached);
-  if (problem.semantics) allow_pairs(model.robot, *scene, *problem.semantics);
-  problem.world = std::move(scene->world);
-  constexpr double kDeeper_m = 0.05;  // boards of furniture are drawn through each other
-  constexpr std::size_t kMostTold = 3;
-  problem.notes = overlaps(problem.world, file.string(), kDeeper_m, kMostTold);
+  auto rest = values_for(model.robot, scene->state, std::move(problem.rest));
+  if (!rest) return result::forward(rest);
+  problem.rest = std::move(*rest);
+  read = std::move(*scene);
   return {};
 }
 
-result::Result<void> load_toml(const std::filesystem::path& file, ArmProblem& problem) {
+// Frames of links are where they are at the start.
+result::Result<void> place_moveit(const ArmModel& model, MoveItScene& scene, ArmProblem& problem) {
+  if (auto placed = place_framed(model.robot, problem.rest, scene); !placed) return placed;
+  if (!problem.semantics && !(scene.allowed.empty() && scene.allowed_with_all.empty()))
+    problem.semantics = joined_pairs(model.robot);
+  if (problem.semantics) allow_pairs(model.robot, scene, *problem.semantics);
+  problem.world = std::move(scene.world);
+  constexpr double kDeeper_m = 0.05;  // boards of furniture are drawn through each other
+  constexpr std::size_t kMostTold = 3;
+  problem.notes = overlaps(problem.world, scene.places, kDeeper_m, kMostTold);
+  return {};
+}
+
+// A link or thing that an allowed pair of a scene of ours names and nobody has.
+result::Result<void> check_allowed(const ArmModel& model, const SceneFile& scene) {
+  std::vector<std::string> links, things;
+  for (const Link& each : model.robot.links) links.push_back(each.name);
+  for (const Obstacle& each : scene.world.obstacles) things.push_back(each.name);
+  result::Diagnostics wrong;
+  for (std::size_t k = 0; k < scene.world.allowed.size(); ++k) {
+    const auto& [link, thing] = scene.world.allowed[k];
+    const auto check = [&](const std::string& name, const std::vector<std::string>& known, const char* what) {
+      if (std::ranges::find(known, name) != known.end()) return;
+      const std::string* meant = result::closest(name, known, 2);
+      wrong.push_back({code::kNotOfRobot, result::Severity::Error, scene.allowed_at[k],
+                       std::string("there is no ") + what + " '" + name + "'",
+                       meant ? "did you mean '" + *meant + "'?" : ""});
+    };
+    check(link, links, "link");
+    check(thing, things, "thing");
+  }
+  if (!wrong.empty()) return tl::unexpected(std::move(wrong));
+  return {};
+}
+
+result::Result<void> load_toml(const ArmModel& model, const std::filesystem::path& file,
+                               ArmProblem& problem) {
   auto scene = load_scene(file);
   if (!scene) return result::forward(scene);
+  if (auto known = check_allowed(model, *scene); !known) return known;
   problem.world = std::move(scene->world);
   problem.notes = std::move(scene->warnings);
   return {};
@@ -61,6 +100,32 @@ result::Result<std::vector<int>> coordinates_of(const ArmModel& model, const Mov
   return named;
 }
 
+// Joints of the group whose start is nowhere said.
+void tell_unsaid(const ArmModel& model, const std::vector<int>& coordinates,
+                 std::initializer_list<const std::vector<JointValue>*> states, const std::string& file,
+                 result::Diagnostics& notes) {
+  std::string names;
+  for (const int each : coordinates) {
+    const std::string& name = model.robot.coordinates[static_cast<std::size_t>(each)].name;
+    const bool said = std::ranges::any_of(states, [&](const std::vector<JointValue>* state) {
+      return std::ranges::find(*state, name, &JointValue::joint) != state->end();
+    });
+    if (!said) names += (names.empty() ? "'" : ", '") + name + "'";
+  }
+  if (!names.empty())
+    notes.push_back({code::kNotSaid,
+                     result::Severity::Warning,
+                     {file},
+                     "nothing says where " + names + " is at the start: 0 is taken",
+                     "'start_state', or 'robot_state' of the scene"});
+}
+
+// A joint without ends goes the short way round.
+double turned_near(double value, double from, const Coordinate& limits) {
+  if (std::isfinite(limits.lower) || std::isfinite(limits.upper)) return value;
+  return from + std::remainder(value - from, 2.0 * std::numbers::pi);
+}
+
 // Limits to which values that are rounded beyond them are brought.
 double brought(double value, const Coordinate& limits, double rounded) {
   if (value < limits.lower && value >= limits.lower - rounded) return limits.lower;
@@ -74,8 +139,10 @@ result::Result<ArmProblem> load_problem(const ArmModel& model, const std::filesy
                                         const std::filesystem::path& request, double rounded) {
   ArmProblem problem;
   problem.semantics = model.semantics;
-  if (auto read =
-          scene.extension() == ".toml" ? load_toml(scene, problem) : load_moveit(model, scene, problem);
+  problem.rest.assign(model.robot.coordinates.size(), 0.0);
+  const bool ours = scene.extension() == ".toml";
+  MoveItScene of_moveit;
+  if (auto read = ours ? load_toml(model, scene, problem) : load_moveit(model, scene, problem, of_moveit);
       !read)
     return result::forward(read);
   const auto text = process::read_file(request.string(), kMostYamlBytes + 1);
@@ -84,18 +151,21 @@ result::Result<ArmProblem> load_problem(const ArmModel& model, const std::filesy
   if (!asked) return result::forward(asked);
   auto coordinates = coordinates_of(model, *asked, request.string());
   if (!coordinates) return result::forward(coordinates);
-  auto rest = values_for(model.robot, asked->start, std::vector<double>(model.robot.coordinates.size()));
+  auto rest = values_for(model.robot, asked->start, problem.rest);
   if (!rest) return result::forward(rest);
   const auto end = values_for(model.robot, asked->goal, *rest);
   if (!end) return tl::unexpected(end.error());
+  problem.rest = std::move(*rest);
+  if (!ours)
+    if (auto placed = place_moveit(model, of_moveit, problem); !placed) return result::forward(placed);
+  tell_unsaid(model, *coordinates, {&of_moveit.state, &asked->start}, request.string(), problem.notes);
   problem.group = asked->group;
   problem.coordinates = std::move(*coordinates);
-  problem.rest = std::move(*rest);
   for (const int each : problem.coordinates) {
     const auto k = static_cast<std::size_t>(each);
     const Coordinate& limits = model.robot.coordinates[k];
     problem.from.push_back(brought(problem.rest[k], limits, rounded));
-    problem.to.push_back(brought((*end)[k], limits, rounded));
+    problem.to.push_back(brought(turned_near((*end)[k], problem.rest[k], limits), limits, rounded));
   }
   return problem;
 }

@@ -34,8 +34,9 @@ struct ArmProblem {
 
 // The scene is a TOML of ours (scene_file.h) by its ending, else one of MoveIt; the request is one of MoveIt.
 // Without SRDF the group has the joints that the goal names. Joints that the goal does not name keep their
-// value. Ends within `rounded` of a limit are brought to it, as requests have few digits. Fails with what the
-// files fail with, and A0404 for a group that is not there.
+// value; a joint without ends is brought to its goal the short way round. Ends within `rounded` of a limit
+// are brought to it, as requests have few digits. Fails with what the files fail with, and A0404 for a group
+// that is not there.
 [[nodiscard]] result::Result<ArmProblem> load_problem(const ArmModel& model,
                                                       const std::filesystem::path& scene,
                                                       const std::filesystem::path& request,

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "supervisor/motion/ompl/ompl_planner.h"
@@ -21,11 +23,13 @@ double since_ms(Clock::time_point begin) {
 class ArmPlanner {
  public:
   ArmPlanner(const FreeSpace& fast, const FreeSpace& careful, const ExactChecker& exact,
-             const JointSpace& space, const ArmProblem& problem, const ArmOptions& options)
+             const JointSpace& space, std::vector<Configuration> goals, const ArmProblem& problem,
+             const ArmOptions& options)
       : fast_(fast),
         careful_(careful),
         exact_(exact),
         space_(space),
+        goals_(std::move(goals)),
         problem_(problem),
         options_(options),
         until_(Clock::now() + std::chrono::duration_cast<Clock::duration>(
@@ -60,7 +64,7 @@ class ArmPlanner {
   }
 
   void by_ours(ArmAnswer& answer, std::uint64_t round) {
-    const CertainPath found = plan_certain_path(fast_, exact_, space_, problem_.from, {problem_.to},
+    const CertainPath found = plan_certain_path(fast_, exact_, space_, problem_.from, goals_,
                                                 {.seed = options_.seed + 1000 * round, .step = options_.step},
                                                 {.careful = &careful_});
     answer.rounds += found.rounds;
@@ -81,7 +85,7 @@ class ArmPlanner {
     const double left_s = std::chrono::duration<double>(until_ - Clock::now()).count();
     const double step = options_.step / static_cast<double>(1ULL << std::min<std::uint64_t>(round, 6));
     auto found =
-        plan_by_ompl(options_.planner, free, space_, problem_.from, {problem_.to},
+        plan_by_ompl(options_.planner, free, space_, problem_.from, goals_,
                      {.seed = options_.seed + round, .seconds = std::max(left_s, 1e-3), .step = step});
     if (!found) return result::forward(found);
     ++answer.rounds;
@@ -102,11 +106,34 @@ class ArmPlanner {
   const FreeSpace& careful_;
   const ExactChecker& exact_;
   const JointSpace& space_;
+  std::vector<Configuration> goals_;
   const ArmProblem& problem_;
   const ArmOptions& options_;
   Clock::time_point until_;
   std::optional<MotionVerdict> refused_;
 };
+
+struct Ways {
+  JointSpace space;
+  std::vector<Configuration> goals;  // the nearest first
+};
+
+// A joint without ends may go either way round, from wherever it is.
+Ways ways_of(const Robot& robot, const ArmProblem& problem) {
+  constexpr double kTurn = 2.0 * std::numbers::pi;
+  constexpr std::size_t kMostGoals = 8;
+  Ways ways{joint_space(robot, problem.coordinates), {problem.to}};
+  for (std::size_t k = 0; k < problem.coordinates.size(); ++k) {
+    if (!std::isinf(robot.coordinates[static_cast<std::size_t>(problem.coordinates[k])].upper)) continue;
+    ways.space.lower[k] = problem.from[k] - kTurn;
+    ways.space.upper[k] = problem.from[k] + kTurn;
+    for (std::size_t g = 0, count = ways.goals.size(); g < count && ways.goals.size() < kMostGoals; ++g) {
+      ways.goals.push_back(ways.goals[g]);
+      ways.goals.back()[k] -= std::copysign(kTurn, problem.to[k] - problem.from[k]);
+    }
+  }
+  return ways;
+}
 
 std::string name_pair(const Robot& robot, std::pair<int, int> pair) {
   return "'" + robot.links[static_cast<std::size_t>(pair.first)].name + "' and '" +
@@ -148,9 +175,9 @@ result::Result<ArmAnswer> plan_arm(const ArmModel& model, const ArmProblem& prob
                             : " is beyond a limit: " + beyond);
     return answer;
   }
-  const JointSpace space = joint_space(model.robot, problem.coordinates);
+  const Ways ways = ways_of(model.robot, problem);
   const FreeSpace fast = checkers->fast(), careful = checkers->careful();
-  return ArmPlanner(fast, careful, *exact, space, problem, options).plan(std::move(answer));
+  return ArmPlanner(fast, careful, *exact, ways.space, ways.goals, problem, options).plan(std::move(answer));
 }
 
 }  // namespace stepwright::motion

@@ -17,5 +17,6 @@ inline constexpr const char* kNoMesh = "A0110";     // the file of a mesh is not
 inline constexpr const char* kNoChain = "A0111";    // the ends of a chain are not one below the other
 inline constexpr const char* kInstead = "A0112";    // other bodies stand for a mesh that is not found
 inline constexpr const char* kNoSpheres = "A0113";  // links that spheres cannot judge, or that always meet
+inline constexpr const char* kNoBodies = "A0114";   // no link that moves has a body
 
 }  // namespace stepwright::motion::code

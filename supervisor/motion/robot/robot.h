@@ -17,6 +17,7 @@
 #include <string_view>
 #include <vector>
 
+#include "runtime/ground/result/result.h"
 #include "supervisor/motion/spatial/transform.h"
 
 namespace stepwright::motion {
@@ -41,12 +42,13 @@ enum class ShapeKind : std::uint8_t { Box, Cylinder, Sphere, Mesh };
 // z.
 struct Shape {
   ShapeKind kind = ShapeKind::Box;
-  Transform origin;        // in the link's frame
-  Vector3 size_m;          // box: its full sides
-  double radius_m = 0.0;   // cylinder, sphere
-  double length_m = 0.0;   // cylinder
-  std::string mesh;        // as URDF names the file: "package://..." or relative to the URDF's folder
-  Vector3 scale{1, 1, 1};  // mesh
+  Transform origin;          // in the link's frame
+  Vector3 size_m;            // box: its full sides
+  double radius_m = 0.0;     // cylinder, sphere
+  double length_m = 0.0;     // cylinder
+  std::string mesh;          // as URDF names the file: "package://..." or relative to the URDF's folder
+  Vector3 scale{1, 1, 1};    // mesh
+  result::Location where{};  // of a mesh of a robot's link: in its file
 };
 
 struct Link {

@@ -90,6 +90,7 @@ class UrdfReader {
     } else if (kind == "mesh") {
       shape.kind = ShapeKind::Mesh;
       shape.mesh = reader_.text(body, "filename");
+      shape.where = reader_.document().at(body, "filename");
       shape.scale = reader_.vector(body, "scale", Vector3{1, 1, 1});
       if (shape.scale.x == 0.0 || shape.scale.y == 0.0 || shape.scale.z == 0.0)
         reader_.complain(code::kOutOfRange, reader_.document().at(body, "scale"), "a mesh of no size");

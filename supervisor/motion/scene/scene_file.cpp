@@ -25,14 +25,16 @@ class SceneTables {
 
   const result::Diagnostics& wrong() const { return wrong_; }  // of files that this one names
 
-  World read() {
+  SceneFile read() {
     for (const TomlTable& table : root_.tables("box")) read_box(table);
     for (const TomlTable& table : root_.tables("cylinder")) read_cylinder(table);
     for (const TomlTable& table : root_.tables("sphere")) read_sphere(table);
     for (const TomlTable& table : root_.tables("mesh")) read_mesh_file(table);
-    for (const TomlTable& table : root_.tables("allowed"))
+    for (const TomlTable& table : root_.tables("allowed")) {
       world_.allowed.emplace_back(table.required_text("link"), table.required_text("thing"));
-    return std::move(world_);
+      allowed_at_.push_back(table.where());
+    }
+    return {std::move(world_), std::move(places_), std::move(allowed_at_), {}};
   }
 
  private:
@@ -47,6 +49,7 @@ class SceneTables {
           table.report("name", "'" + obstacle.name + "' stands there twice",
                        "parts of one thing may share its name, but not their place", scene_code::kTwice);
       world_.obstacles.push_back(std::move(obstacle));
+      places_.push_back(table.where());
     }
   }
 
@@ -96,6 +99,7 @@ class SceneTables {
     if (table.has("turn_deg") && table.has("quaternion")) {
       table.report("quaternion", "a turn is said twice", "turn_deg or quaternion", scene_code::kNoTurn);
       (void)table.numbers("turn_deg");
+      (void)table.numbers("quaternion");
       return {};
     }
     if (table.has("quaternion")) {
@@ -153,6 +157,7 @@ class SceneTables {
     if (!triangles) {
       for (result::Diagnostic each : triangles.error()) {
         each.where = table.where("file");
+        each.message = "'" + file + "': " + each.message;
         wrong_.push_back(std::move(each));
       }
       return;
@@ -175,20 +180,19 @@ class SceneTables {
   const TomlTable& root_;
   const std::filesystem::path& folder_;
   World world_;
+  std::vector<result::Location> places_, allowed_at_;
   result::Diagnostics wrong_;
 };
 
-result::Result<SceneFile> read_document(TomlDocument& document, const std::string& name,
-                                        const std::filesystem::path& folder) {
+result::Result<SceneFile> read_document(TomlDocument& document, const std::filesystem::path& folder) {
   const TomlTable root = document.root();
   SceneTables tables(root, folder);
-  SceneFile scene;
-  scene.world = tables.read();
+  SceneFile scene = tables.read();
   result::Diagnostics problems = document.finish();
   problems.insert(problems.end(), tables.wrong().begin(), tables.wrong().end());
   if (result::has_errors(problems)) return tl::unexpected(std::move(problems));
   scene.warnings = std::move(problems);
-  const result::Diagnostics both = overlaps(scene.world, name);
+  const result::Diagnostics both = overlaps(scene.world, scene.places);
   scene.warnings.insert(scene.warnings.end(), both.begin(), both.end());
   return scene;
 }
@@ -198,18 +202,18 @@ result::Result<SceneFile> read_document(TomlDocument& document, const std::strin
 result::Result<SceneFile> load_scene(const std::filesystem::path& file) {
   auto document = TomlDocument::load(file, "A");
   if (!document) return result::forward(document);
-  return read_document(**document, file.string(), file.parent_path());
+  return read_document(**document, file.parent_path());
 }
 
 result::Result<SceneFile> read_scene(std::string_view text, std::string name,
                                      const std::filesystem::path& folder) {
   auto document = TomlDocument::parse(text, name, "A");
   if (!document) return result::forward(document);
-  return read_document(**document, name, folder);
+  return read_document(**document, folder);
 }
 
-result::Diagnostics overlaps(const World& world, const std::string& file, double deeper_than_m,
-                             std::size_t most) {
+result::Diagnostics overlaps(const World& world, const std::vector<result::Location>& places,
+                             double deeper_than_m, std::size_t most) {
   result::Diagnostics warnings;
   const auto pairs = overlapping(world, deeper_than_m);
   for (std::size_t k = 0; k < std::min(most, pairs.size()); ++k) {
@@ -217,14 +221,14 @@ result::Diagnostics overlaps(const World& world, const std::string& file, double
     warnings.push_back(
         {scene_code::kOverlap,
          result::Severity::Warning,
-         {file},
+         places[std::max(a, b)],
          "'" + world.obstacles[a].name + "' and '" + world.obstacles[b].name + "' stand in each other",
          {}});
   }
   if (pairs.size() > most)
     warnings.push_back({scene_code::kOverlap,
                         result::Severity::Warning,
-                        {file},
+                        {places.front().file},
                         "and " + std::to_string(pairs.size() - most) + " more pairs",
                         {}});
   return warnings;

@@ -29,7 +29,9 @@ inline constexpr std::size_t kMostThings = 4096;
 
 struct SceneFile {
   World world;
-  result::Diagnostics warnings;  // things that stand in each other, with both names
+  std::vector<result::Location> places;      // of each obstacle
+  std::vector<result::Location> allowed_at;  // of each allowed pair
+  result::Diagnostics warnings;              // things that stand in each other, with both names
 };
 
 // Fails with A0001 to A0006 (what is no TOML, unknown keys, wrong types, missing ones), A0601 to A0603, and
@@ -39,8 +41,9 @@ struct SceneFile {
                                                    const std::filesystem::path& folder);
 
 // A warning for each two obstacles of different names that are in each other by more than `deeper_than_m`:
-// things that stand on others touch them. At most `most` and one that counts the others.
-result::Diagnostics overlaps(const World& world, const std::string& file, double deeper_than_m = 1e-3,
-                             std::size_t most = 20);
+// things that stand on others touch them. At most `most` and one that counts the others. Requires the place
+// of each obstacle; a warning is at that of the later one.
+result::Diagnostics overlaps(const World& world, const std::vector<result::Location>& places,
+                             double deeper_than_m = 1e-3, std::size_t most = 20);
 
 }  // namespace stepwright::motion

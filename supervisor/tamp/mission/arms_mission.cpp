@@ -117,6 +117,10 @@ bool ArmsMission::recover_runtime() {
 
 // The camera has the last word.
 bool ArmsMission::finish() {
+  // A program that has ended has done all of its plan, also what nobody followed.
+  if (!driven_ && kind_ == Kind::Follow && reading_.stage == CellStage::Done)
+    for (run::ActionRecord& action : record_.episodes.back().actions)
+      if (action.state != run::ActionState::Failed) action.state = run::ActionState::Done;
   set_phase(Phase::Observing, driven_ && driven_->retreats ? "the camera looks at what the arm has met"
                                                            : "the camera looks whether it is done");
   return look_and_plan();

@@ -122,6 +122,7 @@ void ArmsMission::note_progress() {
       if (!last || progress < begins + 1.0) continue;
       action.state = ActionState::Done;
       action.finished_s = clock_.now_s();
+      record_.finished_s = *action.finished_s;
       action.actual_cost = action.planned_cost;
       changed_ = true;
       const scene::PlannedAction& done = driven_->plan.actions[steps[k].action];

@@ -137,7 +137,7 @@ void ArmsMission::launch_record() {
   episode.digest = digest_;
   episode.started_s = clock_.now_s();
   episode.origin = record_.episodes.empty() ? "planned" : "replanned";
-  if (record_.episodes.empty()) record_.started_s = episode.started_s;
+  if (record_.episodes.empty()) record_.started_s = record_.finished_s = episode.started_s;
   record_.episodes.push_back(std::move(episode));
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "supervisor/tamp/intervals/arm/srs_exact.h"
 #include "supervisor/tamp/intervals/arm/srs_reach.h"
 
 namespace stepwright::tamp::planner {
@@ -61,7 +62,9 @@ IntervalModel::IntervalModel(const scene::RobotCell& cell, double cell_m) : thin
       for (std::size_t k = 0; k < 3; ++k) moved[k] = {box[k].low_nm - at[k], box[k].high_nm - at[k]};
       return reach->arcs_over(moved);
     })));
-    cell_.arms.push_back({arm.name, reaches_.back().get()});
+    auto exact = upright ? SrsExact::make(arm.chain, at) : std::nullopt;
+    exacts_.push_back(exact ? std::make_unique<const SrsExact>(*std::move(exact)) : nullptr);
+    cell_.arms.push_back({arm.name, reaches_.back().get(), exacts_.back().get()});
   }
   for (std::size_t k = 0; k < things_; ++k) {
     const scene::Thing& thing = cell.things[k];

@@ -23,6 +23,7 @@ class IntervalModel {
 
  private:
   std::vector<std::unique_ptr<const ReachTable>> reaches_;
+  std::vector<std::unique_ptr<const ExactReach>> exacts_;
   WorkCell cell_;
   std::size_t things_ = 0;
   std::vector<bool> turns_;

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "supervisor/pddl/planner/solve.h"
-#include "supervisor/tamp/intervals/cause/cause.h"
 #include "supervisor/tamp/intervals/cause/conflict_set.h"
 #include "supervisor/tamp/intervals/network/network.h"
+#include "supervisor/tamp/planner/cause_of_refusal.h"
 #include "supervisor/tamp/planner/outcome_builder.h"
 #include "supervisor/tamp/predicates/grounding.h"
 
@@ -76,7 +76,12 @@ class SkeletonPlanning {
   void explain_why() {
     if (!obstacle_.empty()) outcome().reason = obstacle_;
     if (!obstacle_.empty() || first_refuted_.empty()) return;
-    if (const auto cause = explain(model_.cell(), first_refuted_)) outcome().reason = cause->sentence;
+    const auto solvable = [this](const scene::RobotCell& cell, const IntervalModel& of_cell,
+                                 const TampOptions& options) {
+      return plan(cell, task_, of_cell, options).kind == model::OutcomeKind::Solved;
+    };
+    if (auto cause = cause_of_refusal(cell_, model_, first_refuted_, options_, solvable))
+      outcome().reason = *std::move(cause);
   }
 
   // The parameter that names what is picked or placed; a hand that moves away handles nothing.

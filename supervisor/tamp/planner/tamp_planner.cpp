@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "supervisor/htn/search/search.h"
-#include "supervisor/tamp/intervals/cause/cause.h"
 #include "supervisor/tamp/literal/geometric_backtracking.h"
+#include "supervisor/tamp/planner/cause_of_refusal.h"
 #include "supervisor/tamp/planner/interval_guard.h"
 #include "supervisor/tamp/planner/outcome_builder.h"
 
@@ -19,7 +19,7 @@ class Planning {
  public:
   Planning(const scene::RobotCell& cell, const htn::PlanningTask& task, const IntervalModel* model,
            const TampOptions& options)
-      : task_(task), options_(options), grounding_(task, cell), builder_(cell, options, model) {
+      : cell_(cell), task_(task), options_(options), grounding_(task, cell), builder_(cell, options, model) {
     search_options_.until = options.until;
     search_options_.cancel = options.cancel;
   }
@@ -119,9 +119,15 @@ class Planning {
   void explain_why(const IntervalGuard& guard, const IntervalModel& model) {
     if (!obstacle_.empty()) outcome().reason = obstacle_;
     if (!obstacle_.empty() || guard.first_refuted().empty()) return;
-    if (const auto cause = explain(model.cell(), guard.first_refuted())) outcome().reason = cause->sentence;
+    const auto solvable = [this](const scene::RobotCell& cell, const IntervalModel& of_cell,
+                                 const TampOptions& options) {
+      return plan(cell, task_, &of_cell, options).kind == model::OutcomeKind::Solved;
+    };
+    if (auto cause = cause_of_refusal(cell_, model, guard.first_refuted(), options_, solvable))
+      outcome().reason = *std::move(cause);
   }
 
+  const scene::RobotCell& cell_;
   const htn::PlanningTask& task_;
   const TampOptions& options_;
   predicates::Grounding grounding_;

@@ -45,6 +45,9 @@ struct TampOptions {
   std::uint64_t most_path_motions = 500'000'000;  // that searches of paths check (motion/path/plan_path.h)
   std::uint64_t most_skeletons = 100'000;         // in PDDL: plans of actions that geometry judges
   std::uint64_t most_states = 1'000'000'000;      // in PDDL: of all the searches for them
+  // Ours, where there is no plan: cells in which one number is another one are planned for, so many at the
+  // most, so that what "would do" does. 0: only bounds are told.
+  std::size_t most_proposals = 0;
   // Ours: of a sequence, before it is given up for now and others are tried; then those that were given up,
   // with more each time, until something is used up.
   std::uint64_t first_failed = 5'000;

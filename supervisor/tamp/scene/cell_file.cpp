@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdio>
 #include <fstream>
 #include <numbers>
 #include <string_view>
@@ -10,6 +12,7 @@
 #include "runtime/ground/settings/toml_document.h"
 #include "supervisor/motion/robot/srdf_reader.h"
 #include "supervisor/motion/robot/urdf_reader.h"
+#include "supervisor/tamp/scene/starts.h"
 
 namespace stepwright::tamp::scene {
 
@@ -132,19 +135,22 @@ class CellReader {
 
   void check_overlaps() {
     const RobotCell& cell = file_.cell;
-    const auto say = [&](std::size_t thing, const std::string& other) {
-      auto overlap = result::fail("G0102", places_[thing],
-                                  "'" + cell.things[thing].name + "' overlaps with '" + other + "'",
+    for (const StartOverlap& each : overlaps_of(cell)) {
+      auto overlap = result::fail("G0102", places_[each.thing],
+                                  "'" + cell.things[each.thing].name + "' overlaps with '" + each.other + "'",
                                   "z_m is the height of its underside");
       wrong_.insert(wrong_.end(), overlap.value().begin(), overlap.value().end());
-    };
+    }
+    constexpr double kStands_m = 1e-3;
     for (std::size_t k = 0; k < cell.things.size(); ++k) {
-      const Upright body = standing(cell.things[k].form, cell.things[k].start);
-      for (const Furniture& each : cell.furniture)
-        if (meet(body, standing(each.form, each.pose), 0.0)) say(k, each.name);
-      for (std::size_t other = 0; other < k; ++other)
-        if (meet(body, standing(cell.things[other].form, cell.things[other].start), 0.0))
-          say(k, cell.things[other].name);
+      const double above_m = above_ground_m(cell, k);
+      if (above_m <= kStands_m) continue;
+      char text[96];
+      std::snprintf(text, sizeof text, " hangs %.1f mm above what is below it", 1e3 * above_m);
+      file_.warnings.push_back(
+          {"G0106", result::Severity::Warning, places_[k],
+           "'" + cell.things[k].name + "'" + (std::isfinite(above_m) ? text : " stands on nothing"),
+           "z_m is the height of its underside"});
     }
   }
 

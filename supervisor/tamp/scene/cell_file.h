@@ -19,6 +19,7 @@ namespace stepwright::tamp::scene {
 struct CellFile {
   RobotCell cell;
   std::filesystem::path domain, problem;  // HDDL
+  result::Diagnostics warnings;           // G0106: a thing that hangs in the air
 };
 
 // G0001 to G0006: the file itself (no TOML, unknown key, wrong type, out of range, missing, rejected); G0101:

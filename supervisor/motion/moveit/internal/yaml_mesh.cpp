@@ -12,14 +12,8 @@ namespace {
 
 // [x, y, z], or {x, y, z} as messages are written.
 std::optional<Vector3> point_of(YamlReader& reader, const YAML::Node& node) {
-  if (node.IsMap()) {
-    const auto x = reader.number(reader.member(node, "x", true), "x"),
-               y = reader.number(reader.member(node, "y", true), "y"),
-               z = reader.number(reader.member(node, "z", true), "z");
-    if (!x || !y || !z) return std::nullopt;
-    return Vector3{*x, *y, *z};
-  }
-  const auto numbers = reader.numbers(node, "vertices", 3);
+  constexpr const char* kAxes[] = {"x", "y", "z"};
+  const auto numbers = reader.numbers(node, "vertices", kAxes);
   if (numbers.empty()) return std::nullopt;
   return Vector3{numbers[0], numbers[1], numbers[2]};
 }

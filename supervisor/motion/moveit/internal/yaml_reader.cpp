@@ -9,6 +9,8 @@ namespace stepwright::motion::internal {
 
 namespace {
 
+constexpr const char* kAxes[] = {"x", "y", "z", "w"};
+
 result::Location located(const std::string& file, const YAML::Mark& mark) {
   const auto from_one = [](int k) { return k < 0 ? 0U : static_cast<std::uint32_t>(k) + 1; };
   return {file, from_one(mark.line), from_one(mark.column)};
@@ -103,18 +105,43 @@ std::vector<double> YamlReader::numbers(const YAML::Node& node, const char* what
   return values;
 }
 
-Transform YamlReader::pose(const YAML::Node& node) {
+std::vector<double> YamlReader::numbers(const YAML::Node& node, const char* what,
+                                        std::span<const char* const> members) {
+  if (!node.IsMap()) return numbers(node, what, members.size());
+  std::vector<double> values;
+  for (const char* name : members) {
+    const YAML::Node found = member(node, name, true);
+    const auto value = found.IsNull() ? std::nullopt : number(found, name);
+    if (!value) return {};
+    values.push_back(*value);
+  }
+  return values;
+}
+
+std::vector<std::pair<YAML::Node, YAML::Node>> YamlReader::joint_state(const YAML::Node& joints) {
+  std::vector<std::pair<YAML::Node, YAML::Node>> all;
+  if (joints.IsNull()) return all;
+  const auto names = items(member(joints, "name", false), "name");
+  const auto values = items(member(joints, "position", false), "position");
+  if (names.size() != values.size())
+    complain(code::kBadSceneMember, joints, "the state has not one position for each joint");
+  else
+    for (std::size_t k = 0; k < names.size(); ++k) all.emplace_back(names[k], values[k]);
+  return all;
+}
+
+Transform YamlReader::pose(const YAML::Node& node, const char* where, const char* turn) {
   Transform place;
-  if (const YAML::Node position = member(node, "position", false); !position.IsNull()) {
-    const auto at = numbers(position, "position", 3);
+  if (const YAML::Node position = member(node, where, false); !position.IsNull()) {
+    const auto at = numbers(position, where, std::span(kAxes).first(3));
     if (!at.empty()) place.position_m = {at[0], at[1], at[2]};
   }
-  if (const YAML::Node orientation = member(node, "orientation", false); !orientation.IsNull()) {
-    const auto q = numbers(orientation, "orientation", 4);
+  if (const YAML::Node orientation = member(node, turn, false); !orientation.IsNull()) {
+    const auto q = numbers(orientation, turn, kAxes);
     if (q.empty()) return place;
     const double square = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
     if (!(square > 0.5 && square < 2.0))
-      complain(code::kBadSceneMember, orientation, "'orientation' is no rotation",
+      complain(code::kBadSceneMember, orientation, std::string("'") + turn + "' is no rotation",
                "a quaternion x, y, z, w of length 1");
     else
       place.rotation = from_quaternion(q[3], q[0], q[1], q[2]);

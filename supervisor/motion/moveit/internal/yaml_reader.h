@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,8 +38,12 @@ class YamlReader {
   std::optional<double> number(const YAML::Node& node, const char* what);
   // As many numbers as `count`, or none and a message.
   std::vector<double> numbers(const YAML::Node& node, const char* what, std::size_t count);
+  // The same, or a map of these members, as messages are printed.
+  std::vector<double> numbers(const YAML::Node& node, const char* what, std::span<const char* const> members);
+  // Names and positions of a joint_state, in pairs.
+  std::vector<std::pair<YAML::Node, YAML::Node>> joint_state(const YAML::Node& joints);
   // {position, orientation}, the latter as x, y, z, w; missing ones are zero and none.
-  Transform pose(const YAML::Node& node);
+  Transform pose(const YAML::Node& node, const char* where = "position", const char* turn = "orientation");
 
  private:
   std::string file_;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
+#include <utility>
 
 #include "supervisor/tamp/intervals/cause/conflict_set.h"
 #include "supervisor/tamp/intervals/cause/nearest_value.h"
@@ -66,13 +66,15 @@ std::optional<Cause> explain(const WorkCell& cell, std::span<const Action> seque
                             number.subject,
                             number.which,
                             value_of(cell, sequence, number.parameter, number.subject, number.which),
-                            *to,
+                            to->value,
+                            to->proved,
                             {}};
       suggestion.text = text_of(cell, sequence, suggestion);
       cause.suggestions.push_back(std::move(suggestion));
     }
   }
-  std::ranges::stable_sort(cause.suggestions, {}, weight);
+  std::ranges::stable_sort(cause.suggestions, {},
+                           [](const Suggestion& each) { return std::pair(!each.proved, weight(each)); });
   cause.sentence = sentence_of(cell, sequence, cause);
   return cause;
 }

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <vector>
 
+#include "supervisor/tamp/intervals/cause/reached.h"
 #include "supervisor/tamp/intervals/cause/witness.h"
 
 namespace stepwright::tamp {
@@ -14,6 +15,9 @@ namespace {
 constexpr double kRound_m = 1e-4;
 constexpr double kRound_rad = std::numbers::pi / 1800.0;
 constexpr double kFine_m = 1e-4;  // of distances, which are halved
+constexpr double kStep_m = 5e-3;  // between poses that are asked of the arms
+constexpr double kStep_rad = std::numbers::pi / 180.0;
+constexpr std::size_t kMostRefused = 8;  // of values that arms reach, by whoever else is asked
 
 bool is_angle(Parameter parameter) {
   return parameter == Parameter::StartAngle || parameter == Parameter::FinalAngle;
@@ -30,10 +34,10 @@ bool is_region(Parameter parameter) {
          parameter == Parameter::RegionHeight;
 }
 
-class NearestValue {
+class ValueSearch {
  public:
-  NearestValue(const WorkCell& cell, std::span<const Action> sequence, Parameter parameter,
-               std::size_t subject, std::size_t which, const CauseOptions& options)
+  ValueSearch(const WorkCell& cell, std::span<const Action> sequence, Parameter parameter,
+              std::size_t subject, std::size_t which, const CauseOptions& options)
       : cell_(cell),
         sequence_(sequence.begin(), sequence.end()),
         parameter_(parameter),
@@ -42,22 +46,103 @@ class NearestValue {
         options_(options),
         from_(value_of(cell, sequence, parameter, subject, which)) {}
 
-  std::optional<double> find() {
+  std::optional<NearestValue> find() {
     if (parameter_ == Parameter::Distance) return find_distance();
     return is_angle(parameter_) ? find_angle() : find_length();
   }
 
  private:
+  // By bounds: what does not do is proved not to.
   bool does(double value) {
     ++questions_;
-    set_value(cell_, sequence_, parameter_, subject_, which_, value);
+    set(value);
     return solve(cell_, sequence_, {}, options_.most_nodes).answer == Answer::Feasible;
   }
 
-  double rounded(double value, double unit) {
-    const double steps = value / unit;
-    const double further = unit * (value > from_ ? std::ceil(steps - 1e-6) : std::floor(steps + 1e-6));
-    return further != value && does(further) ? further : value;
+  // By the arms: what holds is proved to do.
+  bool holds(double value) {
+    constexpr std::size_t kOfEach = 500;
+    ++proofs_;
+    set(value);
+    return std::abs(value) < 0.9 * kFarthest_m && reached(cell_, sequence_, kOfEach).has_value();
+  }
+
+  void set(double value) { set_value(cell_, sequence_, parameter_, subject_, which_, value); }
+
+  bool is_known() const {
+    return options_.prove && std::ranges::all_of(sequence_, [&](const Action& each) {
+             return each.kind == ActionKind::MoveAway || cell_.arms[each.arm].exact != nullptr;
+           });
+  }
+
+  bool is_left() const {
+    return questions_ < options_.most_questions && proofs_ < options_.most_proofs && refused_ < kMostRefused;
+  }
+
+  double unit() const { return is_angle(parameter_) ? kRound_rad : kRound_m; }
+
+  // Away from the present value.
+  double rounded(double value) const {
+    const double steps = value / unit();
+    return unit() * (value > from_ ? std::ceil(steps - 1e-6) : std::floor(steps + 1e-6));
+  }
+
+  NearestValue bound(double value) {
+    const double further = rounded(value);
+    return {further != value && does(further) ? further : value, false};
+  }
+
+  bool accepts() const { return !options_.accepts || options_.accepts(cell_, sequence_); }
+
+  // Between what was refused and what was accepted, as far as that is worth a question.
+  double nearer_accepted(double accepted) {
+    double refused = last_refused_;
+    const double step = is_angle(parameter_) ? kStep_rad : kStep_m;
+    while (std::abs(accepted - refused) > 2.0 * step) {
+      const double middle = rounded(0.5 * (accepted + refused));
+      (holds(middle) && accepts() ? accepted : refused) = middle;
+    }
+    return accepted;
+  }
+
+  // What holds, nearest to one that does not; and nobody else refuses it.
+  std::optional<double> proved_between(double without, double with) {
+    while (std::abs(with - without) > 0.5 * unit()) {
+      const double middle = 0.5 * (without + with);
+      (holds(middle) ? with : without) = middle;
+    }
+    // What people read and write has so many digits, and must hold as they do.
+    const double away = with > from_ ? unit() : -unit();
+    for (int k = 0; k < 3; ++k) {
+      const double written = rounded(with + k * away);
+      if (!holds(written)) continue;
+      if (accepts()) return refused_ == 0 ? written : nearer_accepted(written);
+      ++refused_;
+      last_refused_ = written;
+      // Twice as far on from time to time: whatever is in the way has its own size.
+      const double step = is_angle(parameter_) ? kStep_rad : kStep_m;
+      beyond_ = std::abs(written - from_) + step * std::exp2(static_cast<double>(refused_ - 1));
+      break;
+    }
+    return std::nullopt;
+  }
+
+  // From `first`, which the bounds allow, on to `last`.
+  std::optional<double> proved_from(double first, double last) {
+    const double step = is_angle(parameter_) ? kStep_rad : kStep_m;
+    const int steps = static_cast<int>(std::ceil(std::abs(last - first) / step));
+    std::optional<double> without;
+    for (int k = 0; k <= steps && is_left(); ++k) {
+      const double value = steps == 0 ? first : first + (last - first) * k / steps;
+      if (std::abs(value - from_) < beyond_) continue;
+      if (!holds(value)) {
+        without = value;
+        continue;
+      }
+      if (const auto proved = proved_between(without.value_or(value), value)) return proved;
+      without.reset();
+    }
+    return std::nullopt;
   }
 
   // Without what fixes the number: the network of everything else.
@@ -71,13 +156,17 @@ class NearestValue {
     return network;
   }
 
+  bool is_subject(const std::optional<std::size_t>& region) const {
+    return region && cell_.regions[*region].name == cell_.regions[subject_].name;
+  }
+
   bool fixes(const Constraint& each) const {
     switch (parameter_) {
       case Parameter::RegionX:
       case Parameter::RegionY:
-        return each.kind == ConstraintKind::RegionArea && each.region == subject_;
+        return each.kind == ConstraintKind::RegionArea && is_subject(each.region);
       case Parameter::RegionHeight:
-        return each.kind == ConstraintKind::RegionHeight && each.region == subject_;
+        return each.kind == ConstraintKind::RegionHeight && is_subject(each.region);
       case Parameter::StartX:
       case Parameter::StartY:
         return each.kind == ConstraintKind::StartPosition && each.object == subject_;
@@ -100,7 +189,7 @@ class NearestValue {
       const std::uint32_t place = network.handlings()[k].place;
       if (place == Network::kNone) continue;
       const bool own = is_region(parameter_)
-                           ? sequence_[k].kind == ActionKind::Place && sequence_[k].region == subject_
+                           ? sequence_[k].kind == ActionKind::Place && is_subject(sequence_[k].region)
                            : sequence_[k].kind == ActionKind::Pick && sequence_[k].object == subject_;
       if (own) spots.push_back(network.places()[place].spot);
     }
@@ -108,7 +197,7 @@ class NearestValue {
     return spots;
   }
 
-  std::optional<double> find_length() {
+  std::optional<NearestValue> find_length() {
     const Network network = freed();
     if (network.refuted()) return std::nullopt;
     const std::size_t axis = axis_of(parameter_);
@@ -123,11 +212,26 @@ class NearestValue {
     std::ranges::sort(moves, {}, [](std::int64_t move) { return std::abs(move); });
     const auto again = std::ranges::unique(moves);
     moves.erase(again.begin(), again.end());
-    for (const std::int64_t move : moves) {
-      if (questions_ >= options_.most_questions) break;
-      const double value = metres_of(from_nm + move);
-      if (std::abs(value) < 0.9 * kFarthest_m && does(value)) return rounded(value, kRound_m);
+    return nearest_of(moves, from_nm);
+  }
+
+  // Between two moves in one direction the bounds stay as they are.
+  std::optional<NearestValue> nearest_of(const std::vector<std::int64_t>& moves, std::int64_t from_nm) {
+    std::optional<double> allowed, proved;
+    for (std::size_t k = 0; k < moves.size() && is_left(); ++k) {
+      const double value = metres_of(from_nm + moves[k]);
+      if (proved && std::abs(*proved - from_) <= std::abs(value - from_)) break;
+      if (std::abs(value) >= 0.9 * kFarthest_m || !does(value)) continue;
+      if (!allowed) allowed = value;
+      if (!is_known()) break;
+      const auto next = std::find_if(moves.begin() + static_cast<std::ptrdiff_t>(k) + 1, moves.end(),
+                                     [&](std::int64_t move) { return (move > 0) == (moves[k] > 0); });
+      const double end = next == moves.end() ? value : metres_of(from_nm + *next);
+      if (const auto found = proved_from(value, end))
+        if (!proved || std::abs(*found - from_) < std::abs(*proved - from_)) proved = found;
     }
+    if (proved) return NearestValue{*proved, true};
+    if (allowed) return bound(*allowed);
     return std::nullopt;
   }
 
@@ -157,20 +261,26 @@ class NearestValue {
     }
   }
 
-  std::optional<double> find_angle() {
+  std::optional<NearestValue> find_angle() {
     const Network network = freed();
     if (network.refuted()) return std::nullopt;
     const std::uint32_t place = place_of_angle(network);
     if (place == Network::kNone) return std::nullopt;
     ArcSet left = network.angle(network.places()[place].angle);
     const Angle from = angle_of(from_);
-    for (int tries = 0; tries < 64 && !left.empty(); ++tries) {
+    std::optional<double> allowed;
+    for (int tries = 0; tries < 512 && !left.empty() && is_left(); ++tries) {
       const Angle at = left.nearest(from);
       // A hair inside, for the number is rounded to a unit again when it is read.
       const double value = from_ + turn_rad(from, at);
-      if (does(value)) return rounded(value, kRound_rad);
       left = without(left, at);
+      if (!does(value)) continue;
+      if (!allowed) allowed = value;
+      if (!is_known()) break;
+      const double turn = value > from_ ? kStep_rad : -kStep_rad;
+      if (const auto proved = proved_from(value, value + 0.5 * turn)) return NearestValue{*proved, true};
     }
+    if (allowed) return bound(*allowed);
     return std::nullopt;
   }
 
@@ -190,14 +300,16 @@ class NearestValue {
   }
 
   // The less, the better; halved down to what people measure.
-  std::optional<double> find_distance() {
+  std::optional<NearestValue> find_distance() {
     if (!does(0.0)) return std::nullopt;
     double low = 0.0, high = from_;
     while (high - low > kFine_m) {
       const double middle = 0.5 * (low + high);
       (does(middle) ? low : high) = middle;
     }
-    return rounded(low, kRound_m);
+    if (is_known())
+      if (const auto proved = proved_from(low, 0.0)) return NearestValue{*proved, true};
+    return bound(low);
   }
 
   WorkCell cell_;
@@ -206,7 +318,9 @@ class NearestValue {
   std::size_t subject_, which_;
   const CauseOptions& options_;
   double from_;
-  std::size_t questions_ = 0;
+  std::size_t questions_ = 0, proofs_ = 0, refused_ = 0;
+  double last_refused_ = 0.0;
+  double beyond_ = 0.0;  // from the present value: nearer ones were refused
 };
 
 double* number_of(WorkCell& cell, std::vector<Action>& sequence, Parameter parameter, std::size_t subject,
@@ -245,13 +359,20 @@ double value_of(const WorkCell& cell, std::span<const Action> sequence, Paramete
 
 void set_value(WorkCell& cell, std::vector<Action>& sequence, Parameter parameter, std::size_t subject,
                std::size_t which, double value) {
-  *number_of(cell, sequence, parameter, subject, which) = value;
+  double& number = *number_of(cell, sequence, parameter, subject, which);
+  const double change = value - number;
+  number = value;
+  // One surface may be several regions, a smaller one for each larger thing.
+  if (!is_region(parameter)) return;
+  for (std::size_t k = 0; k < cell.regions.size(); ++k)
+    if (k != subject && cell.regions[k].name == cell.regions[subject].name)
+      *number_of(cell, sequence, parameter, k, which) += change;
 }
 
-std::optional<double> nearest_value(const WorkCell& cell, std::span<const Action> sequence,
-                                    Parameter parameter, std::size_t subject, std::size_t which,
-                                    const CauseOptions& options) {
-  return NearestValue(cell, sequence, parameter, subject, which, options).find();
+std::optional<NearestValue> nearest_value(const WorkCell& cell, std::span<const Action> sequence,
+                                          Parameter parameter, std::size_t subject, std::size_t which,
+                                          const CauseOptions& options) {
+  return ValueSearch(cell, sequence, parameter, subject, which, options).find();
 }
 
 }  // namespace stepwright::tamp

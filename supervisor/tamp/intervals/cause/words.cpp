@@ -29,13 +29,11 @@ void add_once(std::vector<std::string>& words, const std::string& word) {
   if (std::ranges::find(words, word) == words.end()) words.push_back(word);
 }
 
-std::string millimetres(double m) {
-  return fmt::format("{:.1f} mm", 1e3 * std::abs(m));
-}
-
-// "tray1 is 35.0 mm too high".
+// "tray1 is 35.0 mm too high"; "at least", where it may be more.
 std::string complaint(const WorkCell& cell, std::span<const Action> sequence, const Suggestion& each) {
   const double change = each.to - each.from;
+  const std::string least = each.proved ? "" : "at least ";
+  const auto millimetres = [&](double m) { return fmt::format("{}{:.1f} mm", least, 1e3 * std::abs(m)); };
   const auto moved = [&](const std::string& what, char axis) {
     return fmt::format("{} is {} too far towards {}{}", what, millimetres(change), change > 0.0 ? '-' : '+',
                        axis);
@@ -44,7 +42,7 @@ std::string complaint(const WorkCell& cell, std::span<const Action> sequence, co
     return fmt::format("{} is {} too {}", what, millimetres(change), change > 0.0 ? "low" : "high");
   };
   const auto turned = [&](const std::string& what) {
-    return fmt::format("{} of {:.1f} deg is {:.1f} deg too far {}", what, degrees(each.from),
+    return fmt::format("{} of {:.1f} deg is {}{:.1f} deg too far {}", what, degrees(each.from), least,
                        degrees(std::abs(change)), change > 0.0 ? "clockwise" : "anticlockwise");
   };
   switch (each.parameter) {
@@ -205,7 +203,8 @@ std::string sentence_of(const WorkCell& cell, std::span<const Action> sequence, 
   std::string sentence = first != nullptr ? complaint(cell, sequence, *first) : "no single number helps";
   if (!arms.empty()) sentence += " for " + arms;
   if (!others.empty()) sentence += " with " + joined(others);
-  if (first != nullptr) sentence += "; " + first->text + " would do";
+  if (first != nullptr)
+    sentence += first->proved ? "; " + first->text + " would do" : "; not before " + first->text;
   return sentence;
 }
 

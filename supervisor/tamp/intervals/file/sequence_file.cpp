@@ -11,6 +11,7 @@
 #include "runtime/ground/result/closest.h"
 #include "runtime/ground/settings/toml_document.h"
 #include "supervisor/motion/robot/urdf_reader.h"
+#include "supervisor/tamp/intervals/arm/srs_exact.h"
 #include "supervisor/tamp/intervals/arm/srs_reach.h"
 #include "supervisor/tamp/intervals/reach/column_arm.h"
 
@@ -34,6 +35,7 @@ class SequenceReader {
 
   // Of files that this one names.
   const result::Diagnostics& wrong() const { return wrong_; }
+  const std::vector<result::Location>& actions_at() const { return actions_at_; }
 
   SequenceFile read() {
     for (const TomlTable& table : root_.tables("arm")) read_arm(table);
@@ -59,11 +61,12 @@ class SequenceReader {
   void read_arm(const TomlTable& table) {
     const std::string name = new_name(table, arms_);
     file_.shoulders.emplace_back();
+    file_.exacts.emplace_back();
     std::optional<ReachTable> reach = table.has("urdf") ? urdf_reach(table) : column_reach(table);
     // Whatever is wrong with it has been said; the rest of the file is read.
     if (!reach) reach = reach_table({}, 0.5);
     file_.reaches.push_back(std::make_unique<const ReachTable>(*std::move(reach)));
-    file_.cell.arms.push_back({name, file_.reaches.back().get()});
+    file_.cell.arms.push_back({name, file_.reaches.back().get(), file_.exacts.back().get()});
   }
 
   // The width of cells, if there are not too many of them.
@@ -93,6 +96,7 @@ class SequenceReader {
     }
     if (!cell_m) return std::nullopt;
     file_.shoulders.back() = {{arm.x_m, arm.y_m, arm.z_m}, 0.0};
+    file_.exacts.back() = std::make_unique<const ColumnReach>(arm);
     return reach_table(arm, *cell_m);
   }
 
@@ -128,6 +132,8 @@ class SequenceReader {
     if (!cell_m) return std::nullopt;
     Shoulder& shoulder = file_.shoulders.back() = reach->shoulder();
     for (std::size_t axis = 0; axis < 3; ++axis) shoulder.at_m[axis] += metres_of(at[axis]);
+    if (auto exact = SrsExact::make(*chain, at))
+      file_.exacts.back() = std::make_unique<const SrsExact>(*std::move(exact));
     return reach->table(*cell_m, at);
   }
 
@@ -212,6 +218,7 @@ class SequenceReader {
       table.report("arm", "an action has one of pick, place and move_away");
     }
     file_.sequence.push_back(std::move(action));
+    actions_at_.push_back(table.where());
   }
 
   void read_place(const TomlTable& table, Action& action) {
@@ -233,6 +240,7 @@ class SequenceReader {
   const TomlTable& root_;
   std::filesystem::path folder_;
   SequenceFile file_;
+  std::vector<result::Location> actions_at_;
   result::Diagnostics wrong_;
   std::vector<std::string> arms_, grasps_, regions_, objects_, places_;
 };
@@ -248,7 +256,8 @@ result::Result<SequenceFile> load_sequence(const std::filesystem::path& file) {
   result::Diagnostics problems = (*document)->finish();
   problems.insert(problems.end(), reader.wrong().begin(), reader.wrong().end());
   if (result::has_errors(problems)) return tl::unexpected(std::move(problems));
-  if (auto sound = validate(read.cell, read.sequence, file.string()); !sound) return result::forward(sound);
+  if (auto sound = validate(read.cell, read.sequence, file.string(), reader.actions_at()); !sound)
+    return result::forward(sound);
   return read;
 }
 

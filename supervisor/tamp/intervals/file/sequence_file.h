@@ -20,7 +20,8 @@ namespace stepwright::tamp {
 
 struct SequenceFile {
   std::vector<std::unique_ptr<const ReachTable>> reaches;  // of each arm; the cell refers to them
-  std::vector<Shoulder> shoulders;                         // likewise
+  std::vector<std::unique_ptr<const ExactReach>> exacts;   // likewise
+  std::vector<Shoulder> shoulders;
   WorkCell cell;
   std::vector<Action> sequence;
 };

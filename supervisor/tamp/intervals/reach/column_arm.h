@@ -10,7 +10,7 @@
 //   const ColumnArm right{.x_m = 0, .y_m = -0.3, .z_m = 0.6};
 //   const ReachTable table = reach_table(right, 0.04);
 
-#include "supervisor/tamp/intervals/reach/reach_bounds.h"
+#include "supervisor/tamp/intervals/reach/exact_reach.h"
 
 namespace stepwright::tamp {
 
@@ -26,6 +26,18 @@ struct ColumnArm {
 
 // What it reaches at a point, to a unit outward.
 ArcSet arcs_at(const ColumnArm& arm, const Point3& tool);
+
+class ColumnReach final : public ExactReach {
+ public:
+  explicit ColumnReach(const ColumnArm& arm) : arm_(arm) {}
+
+  bool reaches(const Point3& at, Angle angle) const override { return near(at).contains(angle); }
+  ArcSet near(const Point3& at) const override { return arcs_at(arm_, at); }
+
+ private:
+  ColumnArm arm_;
+};
+
 // An outer bound for all points of the box and a nanometre around it.
 ArcSet arcs_over(const ColumnArm& arm, const Box& box);
 // Cells of this width over all that it reaches. Requires a width from 1 mm to 1 m.

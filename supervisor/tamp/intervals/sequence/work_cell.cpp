@@ -8,9 +8,10 @@ namespace {
 
 class CellCheck {
  public:
-  CellCheck(const WorkCell& cell, const std::string& where)
+  CellCheck(const WorkCell& cell, const std::string& where, std::span<const result::Location> actions_at)
       : cell_(cell),
-        where_(where),
+        at_{where, 0, 0},
+        actions_at_(actions_at),
         held_by_(cell.objects.size()),
         in_hand_(cell.arms.size()),
         stands_on_(cell.objects.size()) {}
@@ -19,6 +20,7 @@ class CellCheck {
     check_figures();
     for (std::size_t k = 0; k < sequence.size(); ++k) {
       step_ = "action " + std::to_string(k + 1);
+      if (k < actions_at_.size()) at_ = actions_at_[k];
       if (exists(sequence[k])) follow(sequence[k]);
     }
     if (!wrong_.empty()) return tl::unexpected(std::move(wrong_));
@@ -27,7 +29,7 @@ class CellCheck {
 
  private:
   void complain(const char* code, std::string message, std::string hint = {}) {
-    wrong_.push_back({code, result::Severity::Error, {where_, 0, 0}, std::move(message), std::move(hint)});
+    wrong_.push_back({code, result::Severity::Error, at_, std::move(message), std::move(hint)});
   }
   void number(const std::string& what, double value, double low, double high) {
     if (value >= low && value <= high) return;  // not a number is in no range
@@ -113,7 +115,8 @@ class CellCheck {
   }
 
   const WorkCell& cell_;
-  const std::string& where_;
+  result::Location at_;
+  std::span<const result::Location> actions_at_;
   std::string step_;
   std::vector<std::optional<std::size_t>> held_by_, in_hand_, stands_on_;
   result::Diagnostics wrong_;
@@ -132,8 +135,8 @@ std::string text_of(const WorkCell& cell, const Action& action) {
 }
 
 result::Result<void> validate(const WorkCell& cell, std::span<const Action> sequence,
-                              const std::string& where) {
-  return CellCheck(cell, where).check(sequence);
+                              const std::string& where, std::span<const result::Location> actions_at) {
+  return CellCheck(cell, where, actions_at).check(sequence);
 }
 
 }  // namespace stepwright::tamp

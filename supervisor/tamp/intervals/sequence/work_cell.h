@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "runtime/ground/result/result.h"
+#include "supervisor/tamp/intervals/reach/exact_reach.h"
 #include "supervisor/tamp/intervals/reach/reach_bounds.h"
 
 namespace stepwright::tamp {
@@ -35,6 +36,7 @@ struct AngleRange {
 struct Arm {
   std::string name;
   const ReachBounds* reach = nullptr;
+  const ExactReach* exact = nullptr;  // none: nothing is proved to be within reach
 };
 
 // The hand above the object. With `radius_m` its axis passes beside the object's origin by up to that.
@@ -110,8 +112,10 @@ std::string text_of(const WorkCell& cell, const Action& action);
 
 // I0101: a number that is out of range; I0102: an action that cannot follow on those before it (picked twice,
 // placed without being held, a hand that is full, a place on something held); I0103: a name or number of a
-// list that there is not. Everything that is wrong is said; `where` is the file of the messages.
+// list that there is not. Everything that is wrong is said; `where` is the file of the messages, `actions_at`
+// where each action stands in it.
 [[nodiscard]] result::Result<void> validate(const WorkCell& cell, std::span<const Action> sequence,
-                                            const std::string& where = {});
+                                            const std::string& where = {},
+                                            std::span<const result::Location> actions_at = {});
 
 }  // namespace stepwright::tamp

@@ -227,6 +227,7 @@ TEST_P(AxesGroup, Path_WhenOverrideAndInterruptionsAreRandom_ThenItStaysOnItAndW
   pair.set_bool("main.goMove", true);
   const bool stops = random.once_in(3);
   double off = 0.0;
+  bool over = false;
   int scans = 0;
   for (; scans < 12000 && !pair.on("main.move.Done") && !pair.on("main.stop.Done"); ++scans) {
     if (scans < 2000) {
@@ -244,6 +245,13 @@ TEST_P(AxesGroup, Path_WhenOverrideAndInterruptionsAreRandom_ThenItStaysOnItAndW
     off = std::max(off, gap(q, table.at(time_s)));
     EXPECT_LE(pair.real("main.g.Time") - time_s, cycle_s * (1.0 + 1e-9));
     EXPECT_GE(pair.real("main.g.Time"), time_s);
+    int said = 0;
+    for (const char* each : {"Busy", "Done", "CommandAborted", "Error"})
+      if (pair.on(std::string("main.hold.") + each)) ++said;
+    EXPECT_LE(said, 1) << "scan " << scans;
+    // One call after Execute fell, and a command that is over, nothing is said any more.
+    EXPECT_TRUE(pair.on("main.goHold") || !over || said == 0) << "scan " << scans;
+    over = !pair.on("main.hold.Busy") && !pair.on("main.goHold");
   }
   ASSERT_TRUE(pair.on("main.move.Done") || pair.on("main.stop.Done"));
   EXPECT_LT(off, 1e-9);

@@ -105,7 +105,17 @@ TEST_F(ArmCommand, WhenFilesAreWrong_ThenEveryMistakeHasItsPlace) {
                       "filename='gone.stl'/></geometry></collision></link></robot>") +
                 " " + kCell + "table.toml " + kCell + "swing.yaml"),
             1);
-  EXPECT_THAT(errors, HasSubstr("A0110"));
+  EXPECT_THAT(errors, HasSubstr("mesh.urdf:1:"));
+  EXPECT_THAT(errors, HasSubstr("A0110: the mesh 'gone.stl' of link 'a' is not found"));
+  EXPECT_EQ(plan("", write("allowed.toml", content("table.toml") +
+                                               "\n[[allowed]]\nlink = \"rigth_hand\"\nthing = \"tabel\"\n")),
+            1);
+  EXPECT_THAT(errors, HasSubstr("A0404: there is no link 'rigth_hand'\n  hint: did you mean 'right_hand'?"));
+  EXPECT_THAT(errors, HasSubstr("A0404: there is no thing 'tabel'\n  hint: did you mean 'table'?"));
+  EXPECT_EQ(plan("", write("mesh.toml", "[[mesh]]\nname = \"m\"\nfile = \"gone.stl\"\nat_m = [1, 0, 0]\n")),
+            1);
+  EXPECT_THAT(errors, HasSubstr("mesh.toml:3:"));
+  EXPECT_THAT(errors, HasSubstr("A0201: 'gone.stl': "));
   EXPECT_EQ(run(""), 2);
   EXPECT_EQ(plan("--time nan"), 2);
   EXPECT_EQ(plan("--seed -1"), 2);
@@ -116,6 +126,7 @@ TEST_F(ArmCommand, WhenThingsStandInEachOther_ThenBothAreNamedAndAPathIsPlanned)
   const std::string sunk = replaced(content("table.toml"), "[0.62, 0.25, 0.76]", "[0.62, 0.25, 0.7]");
   EXPECT_EQ(plan("--json " + path("s.json"), write("sunk.toml", sunk)), 0) << output;
   EXPECT_THAT(errors, HasSubstr("A0604: 'table' and 'can' stand in each other"));
+  EXPECT_EQ(errors.find("sunk.toml: "), std::string::npos) << "the place is a line: " << errors;
   EXPECT_EQ(nlohmann::json::parse(text("s.json"))["warnings"][0]["code"], "A0604");
 }
 
@@ -141,6 +152,49 @@ TEST_F(ArmCommand, WhenThereIsNoSrdf_ThenTheJointsOfTheGoalAreTheGroup) {
             4)
       << output;
   EXPECT_THAT(output, HasSubstr("no path: "));
+}
+
+// One joint that slides, without SRDF.
+TEST_F(ArmCommand, WhenASceneOfMoveItSaysMore_ThenItCounts) {
+  const std::string robot = R"(<robot name="r"><link name="a"/>
+    <link name="b"><collision><geometry><box size="0.1 0.1 0.1"/></geometry></collision></link>
+    <joint name="slide" type="prismatic"><parent link="a"/><child link="b"/><axis xyz="1 0 0"/><limit lower="-2" upper="2"/></joint></robot>)";
+  const std::string request =
+      "group_name: any\ngoal_constraints: [{joint_constraints: [{joint_name: slide, position: 1}]}]\n";
+  const std::string wall =
+      "world: {collision_objects: [{id: wall, primitives: [{type: box, dimensions: [0.1, 1, 1]}], "
+      "primitive_poses: [{position: {x: 1, y: 0, z: 0}}]}]}\n";
+  const auto plan_in = [&](const std::string& scene, const std::string& json) {
+    return run(write("r.urdf", robot) + " " + write("s.yaml", scene) + " " + write("r.yaml", request) +
+               " --time 0.1 --json " + path(json));
+  };
+  EXPECT_EQ(plan_in(wall, "w.json"), 3);
+  EXPECT_THAT(output, HasSubstr("the goal collides: 'b' meets 'wall'"));
+  EXPECT_THAT(errors, HasSubstr("A0405: nothing says where 'slide' is at the start: 0 is taken"));
+  // The matrix counts without SRDF, too; the state of the scene is the start.
+  const std::string more =
+      "allowed_collision_matrix: {entry_names: [b, wall], entry_values: [[false, true], [true, false]]}\n"
+      "robot_state: {joint_state: {name: [slide], position: [-1.5]}}\n";
+  EXPECT_EQ(plan_in(wall + more, "m.json"), 0) << output << errors;
+  EXPECT_EQ(nlohmann::json::parse(text("m.json"))["from"][0], -1.5);
+  EXPECT_EQ(errors.find("A0405"), std::string::npos);
+  // A joint without ends goes the short way round.
+  const std::string turning =
+      "<robot name='r'><link name='a'/><link name='b'><collision><geometry><box size='0.1 0.1 "
+      "0.1'/></geometry></collision></link><joint name='slide' type='continuous'><parent "
+      "link='a'/><child link='b'/><axis xyz='0 0 1'/></joint></robot>";
+  EXPECT_EQ(run(write("t.urdf", turning) + " " + write("e.yaml", "world: {collision_objects: []}\n") + " " +
+                write("t.yaml",
+                      "group_name: any\nstart_state: {joint_state: {name: [slide], position: [3]}}\n"
+                      "goal_constraints: [{joint_constraints: [{joint_name: slide, position: -3}]}]\n")),
+            0)
+      << errors;
+  EXPECT_THAT(output, HasSubstr("length 0.283"));
+  const std::string bare =
+      "<robot name='r'><link name='a'/><link name='b'/><joint name='slide' type='prismatic'>"
+      "<parent link='a'/><child link='b'/><limit lower='-2' upper='2'/></joint></robot>";
+  EXPECT_EQ(run(write("bare.urdf", bare) + " " + path("s.yaml") + " " + path("r.yaml") + " --time 0.1"), 0);
+  EXPECT_THAT(errors, HasSubstr("A0114: no link that moves has a body"));
 }
 
 }  // namespace

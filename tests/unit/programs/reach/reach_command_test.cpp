@@ -86,7 +86,7 @@ TEST_F(ReachCommand, WhenTheFileIsWrong_ThenEveryMistakeHasItsPlace) {
   EXPECT_THAT(errors, HasSubstr("I0104: 'cup' is used twice"));
   EXPECT_THAT(errors, HasSubstr("I0005"));
   EXPECT_EQ(run(file("[[action]]\narm = \"right\"\nplace = \"cup\"\non = \"tray\"\n")), 1);
-  EXPECT_THAT(errors, HasSubstr("I0102: action 1: arm 'right' does not hold 'cup'"));
+  EXPECT_THAT(errors, HasSubstr("cell.toml:20:1: I0102: action 1: arm 'right' does not hold 'cup'"));
   EXPECT_EQ(run(file("[[action]]\narm = \"right\"\n")), 1);
   EXPECT_THAT(errors, HasSubstr("an action has one of pick, place and move_away"));
   EXPECT_EQ(run(file("[[arm]]\nname = \"long\"\nmost_m = 4.9\ncell_m = 0.005\n")), 1);
@@ -94,6 +94,7 @@ TEST_F(ReachCommand, WhenTheFileIsWrong_ThenEveryMistakeHasItsPlace) {
   EXPECT_EQ(run(""), 2);
   EXPECT_EQ(run(file("") + " --json /nowhere/f.json"), 1);
   EXPECT_EQ(run(file("")), 0) << "nothing to do is done";
+  EXPECT_THAT(output, HasSubstr("there are no actions"));
 }
 
 TEST_F(ReachCommand, WhenAnArmIsThatOfAUrdf_ThenItsReachCounts) {
@@ -120,6 +121,35 @@ TEST_F(ReachCommand, WhenAnArmIsThatOfAUrdf_ThenItsReachCounts) {
   EXPECT_THAT(errors, HasSubstr("A010"));
   EXPECT_EQ(run(changed("two_arms.urdf", "none.urdf")), 1);
   EXPECT_THAT(errors, HasSubstr("none.urdf' cannot be read"));
+}
+
+// What would do is put into the file, and the arm reaches it for certain.
+TEST_F(ReachCommand, WhenAPoseOfAUrdfIsOutOfReach_ThenWhatWouldDoIsReached) {
+  const auto pick_at = [&](const std::string& x, const std::string& y, const std::string& z) {
+    return run(
+        write("pick.toml", "[[arm]]\nname = \"right\"\nurdf = \"" STEPWRIGHT_SOURCE_DIR
+                           "/tests/cells/robot_cell/two_arms.urdf\"\nbase = \"base\"\ntip = \"right_tcp\"\n"
+                           "[[grasp]]\nname = \"top\"\nheight_m = 0.1\n[[object]]\nname = \"can\"\nx_m = " +
+                               x + "\ny_m = " + y + "\nz_m = " + z +
+                               "\n[[action]]\narm = \"right\"\npick = \"can\"\n") +
+        " --json " + path("pick.json"));
+  };
+  ASSERT_EQ(pick_at("0.5", "0.5", "0.71"), 3) << output;
+  const auto suggestions = nlohmann::json::parse(text("pick.json"))["cause"]["suggestions"];
+  ASSERT_FALSE(suggestions.empty()) << output;
+  for (const auto& each : suggestions) {
+    const std::string said = each["text"].get<std::string>(),
+                      value = std::to_string(each["to_m"].get<double>());
+    const auto if_at = [&](const char* where, const char* else_at) {
+      return said.find(where) == std::string::npos ? std::string(else_at) : value;
+    };
+    EXPECT_EQ(pick_at(if_at(" x ", "0.5"), if_at(" y ", "0.5"), if_at("height", "0.71")), 0) << said;
+    EXPECT_EQ(nlohmann::json::parse(text("pick.json"))["reached"], true) << said;
+  }
+  // Within the bounds, and not within reach.
+  ASSERT_EQ(pick_at("0.5", "0.3", "0.71"), 0) << output;
+  EXPECT_THAT(output, HasSubstr("no poses were found that the arms reach for certain"));
+  EXPECT_EQ(nlohmann::json::parse(text("pick.json"))["reached"], false);
 }
 
 TEST_F(ReachCommand, WhenAskedForBlocks_ThenAProgramThatCallsThemCompiles) {

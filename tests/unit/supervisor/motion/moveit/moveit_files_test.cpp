@@ -2,6 +2,7 @@
 
 #include <random>
 
+#include "supervisor/motion/kinematics/link_frames.h"
 #include "supervisor/motion/moveit/moveit_request.h"
 #include "tests/unit/supervisor/motion/robots.h"
 
@@ -92,6 +93,99 @@ TEST(MoveItScene, WhenItIsWrong_ThenThePlaceIsSaid) {
             "3:32 A0402");
 }
 
+// What would make another world of it is not passed over.
+TEST(MoveItScene, WhenItHasWhatIsNotRead_ThenItIsRefusedAtItsPlace) {
+  const auto wrong = [](const std::string& by) {
+    return first_wrong(read_moveit_scene(replaced(kScene, "name: \"\"\n", by), "f.yaml"));
+  };
+  EXPECT_EQ(wrong(""), "none");
+  EXPECT_EQ(wrong("link_padding: [{link_name: torso, padding: 0.3}]\n"), "1:16 A0403");
+  EXPECT_EQ(wrong("link_padding: [{link_name: torso, padding: 0}]\n"), "none");
+  EXPECT_EQ(wrong("link_scale: [{link_name: torso, scale: 3}]\n"), "1:14 A0403");
+  EXPECT_EQ(wrong("link_scale: [{link_name: torso, scale: 1.0}]\n"), "none");
+  const auto octomap = [](const std::string& map) {
+    return first_wrong(
+        read_moveit_scene(replaced(kScene, "world:\n", "world:\n  octomap: " + map + "\n"), "f.yaml"));
+  };
+  EXPECT_EQ(octomap("{data: [1]}"), "11:12 A0403");
+  EXPECT_EQ(octomap("{origin: {}, octomap: {id: OcTree, data: [1, 2]}}"), "11:12 A0403");
+  EXPECT_EQ(octomap("{octomap: {data: []}}"), "none");
+  // Millimetres.
+  const auto far = [](const std::string& what, const std::string& by) {
+    return first_wrong(read_moveit_scene(replaced(kScene, what, by), "f.yaml"));
+  };
+  EXPECT_EQ(far("[0.1, 0.2, 0.3]", "[100, 200, 300]"), "19:35 A0601");
+  EXPECT_EQ(far("[1, 0, 0]", "[1000, 0, 0]"), "19:35 A0601");
+}
+
+TEST(MoveItScene, WhenPosesAreMapsAsMessagesArePrinted_ThenTheyAreTheSame) {
+  const auto scene = read_moveit_scene(
+      replaced(
+          kScene, "{position: [0.3, 0.8, 0.29], orientation: [0, 0, 0.70710678, 0.70710678]}",
+          "{position: {x: 0.3, y: 0.8, z: 0.29}, orientation: {x: 0, y: 0, z: 0.70710678, w: 0.70710678}}"),
+      "f.yaml");
+  ASSERT_TRUE(scene) << to_string(scene.error());
+  const Shape& can = scene->world.obstacles[0].shape;
+  EXPECT_EQ(can.origin.position_m, (Vector3{0.3, 0.8, 0.29}));
+  EXPECT_LT(distance(can.origin.rotation * Vector3{1, 0, 0}, {0, 1, 0}), 1e-7);
+  EXPECT_EQ(first_wrong(read_moveit_scene(
+                replaced(kScene, "position: [0.3, 0.8, 0.29]", "position: {x: 0.3, y: 0.8}"), "f.yaml")),
+            "15:22 A0402");
+}
+
+TEST(MoveItScene, WhenObjectsAreInOtherFrames_ThenTheyStandThereOrTheFrameIsRefused) {
+  const Robot robot = tests::two_arms();
+  const auto in_frame = [](const std::string& frame) {
+    return *read_moveit_scene(
+        "fixed_frame_transforms: [{child_frame_id: map, transform: {translation: {x: 1, y: 0, z: 0}, "
+        "rotation: [0, 0, 0, 1]}}]\n" +
+            replaced(kScene, "- id: shelf", "- header: {frame_id: " + frame + "}\n      id: shelf"),
+        "f.yaml");
+  };
+  std::vector<double> values(robot.coordinates.size(), 0.1);
+  std::vector<Transform> links(robot.links.size());
+  LinkFrames(robot).place(values, links);
+  auto scene = in_frame("left_hand");
+  const Vector3 inside = scene.world.obstacles[1].shape.origin.position_m,
+                can = scene.world.obstacles[0].shape.origin.position_m;
+  ASSERT_TRUE(place_framed(robot, values, scene));
+  EXPECT_LT(distance(scene.world.obstacles[1].shape.origin.position_m,
+                     links[static_cast<std::size_t>(robot.link("left_hand"))] * inside),
+            1e-12);
+  EXPECT_EQ(scene.world.obstacles[0].shape.origin.position_m, can);
+  for (const auto& [frame, x_m] : {std::pair("map", 2.0), std::pair("world", 1.0), std::pair("\"\"", 1.0)}) {
+    auto other = in_frame(frame);
+    ASSERT_TRUE(place_framed(robot, values, other)) << frame;
+    EXPECT_EQ(other.world.obstacles[1].shape.origin.position_m.x, x_m) << frame;
+  }
+  auto unknown = in_frame("left_hnd");
+  const auto refused = place_framed(robot, values, unknown);
+  EXPECT_EQ(first_wrong(refused), "17:26 A0404");
+  EXPECT_EQ(refused.error()[0].hint, "did you mean 'left_hand'?");
+}
+
+TEST(MoveItScene, WhenItHasAState_ThenItsJointsAreRead) {
+  const auto scene = read_moveit_scene(replaced(kScene, "position: [0]", "position: [-1.2]"), "f.yaml");
+  ASSERT_TRUE(scene);
+  ASSERT_EQ(scene->state.size(), 1u);
+  EXPECT_EQ(scene->state[0].joint, "left_joint_1");
+  EXPECT_EQ(scene->state[0].value, -1.2);
+}
+
+TEST(MoveItScene, WhenItsMatrixAllowsAllByDefault_ThenEveryLinkMayTouchTheObject) {
+  const Robot robot = tests::two_arms();
+  auto scene = *read_moveit_scene(
+      replaced(
+          kScene, "allowed_collision_matrix:\n",
+          "allowed_collision_matrix:\n  default_entry_names: [can, shelf]\n  default_entry_values: [true, "
+          "false]\n"),
+      "f.yaml");
+  Semantics semantics;
+  allow_pairs(robot, scene, semantics);
+  EXPECT_TRUE(scene.world.may_touch("torso", "can"));
+  EXPECT_FALSE(scene.world.may_touch("torso", "shelf"));
+}
+
 TEST(MoveItScene, WhenObjectsHaveMeshes_ThenTheirTrianglesStandThere) {
   const auto with = [](const std::string& triangles, const std::string& points) {
     return read_moveit_scene(
@@ -179,6 +273,27 @@ TEST(MoveItRequest, WhenItIsWrong_ThenThePlaceIsSaid) {
   ASSERT_FALSE(goal);
   EXPECT_EQ(first_wrong(goal), "8:21 A0404");
   EXPECT_EQ(goal.error()[0].hint.substr(0, 12), "did you mean");
+}
+
+TEST(MoveItRequest, WhenItAsksForMoreThanAGoal_ThenItIsRefused) {
+  const auto wrong = [](const std::string& more) {
+    return first_wrong(read_moveit_request(kRequest + more, "f.yaml"));
+  };
+  EXPECT_EQ(wrong("path_constraints: {joint_constraints: [{joint_name: left_joint_1, position: 0}]}\n"),
+            "9:39 A0403");
+  EXPECT_EQ(wrong("path_constraints: {orientation_constraints: [{}]}\n"), "9:45 A0403");
+  EXPECT_EQ(wrong("path_constraints: {joint_constraints: []}\n"), "none");
+  EXPECT_EQ(wrong("trajectory_constraints: {constraints: [{}]}\n"), "9:39 A0403");
+  EXPECT_EQ(wrong("  - joint_constraints:\n      - {joint_name: left_joint_1, position: 0.5}\n"),
+            "9:5 A0403");
+  const auto start = [](const std::string& by) {
+    return first_wrong(read_moveit_request(replaced(kRequest, "start_state:\n", by), "f.yaml"));
+  };
+  EXPECT_EQ(start("start_state:\n  attached_collision_objects: [{}]\n"), "3:31 A0403");
+  EXPECT_EQ(first_wrong(read_moveit_request(replaced(kRequest, "[left_joint_1, left", "[left_joint_2, left"),
+                                            "f.yaml")),
+            "3:38 A0402")
+      << "a joint twice";
 }
 
 TEST(MoveItFiles, WhenTheyAreDamaged_ThenTheyAreReadOrRefused) {

@@ -104,6 +104,11 @@ TEST(ArmsMission, WhenAThingSlipsAgainAndAgain_ThenTheRunEndsSafeWithTheCause) {
   EXPECT_EQ(record.phase, Phase::Safe) << story(record);
   EXPECT_NE(record.message.find("the right hand has closed and does not hold cup1"), std::string::npos)
       << story(record);
+  double last_s = record.started_s;
+  for (const run::Episode& episode : record.episodes)
+    for (const run::ActionRecord& each : episode.actions)
+      last_s = std::max(last_s, each.finished_s.value_or(0.0));
+  EXPECT_EQ(record.finished_s, last_s) << "the last action that ended, or none";
   EXPECT_FALSE(cell.controller().any_output());
 }
 
@@ -264,6 +269,8 @@ TEST(ArmsMission, WhenTheSupervisorIsRestarted_ThenItsProgramGoesOnAndTheCameraJ
   ASSERT_EQ(record.phase, Phase::Done) << story(record);
   expect_on_the_box(cell);
   EXPECT_EQ(record.incidents[0].kind, IncidentKind::LostSupervisor) << story(record);
+  for (const run::ActionRecord& each : record.episodes.front().actions)
+    EXPECT_EQ(each.state, run::ActionState::Done) << each.text;
   EXPECT_EQ(cell.contacts(), 0.0);
 }
 
