@@ -69,8 +69,9 @@ result::Result<std::unique_ptr<TomlDocument>> TomlDocument::load(const std::file
                                                                  std::string code) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error)) {
-    return result::fail(code + "0001", {file.string(), 0, 0}, "there is no such file",
-                        "check the path: a cell names files from its own folder, the command line from the current one");
+    return result::fail(
+        code + "0001", {file.string(), 0, 0}, "there is no such file",
+        "check the path: a cell names files from its own folder, the command line from the current one");
   }
   if (::access(file.c_str(), R_OK) != 0) {
     return result::fail(code + "0001", {file.string(), 0, 0},
