@@ -9,13 +9,13 @@ export function keptOf(tags: readonly string[], kept: readonly string[]): string
   return tags.filter((name) => names.has(name.toLowerCase()));
 }
 
-// Of a column its extremes, in the order in which the line goes on from `before`, and its last value.
+// Of a column its extremes, in the order in which the line goes on from `before`, and its last value. What held at its begin is
+// drawn already.
 function stepsOf(least: Value, greatest: Value, last: Value, before: Value): Value[] {
   if (least === null || greatest === null || (least === last && greatest === last)) return [last];
-  if (last === greatest) return [least, last];
-  if (last === least) return [greatest, last];
-  const falls = before !== null && Math.abs(before - greatest) < Math.abs(before - least);
-  return falls ? [greatest, least, last] : [least, greatest, last];
+  const falls = last === least || (last !== greatest && before !== null && Math.abs(before - greatest) < Math.abs(before - least));
+  const [first, second] = falls ? [greatest, least] : [least, greatest];
+  return [...(first === before ? [] : [first]), ...(second === last ? [] : [second]), last];
 }
 
 export interface Rows {

@@ -300,6 +300,8 @@ test('Trend_WhenAColumnHasExtremes_ThenTheyAreDrawnInTheOrderOfTheLine', () => {
   assert.deepEqual(rows.columns, [[0, 2, 3, 9, 0, 1, 4]], 'what rises is not drawn as falling');
   assert.deepEqual(view.rowsOf(history([['a', [9, 1], [9, 8], [9, 1]]]), ['a']).columns[0], [9, 8, 1]);
   assert.deepEqual(view.rowsOf(history([['a', [9, 0], [9, 8], [9, 5]]]), ['a']).columns[0], [9, 8, 0, 5]);
+  const ramp = [[0, 20, 40, 10], [20, 40, 60, 60], [20, 40, 60, 10]];
+  assert.deepEqual(view.rowsOf(history([['a', ...ramp]]), ['a']).columns[0], [0, 20, 40, 60, 10], 'a ramp has no steps');
   const two = view.rowsOf(history([saw, ['b', [1, 1, 1, null], [1, 1, 1, null], [1, 1, 1, null]]]), ['b', 'a', 'Main.saw']);
   assert.deepEqual(two.columns[0], [1, 1, 1, 1, 1, 1, null], 'of what holds nothing else is said');
   assert.ok(two.columns[1].every((value) => value === null) && two.columns[2].includes(9));
