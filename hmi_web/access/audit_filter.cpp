@@ -33,7 +33,7 @@ class Matcher {
   bool operator()(std::string_view line) const {
     const json entry = json::parse(line, nullptr, /*allow_exceptions=*/false);
     if (!entry.is_object()) return false;
-    if (!user_.empty() && text_of(entry, "user") != user_) return false;
+    if (!user_.empty() && text_of(entry, "user").find(user_) == std::string::npos) return false;
     if (!target_.empty() && text_of(entry, "target").find(target_) == std::string::npos) return false;
     const std::string time = entry.value("time", std::string());
     if ((!from_.empty() && time < from_) || (!to_.empty() && time > to_)) return false;

@@ -15,7 +15,7 @@ namespace stepwright::access {
 
 // An empty member matches all.
 struct AuditFilter {
-  std::string user = {};                           // whole, in any case
+  std::string user = {};                           // part of the name, in any case
   std::string target = {};                         // part of what it was done to, in any case
   std::string text = {};                           // part of any other member, of the action too, in any case
   std::optional<std::int64_t> from_ms{}, to_ms{};  // since 1970; both belong to it

@@ -50,9 +50,8 @@ struct JournalEntry {
 // Query by any of these; an empty member matches all.
 struct JournalQuery {
   std::optional<std::int64_t> from_ns{}, to_ns{};  // both belong to it
-  std::optional<std::string> alarm{};              // a part of its name, in any case
-  std::optional<std::string> source{};             // upper and lower case alike
-  std::optional<std::string> user{};
+  // A part of the alarm's name, of its variable's, of the person's, in any case.
+  std::optional<std::string> alarm{}, source{}, user{};
   std::optional<std::string>
       text{};  // somewhere in name, text, source, user or comment, in any case and language
   std::optional<AlarmState> state{};  // into which it went

@@ -240,12 +240,12 @@ result::Result<std::vector<JournalEntry>> JournalView::find(const JournalQuery& 
   if (query.to_ns) sql += " AND time_ns <= ?2";
   // instr, not LIKE: what somebody looks for has no wildcards.
   if (query.alarm) sql += " AND instr(lower(a.name), lower(?3)) > 0";
-  if (query.source) sql += " AND e.alarm IN (SELECT id FROM alarm WHERE source = ?4 COLLATE NOCASE)";
+  if (query.source) sql += " AND e.alarm IN (SELECT id FROM alarm WHERE instr(lower(source), lower(?4)) > 0)";
   if (query.state) sql += " AND to_state = ?5 AND from_state <> to_state";
   if (query.event) sql += " AND event = ?6";
   if (query.at_least) sql += " AND priority <= ?7";
   if (query.before) sql += " AND (time_ns, e.id) < ((SELECT time_ns FROM entry WHERE id = ?8), ?8)";
-  if (query.user) sql += " AND lower(user) = lower(?10)";
+  if (query.user) sql += " AND instr(lower(user), lower(?10)) > 0";
   if (query.text)
     sql +=
         " AND (instr(lower(a.name || char(10) || a.source || char(10) || user || char(10) || comment), "

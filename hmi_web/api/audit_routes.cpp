@@ -140,7 +140,7 @@ std::vector<Route> audit_routes(const Services& services) {
                  "broken_line": {"type": "integer", "description": "number of the first wrong one of these; 0: none"}}})",
                    "application/json");
   const std::vector<Parameter> filters = {
-      {"user", "who did it"},
+      {"user", "part of the name of who did it"},
       {"target", "part of what it was done to"},
       {"text", "part of anything else in it"},
       {"from_ms", "ms since 1970"},

@@ -54,7 +54,7 @@ class Cursor {
 
 std::string number_text(double value) {
   char text[32];
-  std::snprintf(text, sizeof text, "%g", value);
+  std::snprintf(text, sizeof text, "%.10g", value);
   return text;
 }
 
@@ -198,6 +198,8 @@ class Events : public nlohmann::json_sax<json> {
                         : kind == Kind::Texts ? static_cast<double>(std::get<Body::Texts>(value).size())
                         : kind == Kind::List  ? static_cast<double>(std::get<Body::List>(value).size())
                                               : field_->least;
+    if (kind == Kind::Text && size == 0 && field_->least > 0)
+      return fault("H0033", "'" + field_->name + "' is empty", field_->description);
     if (!(size >= field_->least && size <= field_->most)) return out_of_range();
     if (kind == Kind::Number && field_->whole && size != std::floor(size))
       return wrong_type("no whole number");

@@ -43,6 +43,9 @@ class CellControl {
   virtual std::string outlook() = 0;
   // Outputs to their safe state.
   [[nodiscard]] virtual result::Result<void> stop_runtime(const std::string& reason) = 0;
+  // Waits for a runtime that is busy or is being started again: what is read after it is what a write then
+  // replaces. D0001: none has answered; nothing was asked of any.
+  [[nodiscard]] virtual result::Result<void> reach() { return {}; }
 
   // Variables of the running program by their paths or addresses; values are literals of IEC 61131-3. What is
   // returned is the value as the program spells it.

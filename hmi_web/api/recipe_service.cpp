@@ -117,6 +117,7 @@ Result<RecipeChange> RecipeService::load(const std::string& name) {
   if (!recipe) return result::forward(recipe);
   auto checked = recipes::check(known_tags(), recipe->values);
   if (!checked) return result::forward(checked);
+  if (auto there = cell_.reach(); !there) return result::forward(there);
   auto after = checked_by_program(std::move(*checked));
   if (!after) return result::forward(after);
   auto before = read_all(*after);

@@ -15,9 +15,9 @@ const std::vector<Parameter> kWindow = {
 const std::vector<Parameter> kEntries = {
     {"from_ms", "ms since 1970"},
     {"to_ms", "ms since 1970"},
-    {"alarm", "the name of one alarm"},
-    {"source", "the variable that it watches"},
-    {"user", "who did it"},
+    {"alarm", "part of the alarm's name"},
+    {"source", "part of the name of the variable that it watches"},
+    {"user", "part of the name of who did it"},
     {"text", "somewhere in name, variable, person or reason"},
     {"state", "into which it went"},
     {"event", "for example raise, acknowledge"},

@@ -71,6 +71,9 @@ constexpr const char* kHistory = R"({"type": "object", "required": ["name", "cur
 constexpr const char* kSaved = R"({"type": "object", "required": ["name", "version"], "properties": {
   "name": {"type": "string"}, "version": {"type": "integer"},
   "warnings": {"type": "array", "items": {"type": "object", "required": ["code", "message"]}}}})";
+constexpr const char* kCheckedScreen = R"({"type": "object", "required": ["svg", "warnings"], "properties": {
+  "svg": {"type": "string"},
+  "warnings": {"type": "array", "items": {"type": "object", "required": ["code", "message"]}}}})";
 constexpr const char* kWritten = R"({"type": "object", "required": ["name", "value"], "properties": {
   "name": {"type": "string"}, "value": {"type": "string"}}})";
 
@@ -202,6 +205,15 @@ Answer save(ScreenService& service, const Call& call) {
   return answer;
 }
 
+// Of a file that somebody goes on drawing: nothing is kept.
+Answer check(ScreenService& service, const Call& call) {
+  const std::string& text = call.body.text("svg");
+  auto drawn = drawing::read_drawing("screen.svg", text);
+  if (!drawn) return refused(400, drawn.error());
+  const auto doubts = service.doubts_of("screen", text);
+  return answer_of({{"svg", std::move(drawn->svg)}, {"warnings", problems_json(doubts)}});
+}
+
 Answer remove(ScreenService& service, const Call& call) {
   const std::string& name = call.parameter("name");
   const auto screen = service.find(name, call.who.role);
@@ -278,6 +290,11 @@ std::vector<Route> screen_routes(const Services& services) {
       acting_row("PUT", "/api/screens/{name}", "screen.save", "Saves a screen as a new version", kSaved),
       {"SaveScreen", {kSvg, kVersion, kComment}});
   saving.most_body = kMostBody;
+  Route checking =
+      engineers(acting_row("POST", "/api/screen-check", "screen.check",
+                           "A drawing as a screen would keep it; nothing is saved", kCheckedScreen),
+                {"CheckScreen", {kSvg}});
+  checking.most_body = kMostBody;
   Route removing = engineers(acting_row("DELETE", "/api/screens/{name}", "screen.remove",
                                         "Removes a screen; its versions are kept", kSaved));
   removing.query = {{"version", "the version that was looked at"}};
@@ -297,6 +314,7 @@ std::vector<Route> screen_routes(const Services& services) {
                                  "Who has saved a screen, and when", kHistory)),
            [](ScreenService& at, const Call& call) { return history_of(at, call); }),
       with(std::move(saving), [](ScreenService& at, const Call& call) { return save(at, call); }),
+      with(std::move(checking), [](ScreenService& at, const Call& call) { return check(at, call); }),
       with(std::move(removing), [](ScreenService& at, const Call& call) { return remove(at, call); }),
       with(engineers(acting_row("PUT", "/api/screen-start", "screen.start", "The screen that pages open with",
                                 kSaved),

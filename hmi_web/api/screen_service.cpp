@@ -162,6 +162,7 @@ Result<PartWritten> ScreenService::obey(const PartWrite& deed, bool& tried) {
                         part->confirm);
   auto target = target_of(*part, deed.value);
   if (!target) return result::forward(target);
+  if (auto there = cell_.reach(); !there) return result::forward(there);
   PartWritten written{.variable = target->variable};
   written.before = cell_.read(target->variable).value_or("");
   tried = true;

@@ -68,6 +68,7 @@ std::vector<Route> tag_routes(const Services& services) {
                     {"WriteTag", {kName, kText, kReason}});
   write.handler = [cell](const Call& call) {
     const std::string& name = call.body.text("name");
+    if (auto there = cell->reach(); !there) return failed(there.error(), name, "", call.body.text("value"));
     const std::string before = cell->read(name).value_or("");
     const auto done = cell->write(name, call.body.text("value"));
     return done ? tagged(name, before, *done) : failed(done.error(), name, before, call.body.text("value"));
@@ -76,6 +77,7 @@ std::vector<Route> tag_routes(const Services& services) {
                     {"ForceTag", {kName, kValue, kReason, kMinutes}});
   force.handler = [cell, forces](const Call& call) {
     const std::string& name = call.body.text("name");
+    if (auto there = cell->reach(); !there) return failed(there.error(), name, "", call.body.text("value"));
     const std::string before = cell->read(name).value_or("");
     const auto minutes = std::chrono::minutes(static_cast<int>(call.body.number("minutes", 15)));
     const auto done =
@@ -87,6 +89,7 @@ std::vector<Route> tag_routes(const Services& services) {
                       {"UnforceTag", {kName, kReason}});
   unforce.handler = [cell, forces](const Call& call) {
     const std::string& name = call.body.text("name");
+    if (auto there = cell->reach(); !there) return failed(there.error(), name, "", "");
     const std::string before = cell->read(name).value_or("");
     const auto done = forces->unforce(name);
     return done ? tagged(name, before, "") : failed(done.error(), name, before, "");

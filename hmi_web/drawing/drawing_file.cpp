@@ -210,6 +210,9 @@ class Reader {
     std::vector<BindingMistake> wrong;
     auto names = check_bindings(from, wrong);
     if (auto part = read_part(from, names, wrong)) take(std::move(*part), from, wrong);
+    if (auto idle = idle_symbol(from))
+      miss("C0647", "idle " + std::to_string(from.offset_debug()), from.offset_debug(),
+           std::move(idle->message), std::move(idle->hint));
     for (std::string& name : names) {
       std::string copy = name.find('{') == std::string::npos ? std::string() : copy_around(from);
       names_.push_back({std::move(name), {}, std::move(copy)});

@@ -16,7 +16,8 @@
 //
 // Codes: C0640 the file cannot be read as a drawing, C0641 an element that is not drawn, C0642 an attribute
 // that is refused, C0643 a binding that is wrong, C0644 too much of something. Warnings: C0643 an attribute
-// `data-...` of somebody else's, C0646 what is left out and is missed.
+// `data-...` of somebody else's, C0646 what is left out and is missed, C0647 an
+// operator part of the editor that is not filled in.
 //
 // Pure but for the file; any thread.
 
@@ -52,7 +53,8 @@ struct Drawing {
   std::vector<Part> parts = {};       // that people act with; each that writes has a key of its own
   std::string least = "viewer";       // the role from which it is shown: viewer, operator or engineer
   bool is_symbol = false;             // a face for others to repeat, no screen
-  result::Diagnostics warnings = {};  // C0643, C0646: what is drawn otherwise than it stands there
+  result::Diagnostics warnings =
+      {};  // C0643, C0646, C0647: what shows or does otherwise than it stands there
 };
 
 [[nodiscard]] result::Result<Drawing> load_drawing(const std::filesystem::path& file);

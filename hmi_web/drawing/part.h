@@ -44,5 +44,7 @@ struct Part {
 };
 
 bool writes(PartKind kind);
+// "set point".
+const char* word_of(PartKind kind);
 
 }  // namespace stepwright::drawing

@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "hmi_web/drawing/trimmed.h"
@@ -24,14 +25,25 @@ constexpr std::array<std::string_view, 16> kAttributes = {
 struct Kind {
   std::string_view name;
   PartKind kind;
+  const char* word;
 };
 constexpr std::array kKinds = {
-    Kind{"button", PartKind::Button},     Kind{"switch", PartKind::Switch},
-    Kind{"setpoint", PartKind::SetPoint}, Kind{"slider", PartKind::Slider},
-    Kind{"choice", PartKind::Choice},     Kind{"startstop", PartKind::StartStop},
-    Kind{"navigate", PartKind::Navigate}, Kind{"trend", PartKind::Trend},
-    Kind{"alarms", PartKind::Alarms},     Kind{"tags", PartKind::Tags},
+    Kind{"button", PartKind::Button, "button"},
+    Kind{"switch", PartKind::Switch, "switch"},
+    Kind{"setpoint", PartKind::SetPoint, "set point"},
+    Kind{"slider", PartKind::Slider, "slider"},
+    Kind{"choice", PartKind::Choice, "choice"},
+    Kind{"startstop", PartKind::StartStop, "start/stop pair"},
+    Kind{"navigate", PartKind::Navigate, "way to a screen"},
+    Kind{"trend", PartKind::Trend, "trend"},
+    Kind{"alarms", PartKind::Alarms, "list of alarms"},
+    Kind{"tags", PartKind::Tags, "table of tags"},
 };
+
+const Kind* kind_of(std::string_view name) {
+  const auto found = std::ranges::find(kKinds, name, &Kind::name);
+  return found == kKinds.end() ? nullptr : &*found;
+}
 
 bool is_key(std::string_view text) {
   return !text.empty() && text.size() <= kLongestKey && std::all_of(text.begin(), text.end(), [](char c) {
@@ -64,9 +76,8 @@ class Reader {
       check(attribute.name(), attribute.value());
     const std::string_view name = text("data-part");
     if (name.empty()) return std::nullopt;
-    const auto* const found =
-        std::find_if(kKinds.begin(), kKinds.end(), [&](const Kind& each) { return each.name == name; });
-    if (found == kKinds.end()) {
+    const Kind* const found = kind_of(name);
+    if (found == nullptr) {
       tell("there is no part " + std::string(name.substr(0, kLongestKey)),
            "button, switch, setpoint, slider, choice, startstop, navigate, trend, alarms, tags");
       return std::nullopt;
@@ -172,6 +183,11 @@ bool writes(PartKind kind) {
   return kind < PartKind::Navigate;
 }
 
+const char* word_of(PartKind kind) {
+  const auto found = std::ranges::find(kKinds, kind, &Kind::kind);
+  return found == kKinds.end() ? "part" : found->word;
+}
+
 bool is_part_attribute(std::string_view name) {
   return std::find(kAttributes.begin(), kAttributes.end(), name) != kAttributes.end();
 }
@@ -183,6 +199,25 @@ std::span<const std::string_view> part_attributes() {
 std::optional<Part> read_part(pugi::xml_node element, std::vector<std::string>& names,
                               std::vector<BindingMistake>& mistakes) {
   return Reader(element, names, mistakes).read();
+}
+
+std::optional<BindingMistake> idle_symbol(pugi::xml_node element) {
+  const Kind* const found = kind_of(element.attribute("data-symbol").value());
+  if (found == nullptr || found->kind > PartKind::Navigate || element.attribute("data-part"))
+    return std::nullopt;
+  const auto params = nlohmann::json::parse(element.attribute("data-params").value(), nullptr,
+                                            /*allow_exceptions=*/false);
+  const auto said = [&](const char* name) {
+    const auto member = params.is_object() ? params.find(name) : params.end();
+    return member != params.end() && member->is_string() ? member->get<std::string>() : std::string();
+  };
+  const std::string label = said("label").empty() ? said("key") : said("label");
+  const bool leads = found->kind == PartKind::Navigate;
+  return BindingMistake{
+      "the " + std::string(found->word) + " '" + label + "' " + (leads ? "leads nowhere" : "writes nothing"),
+      leads                   ? "'Leads to' in its properties: the screen"
+      : said("write").empty() ? "'Writes' in its properties: the variable"
+                              : "the value, the values or the range that it writes, in its properties"};
 }
 
 }  // namespace stepwright::drawing

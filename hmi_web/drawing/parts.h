@@ -24,4 +24,8 @@ std::span<const std::string_view> part_attributes();
 std::optional<Part> read_part(pugi::xml_node element, std::vector<std::string>& names,
                               std::vector<BindingMistake>& mistakes);
 
+// A symbol that is to act and that the editor has left without a part, as something of it is not filled in:
+// "the button 'Go' writes nothing", with the field that is missed.
+std::optional<BindingMistake> idle_symbol(pugi::xml_node element);
+
 }  // namespace stepwright::drawing

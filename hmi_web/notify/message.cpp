@@ -56,7 +56,7 @@ std::string with_mail_lines(const std::string& text) {
 
 }  // namespace
 
-Message message_of(const std::string& cell, std::vector<StandingAlarm> alarms) {
+Message message_of(const std::string& cell, std::vector<StandingAlarm> alarms, std::chrono::seconds repeat) {
   std::ranges::stable_sort(alarms, [](const StandingAlarm& a, const StandingAlarm& b) {
     return std::tuple(a.priority, a.raised_ns) < std::tuple(b.priority, b.raised_ns);
   });
@@ -81,7 +81,9 @@ Message message_of(const std::string& cell, std::vector<StandingAlarm> alarms) {
                     {"told", each.told},
                     {"unit", each.unit}});
   }
-  message.text += "\nSent by the cell " + cell + " until somebody acknowledges it on its page.\n";
+  message.text += repeat.count() == 0
+                      ? "\nSent once by the cell " + cell + ": its page shows what stands now.\n"
+                      : "\nSent by the cell " + cell + " until somebody acknowledges it on its page.\n";
   message.json = dumped({{"cell", cell}, {"kind", "alarms"}, {"alarms", std::move(list)}});
   return message;
 }

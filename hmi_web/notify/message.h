@@ -4,6 +4,7 @@
 //
 // Pure; any thread.
 
+#include <chrono>
 #include <string>
 #include <vector>
 
@@ -11,8 +12,8 @@
 
 namespace stepwright::notify {
 
-// `alarms` is not empty, the most urgent first.
-Message message_of(const std::string& cell, std::vector<StandingAlarm> alarms);
+// `alarms` is not empty, the most urgent first. `repeat`: of the channel; 0: it is told once.
+Message message_of(const std::string& cell, std::vector<StandingAlarm> alarms, std::chrono::seconds repeat);
 // To see whether it arrives.
 Message test_message(const std::string& cell, const Channel& channel, const std::string& user);
 // As a mail server takes it (RFC 5322): headers without line breaks in them, lines that end with CR LF.

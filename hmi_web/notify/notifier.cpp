@@ -77,7 +77,7 @@ void Notifier::work(Worker& worker, const std::stop_token& stop) {
     if (tester) send(worker, test_message(cell_, worker.channel, *tester), true, stop);
     const auto due = schedule.due(standing_(), std::chrono::steady_clock::now());
     if (due.empty()) continue;
-    const bool arrived = send(worker, message_of(cell_, due), false, stop);
+    const bool arrived = send(worker, message_of(cell_, due, worker.channel.repeat), false, stop);
     schedule.sent(arrived, std::chrono::steady_clock::now());
     // A disk that takes nothing is told by the history, and a restart tells of the alarms again.
     if (arrived && told_ != nullptr) std::ignore = told_->keep(worker.channel.name, schedule.told());

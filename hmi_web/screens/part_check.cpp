@@ -32,25 +32,6 @@ struct Limits {
   double most = 0;
 };
 
-const char* word_of(PartKind kind) {
-  switch (kind) {
-    case PartKind::Button:
-      return "button";
-    case PartKind::Switch:
-      return "switch";
-    case PartKind::SetPoint:
-      return "set point";
-    case PartKind::Slider:
-      return "slider";
-    case PartKind::Choice:
-      return "choice";
-    case PartKind::StartStop:
-      return "start/stop pair";
-    default:
-      return "part";
-  }
-}
-
 // What a set point or a slider can write at most: a TIME in seconds. Nothing: no number.
 std::optional<Limits> limits_of(const reader::Variable& variable) {
   if (variable.enumerators != nullptr && !variable.enumerators->empty())

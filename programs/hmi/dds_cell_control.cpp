@@ -1,7 +1,9 @@
 #include "programs/hmi/dds_cell_control.h"
 
 #include <algorithm>
+#include <chrono>
 #include <iterator>
+#include <thread>
 #include <utility>
 
 #include "hmi_web/api/cell_codes.h"
@@ -11,6 +13,9 @@ namespace stepwright::hmi {
 namespace {
 
 using result::Result;
+
+constexpr std::chrono::milliseconds kLongestForValues{1'000};
+constexpr std::chrono::milliseconds kBetweenLooks{10};
 
 tl::unexpected<result::Diagnostics> just_changed() {
   return result::fail(api::kProgramJustChanged, {}, "the program has just changed", "try again in a moment");
@@ -75,6 +80,20 @@ std::string DdsCellControl::outlook() {
 
 Result<void> DdsCellControl::stop_runtime(const std::string& reason) {
   return source_.client().stop(reason);
+}
+
+// A runtime that was started again answers before its first values are here. A refusal is an answer, too.
+Result<void> DdsCellControl::reach() {
+  auto answer = source_.client().ask(service::ReadForces{});
+  if (!answer && answer.error().front().code == api::kNobodyAnswers) return result::forward(answer);
+  const auto status = source_.client().status();
+  const auto end = std::chrono::steady_clock::now() + kLongestForValues;
+  while (status && std::chrono::steady_clock::now() < end) {
+    const auto snapshot = source_.client().snapshot();
+    if (snapshot && snapshot->incarnation == status->incarnation) break;
+    std::this_thread::sleep_for(kBetweenLooks);
+  }
+  return {};
 }
 
 Result<std::string> DdsCellControl::read(const std::string& name) {

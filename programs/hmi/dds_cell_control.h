@@ -25,6 +25,7 @@ class DdsCellControl : public api::CellControl {
   std::string goal_form() override;
   std::string outlook() override;
   result::Result<void> stop_runtime(const std::string& reason) override;
+  result::Result<void> reach() override;
   result::Result<std::string> read(const std::string& name) override;
   std::shared_ptr<const reader::ProgramInfo> program() override;
   std::shared_ptr<const tags::KnownTags> known_tags() override;

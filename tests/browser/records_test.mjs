@@ -76,7 +76,7 @@ async function measuresAndExports(page) {
   await page.getByLabel('Tag to add').fill('B17');
   await page.getByRole('button', { name: 'Add' }).click();
   check((await page.getByTestId('history-refusal').innerText()) === 'There is no history of “B17”.', 'a name that is none is told');
-  await page.getByLabel('Tag to add').fill('B1');
+  await page.getByLabel('Tag to add').fill('b1');
   await page.getByRole('button', { name: 'Add' }).click();
   await waitFor(page, 'a variable of the program joins in', () => document.querySelector('[data-tag=B1]') !== null);
   const href = await page.getByTestId('history-csv').getAttribute('href');

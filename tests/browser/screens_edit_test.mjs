@@ -35,6 +35,24 @@ async function drags(page, selector, dx, dy) {
   await page.mouse.up();
 }
 
+// Before there is a screen: what somebody ticks in the overview is drawn, stays over a reload, and never goes for something else.
+async function picksLines(page) {
+  const ticked = () => page.locator('[data-testid=tag-groups] input:checked').evaluateAll((all) => all.map((one) => one.closest('dt').title).join(' '));
+  await until('three are drawn to begin with', async () => (await ticked()).split(' ').length === 3);
+  const free = page.locator('[data-testid=tag-groups] input:not(:checked)');
+  for (let k = 0; k < 3; k++) {
+    await free.first().click();
+    await until('a line is ticked', async () => (await ticked()).split(' ').length === 4 + k);
+  }
+  const six = await ticked();
+  await free.first().click();
+  await waitFor(page, 'a seventh is refused in words', () => document.querySelector('[data-testid=lines-full]').innerText.includes('6 lines are drawn'));
+  check((await ticked()) === six, 'and takes nothing away');
+  await page.reload();
+  await until('after a reload the same are drawn', async () => (await ticked()) === six);
+  await shot(page, 'overview');
+}
+
 async function drawsLines(page) {
   await page.getByRole('button', { name: 'Draw a screen' }).click();
   await editor(page).getByLabel('Name', { exact: true }).fill('Line');
@@ -265,6 +283,8 @@ async function bringsWhatCannotBe(page) {
 
 async function isRemovedMeanwhile(page) {
   await button(page, 'Close').click();
+  await page.keyboard.press('Shift');
+  await button(page, 'Leave without saving').click();
   await goes(page, 'Line');
   await isShown(page, 'Line');
   await page.getByRole('button', { name: 'Edit', exact: true }).click();
@@ -280,6 +300,28 @@ async function isRemovedMeanwhile(page) {
   check((await page.locator('[data-item]').count()) === 4, 'with all that was drawn');
 }
 
+// A button that writes nothing is saved, and nobody takes it for one that does.
+async function tellsWhatDoesNothing(page) {
+  await adds(page, 'button');
+  await field(page, 'Label').fill('Halt');
+  check((await page.locator('[data-idle]').count()) === 0, 'while it is drawn it is not complained of');
+  await button(page, 'Save').click();
+  await says(page, 'Saved as version 6.');
+  const idle = page.locator('[data-idle]');
+  check(/^Button Halt at \d+, \d+ writes nothing/.test(await idle.innerText()), 'once it is saved it is named');
+  check((await page.locator('[data-testid=editor-doubts]').count()) === 0, 'once');
+  await page.keyboard.press('Escape');
+  await idle.getByRole('button').click();
+  await waitFor(page, 'and the way leads to what is missed', () => document.activeElement?.labels?.[0]?.innerText === 'Writes');
+  const { json } = await asks(page, 'POST', '/api/screen-check', { svg: (await asks(page, 'GET', '/api/screens/Line')).json.svg });
+  check(json.warnings.some(({ code, message }) => code === 'C0647' && message.includes("'Halt' writes nothing")), 'the server says so, too');
+  await button(page, 'Close').click();
+  const dead = page.getByTestId('screen').getByRole('button', { name: 'Halt' });
+  await until('the page shows that it does nothing', async () => (await dead.isDisabled()) && (await dead.evaluate((one) => getComputedStyle(one).borderTopStyle)) === 'dashed');
+  await page.getByRole('button', { name: 'Edit', exact: true }).click();
+  await item(page, 'p1').waitFor();
+}
+
 async function sessionEnds(page) {
   await adds(page, 'motor');
   check((await page.locator('[data-item]').count()) === 5, 'something more is drawn');
@@ -290,6 +332,7 @@ async function sessionEnds(page) {
   check((await page.locator('[data-item]').count()) === 5, 'and nothing is lost');
   await button(page, 'Save').click();
   await says(page, 'Saved as version 5.');
+  await tellsWhatDoesNothing(page);
   await fitsEachLook(page, [['dark', 1440], ['light', 360]], (look) => shot(page, look));
   await page.setViewportSize({ width: 1440, height: 900 });
   await button(page, 'Close').click();
@@ -385,6 +428,7 @@ await leadOverPage(given, {
     await addsUsers(page);
     check((await asks(page, 'POST', '/api/users', { name: 'vera', role: 'viewer', password: PASSWORD })).status === 200, 'vera is a user');
     await logsIn(page, 'emil');
+    await picksLines(page);
     await drawsLines(page);
     await sizesAndTurns(page);
     await choosesSeveral(page);

@@ -176,6 +176,16 @@ class CheckNames(unittest.TestCase):
         self.assertEqual(done.stderr.count("C0645"), 2, done.stderr)
         self.assertIn("cell.toml: 2 warnings", done.stdout)
 
+    def test_a_part_of_a_screen_that_is_not_filled_in_is_a_warning_with_its_label(self):
+        screens = self.folder / "state/screens"
+        screens.mkdir(parents=True)
+        idle = '<g data-symbol="{}" data-params=\'{{"label":"{}","key":"p1"}}\'><rect width="1" height="1"/></g>\n'
+        (screens / "Mixer.svg").write_text('<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 10 10">\n' + idle.format("button", "Halt") + idle.format("navigate", "Next") + "</svg>\n", encoding="utf-8")
+        done = self.check()
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("Mixer.svg:2:2: warning: C0647: the button 'Halt' writes nothing", done.stderr)
+        self.assertIn("Mixer.svg:3:2: warning: C0647: the way to a screen 'Next' leads nowhere", done.stderr)
+
     def test_a_part_in_the_plants_picture_is_a_warning(self):
         self.write(**{"plant.svg": '<svg viewBox="0 0 9 9">\n<g data-part="switch" data-key="k" data-write="Main.cleaning"><rect/></g></svg>'})
         self.assertIn("plant.svg:2:2: warning: C0645: the operator part 'k' of [hmi] drawing does nothing", self.check().stderr)

@@ -40,3 +40,24 @@ export function firstDrawn(groups: readonly Group[], notes: TagNotes, most: numb
   const known = rows.filter(({ name }) => notes.of(name));
   return [...known, ...rows.filter((row) => !known.includes(row))].slice(0, most).map(({ name }) => name);
 }
+
+const MOST_LINES = 6; // of the overview's trend: each has its colour
+
+// What is drawn once somebody has pressed one; null: there is no colour left, and nothing is taken away for it.
+export function picked(lines: readonly string[], name: string): string[] | null {
+  if (lines.includes(name)) return lines.filter((each) => each !== name);
+  return lines.length < MOST_LINES ? [...lines, name] : null;
+}
+
+// What a browser kept of somebody's choice, of those that there are; null: nobody has chosen, or none of them is there.
+export function pickedBefore(text: string | null, known: readonly string[]): string[] | null {
+  try {
+    const kept: unknown = JSON.parse(text ?? 'null');
+    if (!Array.isArray(kept)) return null;
+    const there = known.filter((name) => kept.includes(name));
+    const inOrder = kept.filter((name): name is string => there.includes(name as string)).slice(0, MOST_LINES);
+    return kept.length === 0 || inOrder.length > 0 ? inOrder : null;
+  } catch {
+    return null;
+  }
+}

@@ -82,6 +82,35 @@ export function partOf(read: (attribute: string) => string | null): Part | null 
   };
 }
 
+// A symbol of the editor that is to act, and is no part as something of it is not filled in: it has nothing to write or to lead to.
+export function idlePartOf(symbol: string, params: string): Part | null {
+  if (!isWriting(symbol) && symbol !== 'navigate') return null;
+  let label: unknown;
+  try {
+    label = (JSON.parse(params) as { label?: unknown } | null)?.label;
+  } catch {
+    // It has none then.
+  }
+  return partOf((attribute) => (attribute === 'part' ? symbol : attribute === 'label' && typeof label === 'string' ? label : null));
+}
+export const isIdle = ({ kind, write, go }: Part): boolean => (kind === 'navigate' ? go === '' : isWriting(kind) && write === '');
+
+// What somebody is about to do with it, as people read it; '': its own words say it. `number`: of a literal.
+export function deedOfPart(part: Part, wanted: string, words: Record<'start' | 'stop' | 'on' | 'off', string>, number: (literal: string) => string): string {
+  switch (part.kind) {
+    case 'startstop':
+      return wanted === 'stop' ? words.stop : words.start;
+    case 'switch':
+      return wanted === 'TRUE' ? words.on : words.off;
+    case 'choice':
+      return part.values.find(({ literal }) => literal === wanted)?.name ?? wanted;
+    case 'button':
+      return part.label === '' ? part.value : '';
+    default:
+      return number(wanted);
+  }
+}
+
 // A trend that stands in no drawing.
 export const trendPart = (tags: readonly string[], minutes: number): Part => ({
   kind: 'trend', key: '', label: '', write: '', stop: '', value: '', from: 0, to: 0, step: 0, unit: '', values: [], confirm: '',
@@ -107,8 +136,9 @@ export const namesOf = (part: Part): string[] => [part.write, part.feedback, ...
 export function placeParts(root: SVGSVGElement): PlacedPart[] {
   const whole = root.getBoundingClientRect();
   const placed: PlacedPart[] = [];
-  for (const element of root.querySelectorAll<SVGGraphicsElement>('[data-part]')) {
-    const part = partOf((attribute) => element.getAttribute(`data-${attribute}`));
+  for (const element of root.querySelectorAll<SVGGraphicsElement>('[data-part], [data-symbol]')) {
+    const read = (attribute: string) => element.getAttribute(`data-${attribute}`);
+    const part = read('part') === null ? idlePartOf(read('symbol') ?? '', read('params') ?? '') : partOf(read);
     if (!part || whole.width === 0) continue;
     // The letters of its picture may stick out of it.
     const box = (element.querySelector(':scope > rect') ?? element).getBoundingClientRect();

@@ -34,7 +34,16 @@ export interface Screen {
 // and a part of an address, too. NAME.svg is a file.
 export const isScreenName = (name: string): boolean => /^[A-Za-z0-9]([A-Za-z0-9 ._-]{0,62}[A-Za-z0-9])?$/.test(name) && !/\.svg$/i.test(name);
 
+// The name of the screen that a file becomes: letters of other alphabets as those of ASCII that people write for them.
+const SPELT: Record<string, string> = { ä: 'ae', ö: 'oe', ü: 'ue', Ä: 'Ae', Ö: 'Oe', Ü: 'Ue', ß: 'ss', æ: 'ae', Æ: 'Ae', ø: 'o', Ø: 'O', œ: 'oe', Œ: 'Oe', ł: 'l', Ł: 'L' };
+export function nameOfFile(file: string): string {
+  const spelt = file.normalize('NFC').replace(/(\.svg)+$/i, '').replace(/[^\x20-\x7e]/g, (sign) => SPELT[sign] ?? sign.normalize('NFD').replace(/[\u0300-\u036f]/g, ''));
+  const plain = spelt.replace(/[^A-Za-z0-9 ._-]+/g, ' ').replace(/ +/g, ' ').slice(0, 60);
+  return plain.replace(/^[^A-Za-z0-9]+|[^A-Za-z0-9]+$/g, '') || 'Import';
+}
+
 export const LIST = '/api/screens';
+export const CHECK = '/api/screen-check';
 export const pathOf = (name: string) => `${LIST}/${encodeURIComponent(name)}`;
 
 // Those that are looked at: faces are repeated in others, and removed ones are kept for engineers.

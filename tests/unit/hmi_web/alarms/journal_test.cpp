@@ -69,7 +69,11 @@ TEST_F(AlarmJournalTest, WhenTransitionsAreAppended_ThenTheyAreFoundByWhatTheyAr
   EXPECT_EQ(times({.alarm = "A"}), (Times{30, 10})) << "in any case";
   EXPECT_EQ(times({.source = "main.b"}), (Times{40, 20}));
   EXPECT_EQ(times({.source = "MAIN.B"}), (Times{40, 20})) << "as the program has it";
+  EXPECT_EQ(times({.source = "IN.b"}), (Times{40, 20})) << "and by a part of it";
+  EXPECT_EQ(times({.source = "ain.%"}), (Times{}));
   EXPECT_EQ(times({.user = "änne"}), (Times{40}));
+  EXPECT_EQ(times({.user = "NN"}), (Times{40}));
+  EXPECT_EQ(times({.user = "Annette"}), (Times{}));
   EXPECT_EQ(times({.text = "SEEN"}), (Times{40}));
   EXPECT_EQ(times({.text = "überprüft"}), (Times{40}));
   EXPECT_EQ(times({.text = "main.a"}), (Times{30, 10}));

@@ -67,6 +67,7 @@ const std::map<std::string, Role>& expected_roles() {
       {"PUT /api/screens/{name}", Role::Engineer},
       {"DELETE /api/screens/{name}", Role::Engineer},
       {"PUT /api/screen-start", Role::Engineer},
+      {"POST /api/screen-check", Role::Engineer},
       {"POST /api/screens/{name}/write", Role::Operator},
       {"GET /api/scan", Role::Viewer},
       {"GET /api/program", Role::Viewer},

@@ -95,6 +95,8 @@ TEST_F(AlarmRoutesTest, WhenTheTrailIsSearched_ThenOnlyWhatMatchesIsThere) {
     return actions;
   };
   EXPECT_EQ(found("user=OPERATOR"), "alarm.shelve alarm.acknowledge ");
+  EXPECT_EQ(found("user=PERAT"), "alarm.shelve alarm.acknowledge ");
+  EXPECT_EQ(found("user=engi"), "alarm.reset ");
   EXPECT_EQ(found("target=a.hi"), "alarm.reset alarm.acknowledge ");
   EXPECT_EQ(found("text=PUMP"), "alarm.acknowledge ");
   EXPECT_EQ(found("text=shelve&user=operator"), "alarm.shelve ");

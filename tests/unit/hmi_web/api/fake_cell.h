@@ -9,6 +9,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "hmi_web/api/cell_control.h"
@@ -21,6 +22,11 @@ class FakeCell : public CellControl {
   std::string goal_form() override { return text_of(goal_form_); }
   std::string outlook() override { return text_of(outlook_); }
   result::Result<void> stop_runtime(const std::string& reason) override { return note("stop " + reason); }
+  result::Result<void> reach() override {
+    const std::lock_guard lock(mutex_);
+    for (auto& [name, value] : std::exchange(started_with_, {})) values_[name] = std::move(value);
+    return {};
+  }
   result::Result<std::string> read(const std::string& name) override {
     const std::lock_guard lock(mutex_);
     const auto found = values_.find(name);
@@ -101,6 +107,11 @@ class FakeCell : public CellControl {
     return ForcedPlace{name, value, true};
   }
 
+  // The runtime is being started again, and will have these values.
+  void start_with(std::map<std::string, std::string> values) {
+    const std::lock_guard lock(mutex_);
+    started_with_ = std::move(values);
+  }
   // At the runtime's own socket, or by another program; without an end.
   void force_unseen(const std::string& name, const std::string& value) {
     const std::lock_guard lock(mutex_);
@@ -176,6 +187,7 @@ class FakeCell : public CellControl {
   mutable std::mutex mutex_;
   std::vector<std::string> asked_;
   std::map<std::string, std::string> values_ = {{"MAIN.valve", "FALSE"}};
+  std::map<std::string, std::string> started_with_;
   std::vector<host::PlantFault> faults_ = {{"t1.leak", "percent/s", "it leaks", 0.0, 5.0},
                                            {"v1.stuck", "", "1: it stays", 0.0, 1.0, true}};
   std::shared_ptr<const reader::ProgramInfo> program_;

@@ -71,6 +71,22 @@ TEST_F(ScreenRoutesTest, WhenAnOperatorWritesWithAPart_ThenTheProgramHasItAndThe
   EXPECT_EQ(entry["role"], "operator");
 }
 
+TEST_F(ScreenRoutesTest, WhenTheRuntimeIsBeingStartedAgain_ThenTheTrailHasTheValueThatItStartedWith) {
+  fixture_.cell.set("mixer.level", "55");
+  fixture_.cell.start_with({{"mixer.level", "-7"}});
+  EXPECT_EQ(write("level", "7"), "200");
+  EXPECT_EQ(last_of_trail()["before"], "-7");
+  EXPECT_EQ(last_of_trail()["after"], "7");
+  for (const char* action : {"write", "force", "unforce"}) {
+    fixture_.cell.set("mixer.level", "55");
+    fixture_.cell.start_with({{"mixer.level", "-9"}});
+    json body = {{"name", "mixer.level"}, {"reason", "a test"}};
+    if (action != std::string("unforce")) body["value"] = "8";
+    EXPECT_EQ(code(ask("POST", std::string("/api/tags/") + action, body.dump())), "200") << action;
+    EXPECT_EQ(last_of_trail()["before"], "-9") << action;
+  }
+}
+
 TEST_F(ScreenRoutesTest, WhenAValueIsNotOfThePart_ThenNothingIsWritten) {
   EXPECT_EQ(write("level", "100.5"), "400 H0126");
   EXPECT_EQ(write("level", "-1"), "400 H0126");
@@ -208,6 +224,22 @@ TEST_F(ScreenRoutesTest, WhenARoleHasAStartOfItsOwn_ThenItsPagesOpenWithItIfItMa
   EXPECT_EQ(choose({{"screen", "Nowhere"}}), "404 H0120");
   EXPECT_EQ(choose({{"screen", "Mixer"}, {"role", "nobody"}}).substr(0, 3), "400");
   EXPECT_EQ(choose({{"screen", "Mixer"}}, Role::Operator).substr(0, 3), "403");
+}
+
+TEST_F(ScreenRoutesTest, WhenADrawingIsChecked_ThenItIsCleanedAndNothingIsSaved) {
+  const auto check = [&](const std::string& svg, Role role = Role::Engineer) {
+    return ask("POST", "/api/screen-check", json{{"svg", svg}}.dump(), role);
+  };
+  const Answer answer = check(R"(<svg viewBox="0 0 9 9"><style>.a{fill:red}</style><rect class="a"/></svg>)");
+  EXPECT_EQ(answer.status, 200u) << answer.text;
+  EXPECT_EQ(json::parse(answer.text)["svg"].get<std::string>().find("<style"), std::string::npos);
+  const json idle = json::parse(
+      check(R"(<svg viewBox="0 0 9 9"><g data-symbol="button" data-params="{}"><rect/></g></svg>)").text);
+  EXPECT_EQ(idle["warnings"][0]["code"], "C0647");
+  EXPECT_EQ(code(check("<svg viewBox='0 0 9 9'><script/></svg>")), "400 C0641");
+  EXPECT_EQ(json::parse(check("").text)["problems"][0]["message"], "'svg' is empty");
+  EXPECT_EQ(code(check(kParts, Role::Operator)).substr(0, 3), "403");
+  EXPECT_EQ(json::parse(ask("GET", "/api/screens").text)["screens"].size(), 1u);
 }
 
 TEST_F(ScreenRoutesTest, WhenAScreenIsChosenOrRemoved_ThenPagesBeginElsewhere) {

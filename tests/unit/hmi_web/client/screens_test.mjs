@@ -8,9 +8,9 @@ import { test } from 'node:test';
 import { load } from './load_modules.mjs';
 
 const arrange = await load(process.env.CLIENT, ['screens/editor/arrange']);
-const model = await load(process.env.CLIENT, ['screens/editor/model', 'screens/editor/symbols', 'screens/editor/part_symbols', 'screens/editor/part_label']);
+const model = await load(process.env.CLIENT, ['screens/editor/model', 'screens/editor/symbols', 'screens/editor/part_symbols', 'screens/editor/part_label', 'screens/editor/drawn_elements']);
 const sizes = await load(process.env.CLIENT, ['screens/editor/sizing', 'screens/editor/points']);
-const view = await load(process.env.CLIENT, ['screens/parts', 'screens/screens', 'screens/overview', 'screens/trend_lines', 'screens/editor/tag_search', 'screens/editor/face_names', 'lib/tag_notes']);
+const view = await load(process.env.CLIENT, ['screens/parts', 'screens/screens', 'screens/overview', 'screens/trend_lines', 'lib/tag_search', 'screens/editor/face_names', 'lib/tag_notes']);
 
 const item = (key, more = {}) => ({ key, symbol: 'pump', x: 0, y: 0, w: 60, h: 60, turn: 0, group: '', params: {}, markup: '', ...more });
 const svgOf = (...items) => model.svgOf({ ...model.EMPTY, items }, new Map());
@@ -30,6 +30,64 @@ test('Parts_WhenTheyAreNotComplete_ThenTheyAreSavedWithoutWriting', () => {
   assert.ok(!svgOf(item('p1', { symbol: 'choice', params: { write: 'Main.a', values: '0=off' } })).includes('data-part'));
   const whole = svgOf(item('p7', { symbol: 'setpoint', params: { write: 'Main.a', from: '0', to: '5', confirm: 'Sure?' } }));
   assert.match(whole, /data-part="setpoint" data-key="p7" data-write="Main.a" data-confirm="Sure\?" data-from="0" data-to="5"/);
+});
+
+test('Parts_WhenTheyAreNotComplete_ThenTheyAreNamedAndDrawnAsWhatDoesNothing', () => {
+  const parts = [
+    item('p1', { symbol: 'button', w: 120, h: 44, params: { label: 'Stop', literal: 'TRUE' } }),
+    item('p2', { symbol: 'navigate', w: 120, h: 44, params: {} }),
+    item('p3', { symbol: 'setpoint', w: 120, h: 44, params: { write: 'Main.a', from: '90', to: '0' } }),
+    item('p4', { symbol: 'switch', w: 120, h: 44, params: { write: 'Main.a' } }),
+    item('p5', { symbol: 'trend' }),
+  ];
+  assert.deepEqual(model.idleIn(parts).map(({ item: { key }, missed }) => [key, missed]), [['p1', 'write'], ['p2', 'go'], ['p3', 'to']]);
+  for (const each of parts.slice(0, 3)) assert.ok(model.innerOf(each, new Map()).includes('stroke-dasharray'), each.key);
+  assert.ok(!model.innerOf(parts[3], new Map()).includes('stroke-dasharray'));
+});
+
+test('Part_WhenSomethingOfItIsNotFilledIn_ThenThePageShowsAPartThatDoesNothing', () => {
+  const idle = view.idlePartOf('button', '{"label":"Stop","key":"p1"}');
+  assert.deepEqual([idle.kind, idle.label, view.isIdle(idle)], ['button', 'Stop', true]);
+  assert.ok(view.isIdle(view.idlePartOf('navigate', '[broken')));
+  for (const kind of ['tank', 'trend', '']) assert.equal(view.idlePartOf(kind, '{}'), null, kind);
+  assert.ok(!view.isIdle(view.partOf((name) => ({ part: 'switch', write: 'Main.a' })[name] ?? null)));
+});
+
+test('Part_WhenTheServerNamesItsLine_ThenItIsFound', () => {
+  const items = [item('p1'), item('p2', { symbol: 'drawn', markup: '<g>\n<rect/>\n</g>' }), item('p3', { symbol: 'slider', params: { label: 'Speed' } })];
+  for (const title of ['', 'A title']) {
+    const content = { settings: { ...model.EMPTY.settings, title }, items };
+    const lines = model.svgOf(content, new Map()).split('\n');
+    const at = (text) => model.itemInLine(content, new Map(), lines.findIndex((line) => line.includes(text)) + 1)?.key;
+    assert.deepEqual([at('"pump"'), at('"drawn"'), at('<rect/>'), at('"slider"')], ['p1', 'p2', 'p2', 'p3']);
+    assert.equal(model.itemInLine(content, new Map(), 1), undefined);
+    assert.equal(model.itemInLine(content, new Map(), lines.length), undefined);
+  }
+});
+
+test('Part_WhenItAsks_ThenItSaysWhatIsWritten', () => {
+  const words = { start: 'Start', stop: 'Stop', on: 'on', off: 'off' };
+  const said = (attributes, wanted) => view.deedOfPart(view.partOf((name) => attributes[name] ?? null), wanted, words, (literal) => `${literal} l`);
+  const pair = { part: 'startstop', write: 'Main.motor', label: 'Motor' };
+  assert.deepEqual([said(pair, 'start'), said(pair, 'stop')], ['Start', 'Stop']);
+  assert.deepEqual([said({ part: 'switch', write: 'Main.v' }, 'TRUE'), said({ part: 'switch', write: 'Main.v' }, 'FALSE')], ['on', 'off']);
+  assert.equal(said({ part: 'choice', write: 'Main.m', values: '0=Off;1=By hand' }, '1'), 'By hand');
+  assert.equal(said({ part: 'slider', write: 'Main.s' }, '12.5'), '12.5 l');
+  assert.equal(said({ part: 'button', write: 'Main.b', value: 'TRUE' }, 'TRUE'), 'TRUE', 'what has only the name of its variable');
+  assert.equal(said({ part: 'button', write: 'Main.b', value: 'TRUE', label: 'Flush' }, 'TRUE'), '');
+});
+
+test('Drawn_WhenWhatAnotherProgramHasDrawnIsBound_ThenItsElementSaysSoAndCanBeReadAgain', () => {
+  assert.deepEqual(model.fieldsOfDrawn('<text x="1">12</text>'), ['value', 'digits', 'unit', 'on', 'warn', 'alarm']);
+  assert.deepEqual(model.fieldsOfDrawn('<g><text>12</text></g>'), ['on', 'warn', 'alarm']);
+  const text = model.innerOf(item('p1', { symbol: 'drawn', markup: '<text x="1">12</text>', params: { value: 'Main.level', digits: '1', on: '!Main.<a>' } }), new Map());
+  assert.equal(text, '<text data-text="Main.level" data-digits="1" data-on="!Main.&lt;a&gt;" x="1">12</text>');
+  assert.equal(model.boundMarkup('<rect/>', { value: 'Main.level', alarm: 'Main.hot' }), '<rect data-alarm="Main.hot"/>', 'a shape shows no text');
+  assert.equal(model.boundMarkup('<text>a</text>', { unit: 'l' }), '<text>a</text>', 'a unit alone is none');
+  const attributes = new Map([['data-text', 'Main.level'], ['data-alarm', 'Main.hot'], ['x', '1']]);
+  const element = { tagName: 'text', getAttribute: (name) => attributes.get(name) ?? null, removeAttribute: (name) => attributes.delete(name) };
+  assert.deepEqual(model.liftedFrom(element), { value: 'Main.level', alarm: 'Main.hot' });
+  assert.deepEqual([...attributes.keys()], ['x']);
 });
 
 test('Face_WhenItIsRepeated_ThenEachCopyHasItsOwnNamesAndKeys', () => {
@@ -174,6 +232,18 @@ test('Tags_WhenPartsOfTheirWordsAreTyped_ThenTheyAreFound', () => {
   assert.deepEqual(found('nothing'), []);
 });
 
+test('Tag_WhenAnythingOfItIsTyped_ThenItIsTheOneOrThoseThatAreMeant', () => {
+  const named = [['Main.temp', 'temperature'], ['Main.saw', 'temperature of the saw'], ['Main.saw_2', ''], ['points/a1.level', 'tank a1']].map(([name, words]) => ({ name, type: '', words }));
+  const meant = (text) => view.meantBy(named, text).map(({ name }) => name);
+  assert.deepEqual(meant('main.SAW'), ['Main.saw'], 'a whole name is no part of another one');
+  assert.deepEqual(meant(' Temperature '), ['Main.temp'], 'what people call it as a whole');
+  assert.deepEqual(meant('_2'), ['Main.saw_2']);
+  assert.deepEqual(meant('Saw'), ['Main.saw'], 'the last part as a whole');
+  assert.deepEqual(meant('sa'), ['Main.saw', 'Main.saw_2']);
+  assert.deepEqual(meant('tank'), ['points/a1.level']);
+  assert.deepEqual([meant('nothing'), meant(' ')], [[], []]);
+});
+
 test('Part_WhenItIsRead_ThenItHasWhatTheServerChecked', () => {
   const read = (attributes) => view.partOf((name) => attributes[name] ?? null);
   assert.equal(read({}), null);
@@ -208,6 +278,49 @@ test('Trend_WhenTheHistoryComesLate_ThenItStandsBeforeWhatWasSeen', () => {
   assert.deepEqual(lines.columns, [[5, 6, 1], [null, null, null]]);
   for (let k = 0; k < 300; k++) lines.add(101 + k, [k, k]);
   assert.ok(lines.times.length < 140 && lines.columns[0].length === lines.times.length, 'and what is old goes');
+});
+
+test('Trend_WhenTheHistoryKnowsMore_ThenItStandsInPlaceOfWhatItKnewBefore', () => {
+  const lines = new view.TrendLines(1, 10);
+  lines.add(99, [null]);
+  assert.equal(lines.seenSince, null, 'before values come nothing is seen');
+  lines.add(100, [1]);
+  lines.begin([90, 95], [[5, 6]]);
+  assert.equal(lines.seenSince, 100);
+  lines.add(101, [2]);
+  lines.begin([91, 95, 99, 100.5], [[5, 6, 7, 8]]);
+  assert.deepEqual([lines.times, lines.columns], [[91, 95, 99, 100, 101], [[5, 6, 7, 1, 2]]]);
+});
+
+test('Trend_WhenAColumnHasExtremes_ThenTheyAreDrawnInTheOrderOfTheLine', () => {
+  const history = (series, more = {}) => ({ now_ms: 12_000, known_ms: 12_000, from_ms: 0, to_ms: 12_000, column_ms: 3_000, series: series.map(([tag, least, greatest, last]) => ({ tag, least, greatest, last, damaged: 0 })), ...more });
+  const saw = ['Main.saw', [0, 3, 0, 4], [2, 9, 1, 4], [2, 9, 1, 4]];
+  const rows = view.rowsOf(history([saw]), ['MAIN.saw']);
+  assert.deepEqual(rows.times, [1.5, 3, 4.5, 6, 7.5, 9, 12]);
+  assert.deepEqual(rows.columns, [[0, 2, 3, 9, 0, 1, 4]], 'what rises is not drawn as falling');
+  assert.deepEqual(view.rowsOf(history([['a', [9, 1], [9, 8], [9, 1]]]), ['a']).columns[0], [9, 8, 1]);
+  assert.deepEqual(view.rowsOf(history([['a', [9, 0], [9, 8], [9, 5]]]), ['a']).columns[0], [9, 8, 0, 5]);
+  const ramp = [[0, 20, 40, 10], [20, 40, 60, 60], [20, 40, 60, 10]];
+  assert.deepEqual(view.rowsOf(history([['a', ...ramp]]), ['a']).columns[0], [0, 20, 40, 60, 10], 'a ramp has no steps');
+  const two = view.rowsOf(history([saw, ['b', [1, 1, 1, null], [1, 1, 1, null], [1, 1, 1, null]]]), ['b', 'a', 'Main.saw']);
+  assert.deepEqual(two.columns[0], [1, 1, 1, 1, 1, 1, null], 'of what holds nothing else is said');
+  assert.ok(two.columns[1].every((value) => value === null) && two.columns[2].includes(9));
+});
+
+test('Trend_WhenTheHistoryIsNotThereYet_ThenThereIsNoHoleBeforeWhatWasSeen', () => {
+  const nothing = [5, 6, null, null];
+  const rows = view.rowsOf({ now_ms: 12_000, known_ms: 4_500, from_ms: 0, to_ms: 12_000, column_ms: 3_000, series: [{ tag: 'a', least: nothing, greatest: nothing, last: nothing, damaged: 0 }] }, ['a']);
+  assert.deepEqual([rows.times, rows.columns], [[3, 4.5], [[5, 6]]]);
+});
+
+test('Trend_WhenTruthValuesAreBesideNumbers_ThenEachHasALaneOfItsOwn', () => {
+  // Where a value lies in the height of the trend.
+  const place = ([least, greatest], value) => (value - least) / (greatest - least);
+  const [first, second] = [view.laneOf(0, 2, false), view.laneOf(1, 2, false)];
+  assert.ok(place(first, 0) > 0 && place(first, 1) < place(second, 0) && place(second, 1) < 0.25);
+  const alone = view.laneOf(0, 1, true);
+  assert.ok(place(alone, 0) < 0.2 && place(alone, 1) > 0.8, 'alone it has all of it');
+  assert.ok(place(view.laneOf(11, 12, false), 1) <= 0.5, 'many leave half of it to numbers');
 });
 
 test('Arrange_WhenSymbolsAreAdded_ThenNoneLiesOnAnotherAndTheFirstIsInTheMiddle', () => {
@@ -254,6 +367,29 @@ test('Overview_WhenATagHasAValueThatIsANumber_ThenItCanBeDrawnOverTime', () => {
   const notes = new view.TagNotes([], tags);
   const groups = view.groupsOf(tags, notes);
   assert.deepEqual(view.firstDrawn(groups, notes, 9), ['Main.REAL', 'Main.LINT', 'Main.BOOL', 'Main.TIME', 'Main.LTIME']);
+});
+
+test('Overview_WhenATagIsTicked_ThenItIsDrawnOrRefusedAndNoneGoesForIt', () => {
+  assert.deepEqual(view.picked(['a', 'b'], 'c'), ['a', 'b', 'c']);
+  assert.deepEqual(view.picked(['a', 'b'], 'a'), ['b']);
+  const six = ['a', 'b', 'c', 'd', 'e', 'f'];
+  assert.equal(view.picked(six, 'g'), null);
+  assert.deepEqual(view.picked(six, 'f'), six.slice(0, 5));
+});
+
+test('Overview_WhenABrowserKeptTicks_ThenThoseThatAreThereAreBack', () => {
+  const known = ['a', 'b', 'c'];
+  assert.deepEqual(view.pickedBefore('["c","a","gone"]', known), ['c', 'a']);
+  assert.deepEqual(view.pickedBefore('[]', known), [], 'nothing may be chosen, too');
+  for (const text of [null, '', '{', '7', '["gone"]', '[7]']) assert.equal(view.pickedBefore(text, known), null, String(text));
+});
+
+test('Screen_WhenItIsAFile_ThenItsNameKeepsItsWords', () => {
+  for (const [file, name] of [['Übersicht Halle.svg', 'Uebersicht Halle'], ['my drawing (1).svg', 'my drawing 1'], ['drawing.svg.svg', 'drawing'], ['école.SVG', 'ecole'], ['盤.svg', 'Import'], ['_x_.svg', 'x']]) {
+    assert.equal(view.nameOfFile(file), name);
+    assert.ok(view.isScreenName(view.nameOfFile(file)), file);
+  }
+  assert.ok(view.isScreenName(view.nameOfFile(`${'a -'.repeat(40)}.svg`)));
 });
 
 test('Screen_WhenANameEndsAsAFile_ThenItIsNone', () => {

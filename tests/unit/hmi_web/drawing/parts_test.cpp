@@ -75,6 +75,24 @@ TEST(Parts, WhenACopyOfAFaceLeavesAFieldEmpty_ThenItsNamesSayOfWhichCopyTheyAre)
   EXPECT_EQ(drawn->names[2].copy, "") << "it stands in no copy";
 }
 
+TEST(Parts, WhenAnOperatorPartOfTheEditorIsNotFilledIn_ThenAWarningNamesItAtItsLine) {
+  const auto told = [](const std::string& symbol, const std::string& more = "") {
+    const auto drawn = with_parts("<g data-symbol='" + symbol + "' " + more + "><rect/></g>");
+    return drawn ? result::to_string(drawn->warnings) : result::to_string(drawn.error());
+  };
+  const std::string button =
+      told("button", R"(data-params='{"label":"Halt \u00e4","key":"p1","literal":"TRUE"}')");
+  EXPECT_THAT(button, HasSubstr("a.svg:2:2: warning: C0647: the button 'Halt \u00e4' writes nothing"));
+  EXPECT_THAT(button, HasSubstr("\n  hint: 'Writes' in its properties"));
+  EXPECT_THAT(told("setpoint", R"(data-params='{"key":"p2","write":"Main.level"}')"),
+              HasSubstr("the set point 'p2' writes nothing\n  hint: the value, the values or the range"));
+  EXPECT_THAT(told("navigate", R"(data-params='{"key":"p3"}')"), HasSubstr("'p3' leads nowhere"));
+  EXPECT_THAT(told("switch", "data-params='[1'"), HasSubstr("C0647")) << "whatever stands there";
+  EXPECT_EQ(told("button", R"(data-part='button' data-key='a' data-write='b' data-value='1')"), "");
+  EXPECT_EQ(told("tank"), "");
+  EXPECT_EQ(told("trend"), "");
+}
+
 TEST(Parts, WhenADrawingIsReadAgain_ThenItIsTheSame) {
   const auto once = with_parts(
       "<defs><linearGradient id='g'/></defs><rect fill='url(#g)'/><text> a  b </text>"

@@ -1,5 +1,6 @@
 // A screen as it is drawn: its settings, and its symbols from back to front. Plain values that never change.
 
+import { boundMarkup } from './drawn_elements';
 import { byName, relabelled, type Called } from './part_label';
 import { attribute, escaped, type Params } from './template';
 import { templateOf } from './symbols';
@@ -63,7 +64,7 @@ export function filledFace(face: Face, params: Params, key: string, called: Call
 
 // What stands inside of the element of an item. `called`: what people call a variable; in a file it has its name.
 export function innerOf(item: Item, faces: Faces, called: Called = byName): string {
-  if (item.symbol === 'drawn') return item.markup;
+  if (item.symbol === 'drawn') return boundMarkup(item.markup, item.params);
   if (item.symbol === 'face') {
     const face = faces.get(item.params.face ?? '');
     return face ? `<g transform="scale(${round(item.w / face.width)} ${round(item.h / face.height)})">${filledFace(face, item.params, item.key, called)}</g>` : item.markup;
@@ -103,6 +104,17 @@ export function svgOf({ settings, items }: Content, faces: Faces): string {
   const others = Object.entries(more).map(([name, value]) => attribute(name, value)).join('');
   const parts = items.map((item) => written(item, faces)).join('\n');
   return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${width} ${height}"${own}${others}>\n${title ? `<title>${escaped(title)}</title>\n` : ''}${defs}${parts}\n</svg>`;
+}
+
+// What stands in that line of the file.
+export function itemInLine(content: Content, faces: Faces, line: number): Item | undefined {
+  const linesOf = (text: string) => text.split('\n').length;
+  let next = linesOf(svgOf({ ...content, items: [] }, faces)) - 1;
+  return content.items.find((item) => {
+    const first = next;
+    next += linesOf(written(item, faces));
+    return line >= first && line < next;
+  });
 }
 
 // A name that nothing in the screen has yet.

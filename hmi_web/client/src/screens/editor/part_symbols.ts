@@ -1,17 +1,33 @@
 // The attributes of operator parts, as the server reads them (hmi_web/doc/screens.md). Pure.
 
 import { isWriting } from '../parts';
-import { attribute, type Params } from './template';
+import type { Item } from './model';
+import { attribute, type FieldName, type Params } from './template';
 
-// One that is not complete is none yet: it can be saved all the same, and writes nothing.
-export function isComplete(kind: string, p: Params): boolean {
-  if (kind === 'navigate') return Boolean(p.go);
-  if (!isWriting(kind)) return true;
-  if (!p.write) return false;
-  if (kind === 'button') return Boolean(p.literal);
-  if (kind === 'choice') return (p.values ?? '').split(';').filter((each) => each.trim() !== '').length > 1;
-  return !['setpoint', 'slider'].includes(kind) || Number(p.from ?? NaN) < Number(p.to ?? NaN);
+// As the server warns of it; the editor names the part and leads to its field.
+export const FIELD_MISSED = 'C0647';
+
+// The field without which it does nothing; null: it has all.
+export function missedOf(kind: string, p: Params): FieldName | null {
+  if (kind === 'navigate') return p.go ? null : 'go';
+  if (!isWriting(kind)) return null;
+  if (!p.write) return 'write';
+  if (kind === 'button') return p.literal ? null : 'literal';
+  if (kind === 'choice') return (p.values ?? '').split(';').filter((each) => each.trim() !== '').length > 1 ? null : 'values';
+  return !['setpoint', 'slider'].includes(kind) || Number(p.from ?? NaN) < Number(p.to ?? NaN) ? null : 'to';
 }
+// One that is not complete is none yet: it can be saved all the same, and writes nothing.
+export const isComplete = (kind: string, p: Params): boolean => missedOf(kind, p) === null;
+
+export interface Idle {
+  item: Item;
+  missed: FieldName;
+}
+export const idleIn = (items: readonly Item[]): Idle[] =>
+  items.flatMap((item) => {
+    const missed = missedOf(item.symbol, item.params);
+    return missed ? [{ item, missed }] : [];
+  });
 
 export function partAttributes(kind: string, p: Params, key: string): string {
   if (!isComplete(kind, p)) return '';

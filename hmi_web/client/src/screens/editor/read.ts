@@ -2,6 +2,7 @@
 // Needs the browser's parser.
 
 import { fieldsIn } from '../../drawing/bindings';
+import { liftedFrom } from './drawn_elements';
 import { EMPTY, nextKey, type Content, type Face, type Item, type Least, type Settings } from './model';
 import { templateOf } from './symbols';
 
@@ -44,6 +45,8 @@ function symbolOf(element: Element): Item | null {
   if (x === undefined) return null;
   const { key, w, h, turn, turned, group, ...rest } = found;
   const params = Object.fromEntries(Object.entries(rest).filter((each): each is [string, string] => typeof each[1] === 'string'));
+  const inside = symbol === 'drawn' ? element.firstElementChild : null;
+  if (inside) Object.assign(params, liftedFrom(inside));
   const picture = symbol === 'picture' ? element.querySelector('image')?.getAttribute('href') : null;
   const item: Item = {
     key: typeof key === 'string' ? key : '',
@@ -84,7 +87,8 @@ export function contentOf(svg: string): Content {
   for (const element of root.children) {
     if (['title', 'desc', 'defs'].includes(element.tagName)) continue;
     const found = symbolOf(element);
-    const drawn: Item = { key: '', symbol: 'drawn', x: -box.x, y: -box.y, w: 0, h: 0, turn: 0, group: '', params: {}, markup: plain(element) };
+    const params = found ? {} : liftedFrom(element);
+    const drawn: Item = { key: '', symbol: 'drawn', x: -box.x, y: -box.y, w: 0, h: 0, turn: 0, group: '', params, markup: plain(element) };
     const item = found ?? drawn;
     const isTaken = item.key === '' || items.some(({ key }) => key === item.key);
     items.push(isTaken ? { ...item, key: nextKey(items) } : item);

@@ -4,7 +4,7 @@
 import { labelOf } from '../parts';
 import { LINE_SYMBOLS } from './line_symbols';
 import { byName, partLabel } from './part_label';
-import { partAttributes } from './part_symbols';
+import { isComplete, partAttributes } from './part_symbols';
 import { alive, attribute, escaped, states, titled, type Params, type SymbolTemplate } from './template';
 
 const LINE = 'stroke="var(--line-strong)" stroke-width="2"';
@@ -110,7 +110,7 @@ const part = (kind: string, family: SymbolTemplate['family'], width: number, hei
   height,
   fields,
   draw: (p, w, h, called = byName) =>
-    `<rect width="${w}" height="${h}" rx="6" fill="var(--panel)" stroke="var(--line-strong)" stroke-width="2"/>` + partLabel(labelOf(p, called) || kind, w, h),
+    `<rect width="${w}" height="${h}" rx="6" fill="var(--panel)" ${isComplete(kind, p) ? 'stroke="var(--line-strong)"' : 'stroke="var(--line)" stroke-dasharray="6 4"'} stroke-width="2"/>` + partLabel(labelOf(p, called) || kind, w, h),
   attributes: (p, key) => partAttributes(kind, p, key),
 });
 

@@ -23,3 +23,14 @@ export function found(names: readonly Named[], text: string, most: number): Name
     .slice(0, most)
     .map(({ each }) => each);
 }
+
+// What somebody means who has typed that and nothing more: the name, its last part or what people call it as a whole, else all that
+// have its parts.
+export function meantBy(names: readonly Named[], text: string): Named[] {
+  const wanted = text.trim().toLowerCase();
+  if (wanted === '') return [];
+  const whole = names.filter(({ name }) => name.toLowerCase() === wanted);
+  if (whole.length > 0) return whole;
+  const called = names.filter(({ name, words }) => words.toLowerCase() === wanted || name.toLowerCase().endsWith(`.${wanted}`));
+  return called.length > 0 ? called : found(names, text, Infinity);
+}
