@@ -19,6 +19,7 @@
 #include "supervisor/tamp/drawing/plan_json.h"
 #include "supervisor/tamp/drawing/plan_svg.h"
 #include "supervisor/tamp/judge/plan_judge.h"
+#include "supervisor/tamp/planner/skeleton_names.h"
 #include "supervisor/tamp/planner/skeleton_planner.h"
 #include "supervisor/tamp/planner/tamp_planner.h"
 #include "supervisor/tamp/predicates/grounding.h"
@@ -96,6 +97,8 @@ result::Result<TaskOfCell> read_task_of(const tamp::scene::CellFile& file) {
     auto read = tamp::planner::read_skeletons(task.domain, task.problem);
     if (!read) return result::forward(read);
     if (!read->task.warnings().empty()) (void)fail(read->task.warnings());
+    if (auto known = tamp::planner::check_names(*read, file.cell, task.domain, task.problem); !known)
+      return result::forward(known);
     task.skeletons = *std::move(read);
     return task;
   }

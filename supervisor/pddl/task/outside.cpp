@@ -28,10 +28,25 @@ class Splitter {
     look(changed_->goal);
     for (Axiom& axiom : changed_->axioms) look(axiom.body);
     if (!wrong_.empty()) return tl::unexpected(std::move(wrong_));
-    return OutsideTask{Task(changed_, task_.warnings()), std::move(conditions_), std::move(effects_)};
+    return OutsideTask{Task(changed_, task_.warnings()), std::move(conditions_), std::move(effects_),
+                       objects()};
   }
 
  private:
+  std::map<std::string, std::vector<std::vector<std::string>>> objects() const {
+    std::map<std::string, std::vector<std::vector<std::string>>> all;
+    for (const Symbol& each : changed_->predicates) {
+      if (!names_.contains(each.name)) continue;
+      auto& parameters = all[each.name];
+      for (const Typed& parameter : each.parameters) {
+        auto& names = parameters.emplace_back();
+        for (const int object : changed_->objects_by_type[static_cast<std::size_t>(parameter.type)])
+          names.push_back(changed_->objects[static_cast<std::size_t>(object)].name);
+      }
+    }
+    return all;
+  }
+
   bool is_outside(const Call& call) const { return names_.contains(call.name); }
 
   void refuse(const Place& at, const std::string& name) {

@@ -36,6 +36,8 @@ struct OutsideTask {
   Task task;  // conditions on outside predicates are left out, effects on them as well
   // Of each action by its name, in the order of the text.
   std::map<std::string, std::vector<OutsideAtom>> conditions, effects;
+  // Of each outside predicate that the domain declares: the names that each of its parameters may have.
+  std::map<std::string, std::vector<std::vector<std::string>>> objects;
 };
 
 // Fails with P0119 where an outside predicate is negated, or stands elsewhere than in the outermost

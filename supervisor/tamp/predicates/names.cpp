@@ -4,9 +4,8 @@
 #include <optional>
 #include <utility>
 
-#include "supervisor/lisp/lexer.h"
 #include "supervisor/lisp/name_hints.h"
-#include "supervisor/lisp/reporter.h"
+#include "supervisor/tamp/predicates/name_places.h"
 #include "supervisor/tamp/scene/starts.h"
 
 namespace stepwright::tamp::predicates {
@@ -30,12 +29,7 @@ class NameCheck {
  public:
   NameCheck(const htn::PlanningTask& task, const scene::RobotCell& cell, const lisp::Source& domain,
             const lisp::Source& problem)
-      : task_(task), cell_(cell), reporter_({domain.file, problem.file}) {
-    problem_ = lisp::tokens_of(problem.text, 1, reporter_);
-    domain_ = lisp::tokens_of(domain.text, 0, reporter_);
-    (void)reporter_.take();  // said when the task was read
-    files_ = {domain.file, problem.file};
-  }
+      : task_(task), cell_(cell), places_(domain, problem) {}
 
   result::Result<void> check() {
     const std::vector<bool> used = used_objects();
@@ -91,34 +85,12 @@ class NameCheck {
   }
 
   void missing(const std::string& name, const char* what, const std::vector<std::string>& known) {
-    complain("G0104", place_of(name), std::string("the cell has no ") + what + " '" + name + "'",
+    complain("G0104", places_.of(name), std::string("the cell has no ") + what + " '" + name + "'",
              lisp::did_you_mean(name, known));
   }
 
-  void complain(const char* code, const lisp::Place& at, std::string message, std::string hint) {
-    wrong_.push_back({code,
-                      result::Severity::Error,
-                      {files_[at.file], at.line, at.column},
-                      std::move(message),
-                      std::move(hint)});
-  }
-
-  // Where it stands in the problem first, or in the domain.
-  lisp::Place place_of(const std::string& name) const {
-    for (const auto* tokens : {&problem_, &domain_})
-      for (const lisp::Token& each : *tokens)
-        if (each.text == name) return each.at;
-    return {1, 1, 1};
-  }
-
-  // Of a fact in the problem: its name and terms in a row.
-  lisp::Place place_of(const std::vector<std::string>& fact) const {
-    for (std::size_t k = 0; k + fact.size() <= problem_.size(); ++k) {
-      bool same = true;
-      for (std::size_t n = 0; n < fact.size() && same; ++n) same = problem_[k + n].text == fact[n];
-      if (same) return problem_[k].at;
-    }
-    return place_of(fact.front());
+  void complain(const char* code, result::Location at, std::string message, std::string hint) {
+    wrong_.push_back({code, result::Severity::Error, std::move(at), std::move(message), std::move(hint)});
   }
 
   // What actions that place a thing add about just the thing and its place.
@@ -153,7 +125,7 @@ class NameCheck {
           scene::starts_on(cell_, static_cast<std::size_t>(number), place))
         continue;
       complain("G0105",
-               place_of({task_.predicates[static_cast<std::size_t>(fact.symbol)].name, name(0), name(1)}),
+               places_.of({task_.predicates[static_cast<std::size_t>(fact.symbol)].name, name(0), name(1)}),
                "'" + thing + "' does not stand on '" + place + "' at first",
                "its x_m, y_m and z_m in the cell's file, or this fact");
     }
@@ -161,9 +133,7 @@ class NameCheck {
 
   const htn::PlanningTask& task_;
   const scene::RobotCell& cell_;
-  lisp::Reporter reporter_;
-  std::vector<lisp::Token> problem_, domain_;
-  std::vector<std::string> files_;
+  NamePlaces places_;
   result::Diagnostics wrong_;
 };
 

@@ -84,6 +84,20 @@ export class TrendLines {
   }
 }
 
+// What a tag is drawn on: TRUTH, or the unit of its numbers.
+export const TRUTH = '@';
+export interface Scales {
+  of: string[]; // of each tag: a lane of its own, or the scale that all numbers of its unit share
+  lanes: string[];
+  units: string[]; // each once, in the order of the tags
+}
+export const scaleOfUnit = (unit: string): string => `unit ${unit}`;
+export function scalesOf(kinds: readonly string[]): Scales {
+  let lane = 0;
+  const of = kinds.map((kind) => (kind === TRUTH ? `@${lane++}` : scaleOfUnit(kind)));
+  return { of, lanes: of.filter((_, at) => kinds[at] === TRUTH), units: [...new Set(kinds.filter((kind) => kind !== TRUTH))] };
+}
+
 const LANE = 0.12; // of the height of a trend with numbers, of one truth value
 const LANES = 0.5; // of all of them at most
 const EDGE = 0.15; // of a lane, above and below its steps

@@ -313,6 +313,16 @@ test('Trend_WhenTheHistoryIsNotThereYet_ThenThereIsNoHoleBeforeWhatWasSeen', () 
   assert.deepEqual([rows.times, rows.columns], [[3, 4.5], [[5, 6]]]);
 });
 
+test('ScreenTrend_WhenTagsHaveSeveralUnits_ThenEachUnitHasItsScaleAndEachBoolALane', () => {
+  const { of, lanes, units } = view.scalesOf(['degC', view.TRUTH, 'bar', 'degC', view.TRUTH, '']);
+  assert.deepEqual(units, ['degC', 'bar', '']);
+  assert.equal(of[0], of[3]);
+  assert.equal(new Set(of).size, 5);
+  assert.deepEqual(lanes, [of[1], of[4]]);
+  assert.equal(of[2], view.scaleOfUnit('bar'));
+  assert.deepEqual(view.scalesOf([view.TRUTH]).units, []);
+});
+
 test('Trend_WhenTruthValuesAreBesideNumbers_ThenEachHasALaneOfItsOwn', () => {
   // Where a value lies in the height of the trend.
   const place = ([least, greatest], value) => (value - least) / (greatest - least);

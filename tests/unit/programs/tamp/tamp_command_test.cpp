@@ -90,6 +90,20 @@ TEST_F(ChangedTamp, WhenTheProblemNamesWhatTheCellHasNot_ThenItSaysWhereAndWhatW
       << "nothing is to be put there: " << errors;
 }
 
+TEST_F(ChangedTamp, WhenAProblemInPddlNamesWhatTheCellHasNot_ThenItSaysWhereAndWhatWasMeant) {
+  std::string cell = content(std::string(kCells) + "tamp_p1_pddl.toml"),
+              problem = content(std::string(kCells) + "p1.pddl");
+  for (const char* key : {"robot", "semantics", "domain"})
+    replace(cell, std::string("\n") + key + " = \"", std::string("\n") + key + " = \"" + kCells);
+  replace(cell, "problem = \"p1.pddl", "problem = \"problem.pddl");
+  replace(problem, "right left - arm top - grasp cup1 - thing",
+          "right left mid - arm top - grasp cup1 cup2 - thing");
+  write("problem.pddl", problem);
+  EXPECT_EQ(run(write("cell.toml", cell)), 1);
+  EXPECT_THAT(errors, HasSubstr("problem.pddl:5:24: G0104: the cell has no arm 'mid'"));
+  EXPECT_THAT(errors, HasSubstr("G0104: the cell has no thing 'cup2'\n  hint: did you mean 'cup1'?"));
+}
+
 TEST_F(ChangedTamp, WhenWhatIsSaidOfTheStartIsNotSo_ThenItIsToldAtItsPlace) {
   EXPECT_EQ(run_changed({}, {{"(in can1 table)", "(in can1 tray)"}}), 1);
   EXPECT_THAT(errors, HasSubstr("problem.hddl:"));
