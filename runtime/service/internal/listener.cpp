@@ -42,10 +42,7 @@ result::Result<Listener> Listener::bind(const std::filesystem::path& path) {
         "the path of the socket is longer than " + std::to_string(sizeof address.sun_path - 1) + " bytes",
         "choose a shorter state_dir in [cell]");
   }
-  // A socket that is there is served: it gets its name when somebody can connect.
-  std::string unserved = path.string();
-  unserved.back() = '~';
-  std::memcpy(address.sun_path, unserved.c_str(), unserved.size());
+  std::memcpy(address.sun_path, path.c_str(), path.native().size());
 
   // The lock goes with its process, however that ends: who holds it may replace the socket that was left
   // behind.
@@ -57,19 +54,19 @@ result::Result<Listener> Listener::bind(const std::filesystem::path& path) {
                    "stop it, or give this cell another state_dir");
   }
   struct stat info {};
-  if (::lstat(path.c_str(), &info) == 0 && !S_ISSOCK(info.st_mode))
-    return refused(path, "there is a file where the socket should be", "");
-  ::unlink(unserved.c_str());
+  if (::lstat(path.c_str(), &info) == 0) {
+    if (!S_ISSOCK(info.st_mode)) return refused(path, "there is a file where the socket should be", "");
+    ::unlink(path.c_str());
+  }
   Descriptor socket(::socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
   if (!socket.ok()) return failed(path, "no socket");
   if (::bind(socket.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
     return failed(path, "the socket cannot be bound");
   }
   // Nobody can connect before listen(), so that the mode holds from the first moment.
-  if (::chmod(unserved.c_str(), 0600) != 0 || ::listen(socket.get(), kBacklog) != 0 ||
-      ::rename(unserved.c_str(), path.c_str()) != 0) {
+  if (::chmod(path.c_str(), 0600) != 0 || ::listen(socket.get(), kBacklog) != 0) {
     const auto error = failed(path, "the socket cannot be served");
-    ::unlink(unserved.c_str());
+    ::unlink(path.c_str());
     return error;
   }
   return Listener(path, std::move(lock), std::move(socket));

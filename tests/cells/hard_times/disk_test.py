@@ -70,7 +70,7 @@ class Disk(unittest.TestCase):
     def test_a_log_on_a_full_disk_loses_lines_and_nothing_else(self):
         cell = self.cell(REAL + '[log]\nformat = "json"\nfile = "state/cell.log"\nlimit_per_s = 1000\n')
         runtime = cell.start("runtime")
-        self.assertTrue(eventually(cell.socket.exists))
+        self.assertTrue(eventually(cell.served))
         cell.load(1_000)
         fill(cell.state)
         for _ in range(30):  # more than its last page still has room for

@@ -42,7 +42,7 @@ class LogReader(unittest.TestCase):
         self.addCleanup(self.cell.__exit__)
         self.runtime = PipedRuntime(self.cell)
         self.addCleanup(self.runtime.process.kill)
-        self.assertTrue(eventually(self.cell.socket.exists))
+        self.assertTrue(eventually(self.cell.served))
         self.cell.load(1_000)
 
     def scans_go_on(self):

@@ -6,6 +6,7 @@ import pathlib
 import re
 import shutil
 import signal
+import socket
 import subprocess
 import tempfile
 import time
@@ -108,6 +109,11 @@ class Cell:
     @property
     def socket(self):
         return self.state / "runtime.sock"
+
+    def served(self):
+        """Whether somebody takes connections at the socket: it is there a moment before."""
+        with socket.socket(socket.AF_UNIX, socket.SOCK_STREAM) as client:
+            return client.connect_ex(str(self.socket)) == 0
 
     def __enter__(self):
         return self
