@@ -10,17 +10,6 @@
 
 namespace stepwright::tamp::planner {
 
-namespace {
-
-template <typename T>
-std::vector<std::string> names_of(const std::vector<T>& all) {
-  std::vector<std::string> names;
-  for (const T& each : all) names.push_back(each.name);
-  return names;
-}
-
-}  // namespace
-
 result::Result<void> check_names(const pddl::OutsideTask& task, const scene::RobotCell& cell,
                                  const pddl::Source& domain, const pddl::Source& problem) {
   const predicates::NamePlaces places(domain, problem);
@@ -36,9 +25,9 @@ result::Result<void> check_names(const pddl::OutsideTask& task, const scene::Rob
     const auto found = task.objects.find(predicate);
     if (found == task.objects.end() || found->second.size() < 2) continue;
     for (const std::string& name : found->second.front())
-      if (cell.arm(name) < 0) missing(name, "arm", names_of(cell.arms));
+      if (cell.arm(name) < 0) missing(name, "arm", predicates::names_of(cell.arms));
     for (const std::string& name : found->second.back())
-      if (cell.thing(name) < 0) missing(name, "thing", names_of(cell.things));
+      if (cell.thing(name) < 0) missing(name, "thing", predicates::names_of(cell.things));
   }
   if (!wrong.empty()) return tl::unexpected(std::move(wrong));
   return {};

@@ -16,6 +16,14 @@
 
 namespace stepwright::tamp::predicates {
 
+// Of what has a name.
+template <typename T>
+std::vector<std::string> names_of(const std::vector<T>& all) {
+  std::vector<std::string> names;
+  for (const T& each : all) names.push_back(each.name);
+  return names;
+}
+
 class NamePlaces {
  public:
   NamePlaces(const lisp::Source& domain, const lisp::Source& problem);

@@ -12,13 +12,6 @@ namespace stepwright::tamp::predicates {
 
 namespace {
 
-template <typename T>
-std::vector<std::string> names_of(const std::vector<T>& all) {
-  std::vector<std::string> names;
-  for (const T& each : all) names.push_back(each.name);
-  return names;
-}
-
 // A predicate that says where a thing is: the places of thing and place among its terms.
 struct Whereabouts {
   int predicate = 0;

@@ -8,7 +8,7 @@ import { test } from 'node:test';
 import { load } from './load_modules.mjs';
 
 const arrange = await load(process.env.CLIENT, ['screens/editor/arrange']);
-const model = await load(process.env.CLIENT, ['screens/editor/model', 'screens/editor/symbols', 'screens/editor/part_symbols', 'screens/editor/part_label', 'screens/editor/drawn_elements']);
+const model = await load(process.env.CLIENT, ['screens/editor/model', 'screens/editor/symbols', 'screens/editor/part_symbols', 'screens/editor/idle_parts', 'screens/editor/part_label', 'screens/editor/drawn_elements']);
 const sizes = await load(process.env.CLIENT, ['screens/editor/sizing', 'screens/editor/points']);
 const view = await load(process.env.CLIENT, ['screens/parts', 'screens/screens', 'screens/overview', 'screens/trend_lines', 'lib/tag_search', 'screens/editor/face_names', 'lib/tag_notes']);
 

@@ -1,11 +1,7 @@
 // The attributes of operator parts, as the server reads them (hmi_web/doc/screens.md). Pure.
 
 import { isWriting } from '../parts';
-import type { Item } from './model';
 import { attribute, type FieldName, type Params } from './template';
-
-// As the server warns of it; the editor names the part and leads to its field.
-export const FIELD_MISSED = 'C0647';
 
 // The field without which it does nothing; null: it has all.
 export function missedOf(kind: string, p: Params): FieldName | null {
@@ -18,16 +14,6 @@ export function missedOf(kind: string, p: Params): FieldName | null {
 }
 // One that is not complete is none yet: it can be saved all the same, and writes nothing.
 export const isComplete = (kind: string, p: Params): boolean => missedOf(kind, p) === null;
-
-export interface Idle {
-  item: Item;
-  missed: FieldName;
-}
-export const idleIn = (items: readonly Item[]): Idle[] =>
-  items.flatMap((item) => {
-    const missed = missedOf(item.symbol, item.params);
-    return missed ? [{ item, missed }] : [];
-  });
 
 export function partAttributes(kind: string, p: Params, key: string): string {
   if (!isComplete(kind, p)) return '';
