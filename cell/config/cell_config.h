@@ -169,6 +169,9 @@ std::filesystem::path temporary_folder();
 struct CellReading {
   CellConfig config;
   result::Diagnostics problems;
+
+  // Nothing of the file could be read.
+  bool is_unread() const { return config.values.empty() && result::has_errors(problems); }
 };
 
 [[nodiscard]] CellReading read_cell_config(const std::filesystem::path& file,

@@ -14,8 +14,9 @@ using semantics::Section;
 using semantics::TypeKind;
 using semantics::Variable;
 
-TypeKind kind_of(const semantics::Type& type) {
-  return type.kind == TypeKind::Array && type.element != nullptr ? kind_of(*type.element) : type.kind;
+// Of its elements, if it is an array.
+const semantics::Type& single(const semantics::Type& type) {
+  return type.kind == TypeKind::Array && type.element != nullptr ? single(*type.element) : type;
 }
 
 struct Reason {
@@ -26,7 +27,6 @@ struct Reason {
 // What names of values (syntax::TagPragma::values) mean nothing for.
 Reason misnamed(const semantics::Type& type, std::size_t names) {
   if (names == 0) return {};
-  if (type.kind == TypeKind::Array && type.element != nullptr) return misnamed(*type.element, names);
   if (type.is_bool())
     return names > 2 ? Reason{"a BOOL has two values, and " + std::to_string(names) + " names here", ""}
                      : Reason{};
@@ -42,13 +42,14 @@ Reason reason_of(const Variable& variable, bool of_function, const graphic::TagN
     return {"the tag is the global variable", "say it where VAR_GLOBAL declares '" + name + "'"};
   if (variable.type == nullptr) return {};
   const std::string hint = "describe its members: [tags] of the cell, 'PROGRAM." + name + ".MEMBER'";
-  switch (kind_of(*variable.type)) {
+  const semantics::Type& type = single(*variable.type);
+  switch (type.kind) {
     case TypeKind::Instance:
       return {"an instance has no value of its own", hint};
     case TypeKind::Struct:
       return {"a structure has no value of its own", hint};
     default:
-      return misnamed(*variable.type, note.values.size());
+      return misnamed(type, note.values.size());
   }
 }
 

@@ -16,7 +16,7 @@ using naming::same_name;
 
 // Of "<?xml version="1.0" encoding="ISO-8859-1"?>" at the beginning; empty if none is declared.
 std::string_view declared(std::string_view text) {
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  if (text.starts_with(result::kByteOrderMark)) text.remove_prefix(result::kByteOrderMark.size());
   if (!text.starts_with("<?xml")) return {};
   text = text.substr(0, text.find("?>"));
   const std::size_t key = text.find("encoding");

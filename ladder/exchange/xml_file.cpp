@@ -7,6 +7,7 @@
 
 #include "ladder/exchange/xml_encoding.h"
 #include "ladder/source/codes.h"
+#include "runtime/ground/result/utf8_place.h"
 
 namespace stepwright::exchange {
 namespace {
@@ -86,7 +87,7 @@ result::Result<XmlFile> XmlFile::parse(std::string name, std::string text) {
   auto read = as_utf8(name, std::move(text));
   if (!read) return result::forward(read);
   file.text_ = std::move(*read);
-  if (file.text_.rfind("\xEF\xBB\xBF", 0) == 0) file.skipped_ = 3;
+  if (file.text_.starts_with(result::kByteOrderMark)) file.skipped_ = result::kByteOrderMark.size();
   const pugi::xml_parse_result parsed = file.document_.load_buffer(
       file.text_.data() + file.skipped_, file.text_.size() - file.skipped_, kParse, pugi::encoding_utf8);
   if (!parsed) {

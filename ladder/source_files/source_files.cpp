@@ -13,12 +13,13 @@
 #include "ladder/exchange/plcopen_reader.h"
 #include "ladder/source/codes.h"
 #include "runtime/ground/process/files.h"
+#include "runtime/ground/result/utf8_place.h"
 
 namespace stepwright::sources {
 
 namespace {
 
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // of UTF-8, which some editors write
+using result::kByteOrderMark;
 
 std::string counted(std::size_t count, const char* what) {
   return std::to_string(count) + " " + what + (count == 1 ? "" : "s");

@@ -17,6 +17,7 @@
 #include "programs/demo/summary.h"
 #include "runtime/ground/process/command_line.h"
 #include "runtime/ground/process/files.h"
+#include "runtime/ground/process/stop_signal.h"
 
 namespace stepwright::demo {
 namespace {
@@ -258,8 +259,6 @@ int main(int argc, char** argv) {
   action.sa_handler = [](int) { stepwright::demo::stop_requested = true; };
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
-  struct sigaction hangup {};  // a terminal that is closed; nohup has it ignored
-  if (sigaction(SIGHUP, nullptr, &hangup) == 0 && hangup.sa_handler != SIG_IGN)
-    sigaction(SIGHUP, &action, nullptr);
+  if (stepwright::process::ends_on_hangup()) sigaction(SIGHUP, &action, nullptr);
   return stepwright::demo::demo_main(argc, argv);
 }

@@ -19,7 +19,7 @@ constexpr const char* kCell = "cell.toml";
 stepwright::result::Diagnostics take_sources_of_cell(stepwright::test_program::TestArguments& arguments) {
   if (!std::filesystem::exists(kCell)) return {};
   auto cell = stepwright::config::read_cell_config(kCell);
-  if (cell.config.values.empty() && stepwright::result::has_errors(cell.problems)) return cell.problems;
+  if (cell.is_unread()) return cell.problems;
   const stepwright::config::BootSection& boot = cell.config.boot;
   for (const auto& each : boot.sources) arguments.sources.push_back(each.string());
   arguments.source_options.dialect = stepwright::source::find_dialect(boot.dialect);

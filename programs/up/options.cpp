@@ -14,8 +14,7 @@ result::Result<config::CellConfig> load(const Options& options) {
 
 result::Result<config::CellConfig> load_for_a_look(const Options& options) {
   config::CellReading reading = config::read_cell_config(options.cell, overrides_of(options));
-  const bool unread = reading.config.values.empty() && result::has_errors(reading.problems);
-  if (unread) return tl::unexpected(std::move(reading.problems));
+  if (reading.is_unread()) return tl::unexpected(std::move(reading.problems));
   return std::move(reading.config);
 }
 

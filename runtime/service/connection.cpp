@@ -29,11 +29,16 @@ constexpr milliseconds kGreetingTimeout{1'000};
 constexpr timeval kSendTimeout{1, 0};
 constexpr std::size_t kReadBytes = 64u << 10;
 
-tl::unexpected<result::Diagnostics> failed(const std::filesystem::path& path, const std::string& message) {
-  const bool refused = errno == EACCES || errno == EPERM;
-  return result::fail(
-      "R0001", {path.string(), 0, 0}, message,
-      refused ? "be the user who runs the cell, or root" : "is the runtime of this cell running?");
+tl::unexpected<result::Diagnostics> failed(const std::filesystem::path& path, const std::string& message,
+                                           const char* hint = "is the runtime of this cell running?") {
+  return result::fail("R0001", {path.string(), 0, 0}, message, hint);
+}
+
+tl::unexpected<result::Diagnostics> not_served(const std::filesystem::path& path, int reason) {
+  const std::string message = std::string("nobody serves the socket: ") + std::strerror(reason);
+  if (reason == EACCES || reason == EPERM)
+    return failed(path, message, "be the user who runs the cell, or root");
+  return failed(path, message);
 }
 
 int remaining_ms(Clock::time_point deadline) {
@@ -92,7 +97,7 @@ result::Result<std::unique_ptr<Connection>> Connection::open(const std::filesyst
   ::setsockopt(state->socket.get(), SOL_SOCKET, SO_SNDTIMEO, &kSendTimeout, sizeof kSendTimeout);
   if (!state->socket.ok() ||
       ::connect(state->socket.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
-    return failed(path, std::string("nobody serves the socket: ") + std::strerror(errno));
+    return not_served(path, errno);
   }
   std::unique_ptr<Connection> self(new Connection(std::move(state)));
   Hello hello;

@@ -18,11 +18,12 @@
 #include <vector>
 
 #include "runtime/ground/result/result.h"
+#include "runtime/ground/result/utf8_place.h"
 
 namespace stepwright::csv {
 
-// Of UTF-8. Spreadsheets write it before a table, and read letters beyond ASCII wrongly without it.
-inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+// Spreadsheets write it before a table, and read letters beyond ASCII wrongly without it.
+using result::kByteOrderMark;
 
 class CsvRows {
  public:

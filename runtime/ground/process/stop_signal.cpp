@@ -9,22 +9,18 @@
 
 namespace stepwright::process {
 
-namespace {
-
 // A blocked signal comes even where it is ignored.
-bool is_ignored(int signal) {
+bool ends_on_hangup() {
   struct sigaction action {};
-  return sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
+  return sigaction(SIGHUP, nullptr, &action) != 0 || action.sa_handler != SIG_IGN;
 }
-
-}  // namespace
 
 StopSignal::StopSignal(OnHangup hangup) {
   sigset_t signals;
   sigemptyset(&signals);
   sigaddset(&signals, SIGTERM);
   sigaddset(&signals, SIGINT);
-  if (hangup == OnHangup::End && !is_ignored(SIGHUP)) sigaddset(&signals, SIGHUP);
+  if (hangup == OnHangup::End && ends_on_hangup()) sigaddset(&signals, SIGHUP);
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
   descriptor_ = signalfd(-1, &signals, SFD_CLOEXEC | SFD_NONBLOCK);
 }

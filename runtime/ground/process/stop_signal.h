@@ -9,6 +9,9 @@
 
 namespace stepwright::process {
 
+// Whether a terminal that is closed is to end this process.
+bool ends_on_hangup();
+
 enum class OnHangup { Leave, End };
 
 class StopSignal {

@@ -12,6 +12,9 @@
 
 namespace stepwright::result {
 
+// What some editors and spreadsheets write before a text, and it is none of.
+inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
 inline constexpr const char* kUtf8Hint =
     "save the file as UTF-8; spreadsheets call it \"CSV UTF-8\", and `iconv -f LATIN1 -t UTF-8` makes it of "
     "Latin-1";

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "runtime/ground/result/utf8_place.h"
 #include "supervisor/pddl/definition/text.h"
 #include "supervisor/pddl/lifted/lifted_state.h"
 #include "supervisor/pddl/semantics/checker.h"
@@ -11,8 +12,8 @@
 namespace stepwright::pddl {
 namespace {
 
-constexpr std::size_t kMostBytes = std::size_t{64} << 20;    // its tokens take thirty times as much
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // of UTF-8, which some editors write
+constexpr std::size_t kMostBytes = std::size_t{64} << 20;  // its tokens take thirty times as much
+using result::kByteOrderMark;
 constexpr const char* kGoalText = "goal";  // the name of a goal given to with_goal, in diagnostics
 
 }  // namespace

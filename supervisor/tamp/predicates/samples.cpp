@@ -4,16 +4,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "supervisor/geometry/radical_inverse.h"
+
 namespace stepwright::tamp::predicates {
 
-double radical_inverse(std::uint64_t k, std::uint64_t base) {
-  double value = 0.0, weight = 1.0;
-  for (; k > 0; k /= base) {
-    weight /= static_cast<double>(base);
-    value += weight * static_cast<double>(k % base);
-  }
-  return value;
-}
+using geometry::radical_inverse;
 
 double grasp_sample(std::size_t k) {
   return 2.0 * std::numbers::pi * radical_inverse(k, 2);

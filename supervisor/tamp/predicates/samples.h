@@ -1,19 +1,14 @@
 #pragma once
 
-// The samples of geometric choices: van der Corput's sequence for angles, Halton's for places (Kuipers,
-// Niederreiter 2005), as Karlsson et al. 2012 take them. Pure functions; any thread.
-//
-//   radical_inverse(3, 2)          // 0.75: 0, 1/2, 1/4, 3/4, ...
+// The samples of geometric choices: van der Corput's sequence for angles, Halton's for places
+// (supervisor/geometry/radical_inverse.h), as Karlsson et al. 2012 take them. Pure functions; any thread.
 
-#include <cstdint>
+#include <cstddef>
 
 #include "supervisor/tamp/scene/geometric_state.h"
 #include "supervisor/tamp/scene/robot_cell.h"
 
 namespace stepwright::tamp::predicates {
-
-// Number k of the sequence in this base, from 0 on; in [0, 1).
-double radical_inverse(std::uint64_t k, std::uint64_t base);
 
 // Of the hand's angle, seen from what it grasps: base 2 over a whole turn.
 double grasp_sample(std::size_t k);

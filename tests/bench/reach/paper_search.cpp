@@ -7,6 +7,7 @@
 #include <optional>
 #include <random>
 
+#include "supervisor/geometry/radical_inverse.h"
 #include "tests/bench/reach/filter_domain.h"
 
 namespace stepwright::bench {
@@ -19,15 +20,6 @@ using tamp::Check;
 using tamp::Configuration;
 using tamp::Point3;
 using tamp::SearchOutcome;
-
-double halton(std::size_t index, std::size_t base) {
-  double value = 0.0, part = 1.0;
-  for (std::size_t k = index; k > 0; k /= base) {
-    part /= static_cast<double>(base);
-    value += part * static_cast<double>(k % base);
-  }
-  return value;
-}
 
 // Places of a list of positions times angles, in the order in which they are tried.
 std::vector<std::pair<Point3, Angle>> ordered(const std::vector<Point3>& positions,
@@ -59,8 +51,10 @@ std::vector<std::pair<Point3, Angle>> ordered(const std::vector<Point3>& positio
     std::vector<bool> taken(all.size(), false);
     place.clear();
     for (std::size_t k = 1; place.size() < all.size() && k < 200 * all.size(); ++k) {
-      const auto position = static_cast<std::size_t>(halton(k, 2) * static_cast<double>(positions.size()));
-      const auto angle = static_cast<std::size_t>(halton(k, 3) * static_cast<double>(angles.size()));
+      const auto position =
+          static_cast<std::size_t>(geometry::radical_inverse(k, 2) * static_cast<double>(positions.size()));
+      const auto angle =
+          static_cast<std::size_t>(geometry::radical_inverse(k, 3) * static_cast<double>(angles.size()));
       const std::size_t at = position * angles.size() + angle;
       if (taken[at]) continue;
       taken[at] = true;

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "runtime/ground/result/utf8_place.h"
 #include "supervisor/motion/robot/codes.h"
 
 namespace stepwright::motion::internal {
@@ -52,7 +53,7 @@ result::Result<XmlDocument> XmlDocument::parse(std::string_view text, std::strin
   };
   if (text.size() > kMaxBytes)
     return refuse({file.name_}, "the file is larger than 16 MiB", "meshes belong in files of their own");
-  if (text.substr(0, 3) == "\xEF\xBB\xBF") text.remove_prefix(3);
+  if (text.starts_with(result::kByteOrderMark)) text.remove_prefix(result::kByteOrderMark.size());
   file.text_ = text;
   if (text.find('\0') != std::string_view::npos)
     return refuse(file.location(text.find('\0')), "the file is not UTF-8", "save it with the encoding UTF-8");

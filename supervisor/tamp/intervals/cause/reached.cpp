@@ -4,20 +4,14 @@
 #include <cmath>
 #include <vector>
 
+#include "supervisor/geometry/radical_inverse.h"
+
 namespace stepwright::tamp {
 namespace {
 
-constexpr std::size_t kAngles = 16, kPoints = 24;
+using geometry::radical_inverse;
 
-// Van der Corput's sequence: 1/2, 1/4, 3/4, ... in base 2.
-double spread(std::size_t k, std::size_t base) {
-  double value = 0.0, digit = 1.0;
-  for (; k > 0; k /= base) {
-    digit /= static_cast<double>(base);
-    value += digit * static_cast<double>(k % base);
-  }
-  return value;
-}
+constexpr std::size_t kAngles = 16, kPoints = 24;
 
 // The angle at this part of all that the set has.
 Angle angle_at(const ArcSet& set, double part) {
@@ -33,7 +27,7 @@ std::vector<Angle> angles_of(const ArcSet& set) {
   if (set.empty()) return {};
   if (set.units() == 1) return {set.arcs().front().low};
   std::vector<Angle> angles;
-  for (std::size_t k = 1; k <= kAngles; ++k) angles.push_back(angle_at(set, spread(k, 2)));
+  for (std::size_t k = 1; k <= kAngles; ++k) angles.push_back(angle_at(set, radical_inverse(k, 2)));
   return angles;
 }
 
@@ -50,7 +44,8 @@ std::vector<Point3> points_of(const Box& box) {
   for (const double z : {0.0, 1.0})
     for (const double y : {0.0, 1.0})
       for (const double x : {0.0, 1.0}) points.push_back(at(x, y, z));
-  for (std::size_t k = 1; k <= kPoints; ++k) points.push_back(at(spread(k, 2), spread(k, 3), spread(k, 5)));
+  for (std::size_t k = 1; k <= kPoints; ++k)
+    points.push_back(at(radical_inverse(k, 2), radical_inverse(k, 3), radical_inverse(k, 5)));
   std::vector<Point3> different;
   for (const Point3& each : points)
     if (std::ranges::find(different, each) == different.end()) different.push_back(each);

@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "supervisor/geometry/radical_inverse.h"
 #include "supervisor/motion/spatial/random.h"
 #include "supervisor/tamp/predicates/samples.h"
 #include "supervisor/tamp/predicates/transfer.h"
@@ -13,6 +14,8 @@
 
 namespace stepwright::tamp::predicates {
 namespace {
+
+using geometry::radical_inverse;
 
 TEST(Samples, WhenTheyAreTaken_ThenTheyAreVanDerCorputsAndLieOnTheSurface) {
   const double expected[] = {0.0, 0.5, 0.25, 0.75, 0.125, 0.625};
