@@ -19,7 +19,7 @@ FRAMES = int(os.environ.get("STEPWRIGHT_FUZZ_FRAMES", "20000"))
 AFTER = os.environ.get("STEPWRIGHT_FUZZ_AFTER", "batch")
 SEED = os.environ.get("STEPWRIGHT_FUZZ_SEED", "1")
 WARM_UP = "2000"  # frames, after which a process has the memory that it needs
-QUIET_S = 3.0
+QUIET_S = 1.0  # only its memory is read
 PATIENCE_S = 3600
 # Writes are allowed in a part of the map, so that both ways of refusing have their turn.
 CLIENT = """
