@@ -29,6 +29,7 @@ struct FirstPlan {
   std::vector<std::byte> program{};  // empty: there is no plan
   std::string no_plan{};             // why, although nothing is wrong with the files
   result::ExitCode exit = result::ExitCode::Done;
+  result::Diagnostics warnings{};  // of the planner's files
 };
 
 // Everything that a mission needs but its controller. A mission must not outlive it.

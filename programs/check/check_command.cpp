@@ -38,6 +38,7 @@ void check_mission(const config::CellConfig& config, CheckReport& report) {
   if (!planner) return add(report.problems, planner.error());
   const auto first = (*planner)->first_plan();
   if (!first) return add(report.problems, first.error());
+  add(report.problems, first->warnings);
   report.no_plan = first->no_plan;
   report.plan_exit = first->exit;
   if (first->program.empty()) return;

@@ -107,6 +107,7 @@ result::Result<ArmsPlanning> open_arms_planning(const config::CellConfig& config
   auto monitors = cell_monitors::cell_monitors(config);
   if (!monitors) return result::forward(monitors);
   options.cell = std::move(file->cell);
+  options.warnings = std::move(file->warnings);
   options.domain = *std::move(domain);
   options.orders = *std::move(orders);
   options.terminals = *std::move(terminals);

@@ -26,14 +26,15 @@ class TampPlanner final : public CellPlanner {
     if (!prepared) {
       const std::string& code = prepared.error().front().code;
       if (code != kNoPlan && code != kNotFound) return result::forward(prepared);
-      return FirstPlan{
-          .no_plan = result::to_string(prepared.error()),
-          .exit = code == kNoPlan ? result::ExitCode::NoPlan : result::ExitCode::BudgetExhausted};
+      return FirstPlan{.no_plan = result::to_string(prepared.error()),
+                       .exit = code == kNoPlan ? result::ExitCode::NoPlan : result::ExitCode::BudgetExhausted,
+                       .warnings = planning_.options().warnings};
     }
     FirstPlan first;
     first.cost = prepared->schedule.makespan_s;
     first.actions = prepared->plan.actions.size();
     first.program = std::move(prepared->container);
+    first.warnings = planning_.options().warnings;
     return first;
   }
 

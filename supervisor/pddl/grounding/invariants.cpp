@@ -1,5 +1,6 @@
 #include "supervisor/pddl/grounding/invariants.h"
 
+#include <algorithm>
 #include <deque>
 #include <set>
 
@@ -32,7 +33,9 @@ struct Instances {
 
 class Synthesis {
  public:
-  Synthesis(const RawTask& raw, const std::function<bool()>& stop) : raw_(raw), stop_(stop) {}
+  Synthesis(const RawTask& raw, const std::function<bool()>& stop) : raw_(raw), stop_(stop) {
+    for (const GroundOperator& op : raw.operators) note_effects(op);
+  }
 
   std::vector<Invariant> run() {
     for (InvariantCandidate& candidate : simplest_candidates(*raw_.definition)) propose(std::move(candidate));
@@ -45,6 +48,30 @@ class Synthesis {
   }
 
  private:
+  void note_effects(const GroundOperator& op) {
+    const auto action = static_cast<std::size_t>(op.action);
+    if (action >= changed_by_.size())
+      changed_by_.resize(action + 1, std::vector<bool>(raw_.definition->predicates.size()));
+    const auto note = [&](int fact) {
+      const int predicate = raw_.facts[static_cast<std::size_t>(fact)].symbol;
+      changed_by_[action][static_cast<std::size_t>(predicate)] = true;
+    };
+    for (const GroundEffect& effect : op.effects) {
+      std::ranges::for_each(effect.adds, note);
+      std::ranges::for_each(effect.deletes, note);
+    }
+  }
+
+  // Of each action: whether its operators can change a fact of the candidate.
+  std::vector<bool> touching(const InvariantCandidate& candidate) const {
+    std::vector<bool> found(changed_by_.size());
+    for (std::size_t action = 0; action < found.size(); ++action)
+      for (std::size_t predicate = 0; predicate < changed_by_[action].size() && !found[action]; ++predicate)
+        found[action] =
+            changed_by_[action][predicate] && candidate.part_of(static_cast<int>(predicate)) != nullptr;
+    return found;
+  }
+
   void propose(InvariantCandidate candidate) {
     if (seen_.size() >= kMostCandidates || !seen_.insert(candidate).second) return;
     open_.push_back(std::move(candidate));
@@ -84,6 +111,7 @@ class Synthesis {
     Instances instances = this->instances(candidate);
     BalanceCheck check(instances.sets);
     refined_actions_.clear();
+    const std::vector<bool> touching = this->touching(candidate);
     for (std::size_t i = 0; i < raw_.operators.size(); ++i) {
       if (!raw_.reachable.operators[i]) continue;
       if (++checks_ % kOperatorsBetweenStops == 0 && (stop_() || checks_ > kMostChecks)) {
@@ -91,6 +119,7 @@ class Synthesis {
         return;
       }
       const GroundOperator& op = raw_.operators[i];
+      if (!touching[static_cast<std::size_t>(op.action)]) continue;
       check.check(op, [&](const Verdict& verdict) { judge(candidate, op, check, verdict, instances); });
     }
     if (instances.alive > 0) keep(instances);
@@ -131,6 +160,7 @@ class Synthesis {
   std::deque<InvariantCandidate> open_;
   std::set<InvariantCandidate> seen_;
   std::set<int> refined_actions_;
+  std::vector<std::vector<bool>> changed_by_;  // of each action: which predicates
   std::vector<Invariant> invariants_;
   std::size_t checks_ = 0;
   bool stopped_ = false;

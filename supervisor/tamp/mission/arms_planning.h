@@ -36,10 +36,11 @@ program::ArmsProgramOptions program_options();
 
 struct ArmsPlanningOptions {
   scene::RobotCell cell;
-  lisp::Source domain;            // PDDL, `stacking-arms`
-  std::vector<ArmsOrder> orders;  // at least one
-  std::vector<int> exchange{};    // regions where things change hands; none: any
-  std::size_t first = 0;          // the order that a run begins with
+  result::Diagnostics warnings{};  // of the cell's file
+  lisp::Source domain;             // PDDL, `stacking-arms`
+  std::vector<ArmsOrder> orders;   // at least one
+  std::vector<int> exchange{};     // regions where things change hands; none: any
+  std::size_t first = 0;           // the order that a run begins with
   program::CellTerminals terminals;
   program::ArmsProgramOptions program = program_options();
   std::uint64_t seed = 1;

@@ -70,7 +70,8 @@ class HomeFinder {
   }
 
   bool refused(const ActionSpec& action, const predicates::Failure& failure) {
-    why_ = text_of(cell_, action) + ": " + name_of(failure.kind);
+    why_ = text_of(cell_, action) + ": " + predicates::text_of(cell_, failure);
+    kind_ = failure.kind;
     return false;
   }
 
@@ -104,7 +105,7 @@ class HomeFinder {
         there.angle_rad = turned_rad + 2.0 * std::numbers::pi * turn / kTurns;
         if (settle({ActionKind::Place, static_cast<int>(arm), thing, surface, -1}, {0.0, there})) return true;
         // Whether there is room does not hang on the hand.
-        if (why_.ends_with(name_of(predicates::FailureKind::NoRoom))) break;
+        if (kind_ == predicates::FailureKind::NoRoom) break;
       }
     }
     return false;
@@ -158,6 +159,7 @@ class HomeFinder {
   scene::GeometricState state_;
   std::vector<Settled> settled_;
   std::string why_;
+  predicates::FailureKind kind_ = predicates::FailureKind::Impossible;  // of the last refusal
 };
 
 }  // namespace

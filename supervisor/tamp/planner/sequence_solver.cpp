@@ -353,7 +353,7 @@ bool SequenceSolver::advance(std::size_t level) {
   const scene::GeometricState& state = state_before(level);
   const auto failed = [&](const Failure& failure) {
     here.conflict |= blame(level, failure);
-    here.last = failure.kind;
+    here.last.add(failure);
   };
   while (!stopped()) {
     if (here.way == here.ways.size()) {
@@ -384,7 +384,7 @@ std::size_t SequenceSolver::connect() {
     auto motions = workspace_->connect(state_before(k), *levels_[k].settled);
     if (!motions) {
       levels_[k].conflict |= blame(k, motions.error());
-      levels_[k].last = motions.error().kind;
+      levels_[k].last.add(motions.error());
       return k;
     }
     levels_[k].settled->action.motions = *std::move(motions);
@@ -393,7 +393,8 @@ std::size_t SequenceSolver::connect() {
 }
 
 std::string SequenceSolver::words(std::size_t level) const {
-  return scene::text_of(workspace_->cell(), actions_[level]) + ": " + name_of(levels_[level].last);
+  return scene::text_of(workspace_->cell(), actions_[level]) + ": " +
+         text_of(workspace_->cell(), levels_[level].last);
 }
 
 SolverAnswer SequenceSolver::solve() {

@@ -70,7 +70,7 @@ class SequenceSolver {
     std::vector<predicates::ArmWay> ways;
     std::size_t way = 0;
     std::uint64_t conflict = 0;  // earlier actions that its failures have to do with
-    predicates::FailureKind last = predicates::FailureKind::Impossible;
+    predicates::Failure last;    // with all that was in the way of its kind
     std::optional<predicates::Settled> settled;
   };
   std::optional<SolverAnswer> check_room() const;

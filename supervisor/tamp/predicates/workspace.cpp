@@ -22,6 +22,10 @@ std::size_t at(int number) {
   return static_cast<std::size_t>(number);
 }
 
+std::uint64_t bit_of(std::size_t k) {
+  return std::uint64_t{1} << k;
+}
+
 motion::Configuration vector_of(const scene::JointValues& values) {
   return {values.begin(), values.end()};
 }
@@ -33,23 +37,6 @@ std::vector<double> flat(const motion::JointPath& path) {
 }
 
 }  // namespace
-
-const char* name_of(FailureKind kind) {
-  switch (kind) {
-    case FailureKind::NoRoom:
-      return "no room";
-    case FailureKind::HandMeets:
-      return "the hand meets something";
-    case FailureKind::OutOfReach:
-      return "out of reach";
-    case FailureKind::ArmMeets:
-      return "the arm meets something";
-    case FailureKind::NoPath:
-      return "no path was found";
-    default:
-      return "impossible";
-  }
-}
 
 Workspace::Workspace(const scene::RobotCell& cell, std::uint64_t seed)
     : cell_(&cell), seed_(seed), path_nodes_(cell.manner.path_nodes) {
@@ -82,23 +69,25 @@ double Workspace::half_open_on_the_way(const GeometricState& state, const Action
                                          : state.arms[at(action.arm)].half_open_m;
 }
 
-tl::unexpected<Failure> Workspace::fail(FailureKind kind, std::uint64_t things) {
+tl::unexpected<Failure> Workspace::fail(const Failure& failure) {
   ++counts_.failed;
-  return tl::unexpected<Failure>(Failure{kind, things});
+  return tl::unexpected<Failure>(failure);
 }
 
-// Things that stand where this one would come down or be.
-std::uint64_t Workspace::meeting_thing(const GeometricState& state, int thing, const scene::Pose& pose,
-                                       bool& furniture) const {
+// What is where this one would come down or be.
+Failure Workspace::meeting_thing(const GeometricState& state, int thing, const scene::Pose& pose) const {
   scene::Upright body = standing(cell_->things[at(thing)].form, pose);
   body.high_m += cell_->manner.lift_m;
-  for (const scene::Furniture& each : cell_->furniture)
-    if (meet(body, standing(each.form, each.pose), cell_->manner.things_apart_m)) furniture = true;
-  std::uint64_t met = 0;
+  Failure met{FailureKind::NoRoom};
+  for (std::size_t k = 0; k < cell_->furniture.size(); ++k)
+    if (meet(body, standing(cell_->furniture[k].form, cell_->furniture[k].pose),
+             cell_->manner.things_apart_m))
+      met.furniture |= bit_of(k);
+  if (met.furniture != 0) return met;
   for (std::size_t k = 0; k < cell_->things.size(); ++k)
     if (k != at(thing) && state.things[k].holder < 0 &&
         meet(body, standing(cell_->things[k].form, state.things[k].pose), cell_->manner.things_apart_m))
-      met |= std::uint64_t{1} << k;
+      met.things |= bit_of(k);
   return met;
 }
 
@@ -108,7 +97,7 @@ std::uint64_t Workspace::standing_on(const GeometricState& state, int thing) con
     if (k != at(thing) && state.things[k].holder < 0 &&
         stands_on(cell_->things[k].form, state.things[k].pose, cell_->things[at(thing)].form,
                   state.things[at(thing)].pose))
-      above |= std::uint64_t{1} << k;
+      above |= bit_of(k);
   return above;
 }
 
@@ -118,35 +107,35 @@ std::optional<Failure> Workspace::refused_place(const GeometricState& state, con
   const scene::Form& form = cell_->things[at(action.thing)].form;
   if (action.on < 0) {
     if (!lies_within(cell_->surfaces[at(action.surface)], form, sample.pose))
-      return Failure{FailureKind::NoRoom, 0};
+      return Failure{FailureKind::NoRoom};
   } else {
     const scene::Thing& below = cell_->things[at(action.on)];
     const scene::ThingState& there = state.things[at(action.on)];
     if (!below.carries || there.holder >= 0 || action.on == action.thing)
-      return Failure{FailureKind::Impossible, 0};
+      return Failure{FailureKind::Impossible};
     if (!fits_on(form, below.form) ||
         sample.pose != top_of(*cell_, action.on, there.pose, sample.pose.angle_rad))
-      return Failure{FailureKind::NoRoom, 0};
+      return Failure{FailureKind::NoRoom};
   }
-  bool furniture = false;
-  const std::uint64_t met = meeting_thing(state, action.thing, sample.pose, furniture);
-  if (met == 0 && !furniture) return std::nullopt;
-  return Failure{FailureKind::NoRoom, furniture ? 0 : met};
+  const Failure met = meeting_thing(state, action.thing, sample.pose);
+  return met.things == 0 && met.furniture == 0 ? std::nullopt : std::optional(met);
 }
 
-std::uint64_t Workspace::meeting_hand(const GeometricState& state, int arm, int thing, const ToolPlace& tool,
-                                      bool& furniture) const {
-  std::uint64_t met = 0;
+Failure Workspace::meeting_hand(const GeometricState& state, int arm, int thing,
+                                const ToolPlace& tool) const {
+  Failure met{FailureKind::HandMeets};
   for (const scene::HandPart& part : cell_->arms[at(arm)].hand_of[at(thing)]) {
     const scene::Upright body =
         placed(part, tool.x_m, tool.y_m, tool.z_m, tool.angle_rad, cell_->manner.lift_m);
-    for (const scene::Furniture& each : cell_->furniture)
-      if (meet(body, standing(each.form, each.pose), cell_->manner.clearance_m)) furniture = true;
+    for (std::size_t k = 0; k < cell_->furniture.size(); ++k)
+      if (meet(body, standing(cell_->furniture[k].form, cell_->furniture[k].pose), cell_->manner.clearance_m))
+        met.furniture |= bit_of(k);
     for (std::size_t k = 0; k < cell_->things.size(); ++k)
       if (k != at(thing) && state.things[k].holder < 0 &&
           meet(body, standing(cell_->things[k].form, state.things[k].pose), cell_->manner.clearance_m))
-        met |= std::uint64_t{1} << k;
+        met.things |= bit_of(k);
   }
+  if (met.furniture != 0) met.things = 0;
   return met;
 }
 
@@ -175,26 +164,25 @@ tl::expected<std::vector<ArmWay>, Failure> Workspace::ways(const GeometricState&
   const scene::ArmState& arm = state.arms[at(action.arm)];
   const scene::ThingState& thing = state.things[at(action.thing)];
   if (action.kind == ActionKind::MoveAway) {
-    if (arm.holds >= 0) return fail(FailureKind::Impossible);
+    if (arm.holds >= 0) return fail({FailureKind::Impossible});
     ArmWay home;
     home.top = cell_->arms[at(action.arm)].home;
     return std::vector{home};
   }
   const bool pick = action.kind == ActionKind::Pick;
   if (pick ? arm.holds >= 0 || thing.holder >= 0 : thing.holder != action.arm)
-    return fail(FailureKind::Impossible);
+    return fail({FailureKind::Impossible});
   const ToolPlace tool = tool_of(state, action, sample);
   if (pick) {
     if (const std::uint64_t above = standing_on(state, action.thing); above != 0)
-      return fail(FailureKind::HandMeets, above);
+      return fail({FailureKind::HandMeets, above});
   } else if (const auto refused = refused_place(state, action, sample)) {
-    return fail(refused->kind, refused->things);
+    return fail(*refused);
   }
-  bool furniture = false;
-  const std::uint64_t met = meeting_hand(state, action.arm, action.thing, tool, furniture);
-  if (met != 0 || furniture) return fail(FailureKind::HandMeets, furniture ? 0 : met);
+  const Failure met = meeting_hand(state, action.arm, action.thing, tool);
+  if (met.things != 0 || met.furniture != 0) return fail(met);
   std::vector<ArmWay> found = all_ways_of(action.arm, tool);
-  if (found.empty()) return fail(FailureKind::OutOfReach);
+  if (found.empty()) return fail({FailureKind::OutOfReach});
   sort_ways(found, arm.at);
   return found;
 }
@@ -263,10 +251,10 @@ tl::expected<Settled, Failure> Workspace::settle(const GeometricState& state, co
     const scene::Manner& manner = cell_->manner;
     auto found = line_of(cell_->arms[at(action.arm)], tool_of(state, action, sample), manner.lift_m,
                          manner.line_step_m, way);
-    if (!found) return fail(FailureKind::OutOfReach);
+    if (!found) return fail({FailureKind::OutOfReach});
     line = *std::move(found);
     if (!line_is_free(state, action.arm, half_open_on_the_way(state, action), line))
-      return fail(FailureKind::ArmMeets);
+      return fail({FailureKind::ArmMeets});
   }
   const bool pick = action.kind == ActionKind::Pick;
   Settled settled{after(state, action, sample, std::move(line)),
@@ -287,7 +275,7 @@ tl::expected<std::vector<scene::Motion>, Failure> Workspace::connect(const Geome
   const scene::ArmState& there = settled.after.arms[at(action.arm)];
   std::vector<scene::Motion> motions;
   if (!arm.line.empty()) {
-    if (!line_is_free(before, action.arm, arm.half_open_m, arm.line)) return fail(FailureKind::ArmMeets);
+    if (!line_is_free(before, action.arm, arm.half_open_m, arm.line)) return fail({FailureKind::ArmMeets});
     motions.push_back({scene::Phase::Lift, arm.half_open_m, arm.line});
   }
   const double half_open_m = half_open_on_the_way(before, action);
@@ -304,7 +292,7 @@ tl::expected<std::vector<scene::Motion>, Failure> Workspace::connect(const Geome
   counts_.path_motions += found.motions;
   if (found.path.empty()) {
     ++counts_.failed_paths;
-    return fail(FailureKind::NoPath);
+    return fail({FailureKind::NoPath});
   }
   motions.push_back({scene::Phase::Transfer, half_open_m, std::move(found.path)});
   if (!there.line.empty())

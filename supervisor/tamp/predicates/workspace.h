@@ -23,26 +23,11 @@
 
 #include "supervisor/motion/path/plan_path.h"
 #include "supervisor/tamp/predicates/arm_ways.h"
+#include "supervisor/tamp/predicates/failure.h"
 #include "supervisor/tamp/scene/geometric_state.h"
 #include "supervisor/tamp/scene/tamp_plan.h"
 
 namespace stepwright::tamp::predicates {
-
-enum class FailureKind : std::uint8_t {
-  NoRoom,      // what is placed would meet others, or not lie on the surface
-  HandMeets,   // the hand would meet others
-  OutOfReach,  // no values of the joints within the limits
-  ArmMeets,    // the rest of the arm would meet something on the straight line
-  NoPath,      // none was found within the nodes: no proof
-  Impossible,  // the action makes no sense in this state
-};
-
-struct Failure {
-  FailureKind kind = FailureKind::Impossible;
-  std::uint64_t things = 0;  // that are in the way: bit k of thing k; ArmMeets and NoPath do not know
-  bool proven() const { return kind != FailureKind::NoPath; }
-};
-const char* name_of(FailureKind kind);
 
 struct Sample {
   double hand_rad = 0.0;  // of a pick: the hand's angle, seen from the thing
@@ -110,14 +95,12 @@ class Workspace {
   const Checkers& checkers(const scene::GeometricState& state, int arm, double half_open_m);
   double half_open_on_the_way(const scene::GeometricState& state, const scene::ActionSpec& action) const;
   const std::vector<ArmWay>& all_ways_of(int arm, const ToolPlace& place);
-  tl::unexpected<Failure> fail(FailureKind kind, std::uint64_t things = 0);
-  std::uint64_t meeting_thing(const scene::GeometricState& state, int thing, const scene::Pose& pose,
-                              bool& furniture) const;
+  tl::unexpected<Failure> fail(const Failure& failure);
+  Failure meeting_thing(const scene::GeometricState& state, int thing, const scene::Pose& pose) const;
   std::optional<Failure> refused_place(const scene::GeometricState& state, const scene::ActionSpec& action,
                                        const Sample& sample) const;
   std::uint64_t standing_on(const scene::GeometricState& state, int thing) const;
-  std::uint64_t meeting_hand(const scene::GeometricState& state, int arm, int thing, const ToolPlace& tool,
-                             bool& furniture) const;
+  Failure meeting_hand(const scene::GeometricState& state, int arm, int thing, const ToolPlace& tool) const;
   bool line_is_free(const scene::GeometricState& state, int arm, double half_open_m,
                     const motion::JointPath& line);
   ToolPlace tool_of(const scene::GeometricState& state, const scene::ActionSpec& action,

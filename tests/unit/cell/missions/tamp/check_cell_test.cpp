@@ -2,8 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "cell/missions/mission_kinds.h"
 #include "cell/missions/tamp/arms_wires.h"
 #include "supervisor/tamp/scene/cell_file.h"
+#include "tests/support/temporary_folder.h"
 
 namespace stepwright::missions {
 namespace {
@@ -47,6 +54,29 @@ TEST(ArmsCellCheck, WhenTheyDiffer_ThenThatIsToldAtItsPlace) {
   const auto swapped = check_agrees(plant, scene(), {});
   ASSERT_FALSE(swapped);
   EXPECT_GT(swapped.error().front().where.line, 0u);
+}
+
+// The cell of the tests, with a cup that hangs 50 mm above the table in its problem.
+config::CellConfig hanging(const support::TemporaryFolder& folder) {
+  std::filesystem::copy(STEPWRIGHT_SOURCE_DIR "/tests/cells/robot_cell", folder.path());
+  std::stringstream text;
+  text << std::ifstream(folder / "orders.toml").rdbuf();
+  std::string problem = text.str();
+  const std::string floor = "z_m = 0.7\n";
+  problem.replace(problem.find(floor, problem.find("name = \"cup2\"")), floor.size(), "z_m = 0.75\n");
+  std::ofstream(folder / "orders.toml") << problem;
+  return config::load_cell_config((folder / "cell.toml").string()).value();
+}
+
+TEST(ArmsCellCheck, WhenAThingHangsInTheAirAtFirst_ThenTheFirstPlanWarnsOfIt) {
+  const support::TemporaryFolder folder;
+  const auto planner = open(hanging(folder));
+  ASSERT_TRUE(planner) << result::to_string(planner.error());
+  const auto first = (*planner)->first_plan();
+  ASSERT_TRUE(first) << result::to_string(first.error());
+  ASSERT_EQ(first->warnings.size(), 1u);
+  EXPECT_EQ(first->warnings.front().code, "G0106");
+  EXPECT_GT(first->warnings.front().where.line, 0u);
 }
 
 TEST(ArmsWires, WhenThereAreNoPorts_ThenTerminalsAreWhereTheSimulatedCellHasThem) {

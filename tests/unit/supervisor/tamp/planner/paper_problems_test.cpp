@@ -1,3 +1,4 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "supervisor/htn/plan/validate.h"
@@ -74,6 +75,23 @@ TEST(PaperProblems, WhenTheTrayIsTooSmall_ThenThatIsProvedAndSaid) {
   EXPECT_EQ(outcome.kind, model::OutcomeKind::Infeasible);
   EXPECT_EQ(outcome.reason, "tray takes no more than 2 of can1, can2, can3");
   EXPECT_EQ(outcome.figures.budget_nogoods, 0u);
+}
+
+TEST(PaperProblems, WhenFurnitureIsInTheWay_ThenItIsNamed) {
+  auto problem = test::paper_problem("p4");
+  ASSERT_TRUE(problem);
+  const scene::Pose tray =
+      problem->cell.surfaces[static_cast<std::size_t>(problem->cell.surface("tray"))].middle;
+  const auto with = [&](const char* name, scene::Form form, double above_m) {
+    auto changed = *problem;
+    scene::Pose pose = tray;
+    pose.z_m += above_m;
+    changed.cell.furniture.push_back({name, form, pose});
+    return planned(changed, Method::Ours, 1).reason;
+  };
+  // A can of 120 mm has room below it, and does not come there from above.
+  EXPECT_THAT(with("lid", {false, 0.0, 0.3, 0.3, 0.02}, 0.14),
+              testing::HasSubstr("no room: lid is in the way"));
 }
 
 TEST(PaperProblems, WhenSequencesAreGivenUpForNow_ThenTheyAreTriedAgainWithMore) {
