@@ -14,7 +14,7 @@ IoWatch::IoWatch(const config::CellConfig& config, CellIo& io, host::HostRuntime
 void IoWatch::event(const host::StepEvent& event) {
   switch (event.kind) {
     case host::EventKind::Trap:
-      if (event.detail != host::kIoLost) return restart_.decided();
+      if (event.cause != scan::SafeCause::IoLost) return restart_.decided();
       lost_ = true;
       // A plan goes on where its supervisor says, and not at its first step.
       if (!supervised_) restart_.lost();

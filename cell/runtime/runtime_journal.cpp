@@ -28,14 +28,14 @@ void RuntimeJournal::event(const host::StepEvent& event) {
       return log_.info("started", "program " + shortened(event.program_digest) + " started",
                        {{"digest", event.program_digest}, {"scan", event.scan}});
     case host::EventKind::Stopped:
-      if (event.detail == host::kStoodStill) {
+      if (event.cause == scan::SafeCause::Killed) {
         return log_.error("stood_still", "program stopped: " + event.detail,
                           {{"digest", event.program_digest}, {"scan", event.scan}});
       }
       return log_.info("stopped", "program stopped: " + event.detail,
                        {{"digest", event.program_digest}, {"scan", event.scan}, {"reason", event.detail}});
     case host::EventKind::Trap:
-      return log_.error(event.detail == host::kIoLost ? "lost_io" : "trap",
+      return log_.error(event.cause == scan::SafeCause::IoLost ? "lost_io" : "trap",
                         "scan " + std::to_string(event.scan) + ": " + event.detail,
                         {{"digest", event.program_digest}, {"scan", event.scan}, {"reason", event.detail}});
     case host::EventKind::Changed:

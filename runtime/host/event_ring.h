@@ -17,6 +17,7 @@
 #include "runtime/host/fixed_text.h"
 #include "runtime/host/limits.h"
 #include "runtime/host/runtime_state.h"
+#include "runtime/scan/safe_state.h"
 
 namespace stepwright::host {
 
@@ -28,8 +29,9 @@ struct EventNote {
   std::uint64_t scan = 0;
   std::int64_t time_ns = 0;
   EventKind kind = EventKind::StepChange;
-  bytecode::Trap trap;                // EventKind::Trap; without a code: see the reason
-  FixedText<kMaxReasonBytes> reason;  // EventKind::Stopped, and Trap without a code
+  bytecode::Trap trap;                            // EventKind::Trap; without a code: see the reason
+  FixedText<kMaxReasonBytes> reason;              // EventKind::Stopped, and Trap without a code
+  scan::SafeCause cause = scan::SafeCause::Stop;  // of both
   const PreparedProgram* other =
       nullptr;  // EventKind::Changed: the old one; RolledBack: the one that trapped
 };

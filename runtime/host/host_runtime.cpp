@@ -214,6 +214,7 @@ StepEvent HostRuntime::to_event(const PreparedProgram& program, const EventRing:
   event.kind = slot.note.kind;
   event.program_digest = program.digest();
   event.detail = slot.note.reason.str();
+  event.cause = slot.note.cause;
   if (slot.note.trap) {
     event.detail = trap_text(program.loaded().program(), slot.note);
   }

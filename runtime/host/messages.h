@@ -14,6 +14,7 @@
 #include "runtime/host/runtime_state.h"
 #include "runtime/image/force_table.h"
 #include "runtime/image/image_bits.h"
+#include "runtime/scan/safe_state.h"
 
 namespace stepwright::host {
 
@@ -35,6 +36,7 @@ struct StepEvent {
   std::vector<std::byte> image;   // the complete image after that scan
   std::vector<NamedValue> plant;  // truth of the simulated plant at that instant, for reports only
   std::uint64_t incarnation = 0;  // of the process it is of; filled in by the service
+  scan::SafeCause cause = scan::SafeCause::Stop;  // of Stopped and Trap: why nobody drives the outputs
 
   friend bool operator==(const StepEvent&, const StepEvent&) = default;
 };

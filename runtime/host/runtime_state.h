@@ -23,10 +23,11 @@ enum class EventKind : std::uint8_t {
   RolledBack = 5,  // the new program trapped in its first scans; the old one goes on (see the detail)
 };
 
-// The detail of a Stopped event after the policy for a lost supervisor stopped the program.
+// Details of events, for people; who decides looks at the cause. The policy for a lost supervisor stopped the
+// program:
 inline constexpr const char* kSupervisorLost = "the supervisor was lost";
 
-// The detail of a Trap event that no program caused.
+// Nothing that a program did:
 inline constexpr const char* kStoodStill =
     "the runtime stood still: its outputs were taken for lost and stay safe until a start";
 inline constexpr const char* kIoLost = "the I/O driver does not answer";

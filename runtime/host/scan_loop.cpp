@@ -226,6 +226,7 @@ void ScanLoop::note(EventKind kind, const bytecode::Trap& trap, std::string_view
   event.kind = kind;
   event.trap = trap;
   event.reason = FixedText<kMaxReasonBytes>(reason);
+  event.cause = program_->cycle().safe_state().cause();
   event.other = other;
   if (plant_ != nullptr) plant_->read_values(truths_);
   // The figures first: who sees the event must find a status that is at least as new. After a change in real

@@ -197,7 +197,7 @@ LineLoop::Done LineLoop::exchange_by_clock() {
 
 // The plant does not answer, or this process stood still: the controller's outputs go nowhere.
 LineLoop::Done LineLoop::plant_lost() {
-  const char* const reason = plant_.stood_still() ? host::kStoodStill : host::kIoLost;
+  const bool stood_still = plant_.stood_still();
   const auto stopped = link_.command(control::Command::Stop);
   if (!stopped) return tl::unexpected(stopped.error());
   auto status = link_.status();
@@ -206,7 +206,8 @@ LineLoop::Done LineLoop::plant_lost() {
   gate_.rest(reading());
   now_.state = host::RuntimeState::Fault;
   plant_.make_safe(own_time_ns());
-  emit(host::EventKind::Trap, reason);
+  emit(host::EventKind::Trap, stood_still ? host::kStoodStill : host::kIoLost,
+       stood_still ? scan::SafeCause::Killed : scan::SafeCause::IoLost);
   return {};
 }
 

@@ -61,7 +61,8 @@ class LineLoop {
   [[nodiscard]] Done adopt(std::shared_ptr<const RemoteProgram> program);
   host::Completion start(const host::Command& command);
   [[nodiscard]] Done begin_run();
-  host::Completion stop(const host::Command& command, std::string_view reason);
+  host::Completion stop(const host::Command& command, std::string_view reason,
+                        scan::SafeCause cause = scan::SafeCause::Stop);
   host::Completion bits(const host::Command& command);
   void end_forces();
   host::Completion step(const host::Command& command);
@@ -88,7 +89,7 @@ class LineLoop {
   // News (line_loop_news.cpp).
   [[nodiscard]] Done take_events(const ControllerStatus& status);
   [[nodiscard]] Done read_event_image();
-  void emit(host::EventKind kind, std::string detail);
+  void emit(host::EventKind kind, std::string detail, scan::SafeCause cause = scan::SafeCause::Stop);
   std::string trap_detail(const ControllerStatus& status) const;
   host::ClockReading reading() { return {wall_ns(), now_.time_ns, next_ns_}; }
   [[nodiscard]] Done refresh_image();

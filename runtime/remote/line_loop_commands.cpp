@@ -201,7 +201,7 @@ LineLoop::Done LineLoop::begin_run() {
   return {};
 }
 
-Completion LineLoop::stop(const host::Command& command, std::string_view reason) {
+Completion LineLoop::stop(const host::Command& command, std::string_view reason, scan::SafeCause cause) {
   const auto stopped = [&]() -> Done {
     auto answer = link_.command(control::Command::Stop);
     if (!answer) return result::forward(answer);
@@ -221,7 +221,7 @@ Completion LineLoop::stop(const host::Command& command, std::string_view reason)
   gate_.rest(reading());
   now_.state = host::RuntimeState::Stopped;
   static_cast<void>(plant_.write(own_time_ns()));
-  emit(host::EventKind::Stopped, std::string(reason));
+  emit(host::EventKind::Stopped, std::string(reason), cause);
   return {command.ticket, Outcome::Done, {}};
 }
 
@@ -293,7 +293,7 @@ Completion LineLoop::supervisor_lost(const host::Command& command) {
   gate_.supervisor_is_away();
   stopped_at_ = command.order;
   if (!running() || !contact_) return {command.ticket, Outcome::Done, {}};
-  return stop(command, host::kSupervisorLost);
+  return stop(command, host::kSupervisorLost, scan::SafeCause::SupervisorLost);
 }
 
 }  // namespace stepwright::remote

@@ -126,7 +126,8 @@ void LineLoop::lose(const result::Diagnostics& why) {
   if (ran) now_.state = host::RuntimeState::Fault;
   plant_.make_safe(own_time_ns());
   if (ran) {
-    emit(host::EventKind::Trap, "the controller was lost while it ran: " + line_problem_);
+    emit(host::EventKind::Trap, "the controller was lost while it ran: " + line_problem_,
+         scan::SafeCause::Trap);
   } else {
     publish();
     queues_.news().notify();

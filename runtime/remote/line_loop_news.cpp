@@ -49,7 +49,7 @@ LineLoop::Done LineLoop::take_events(const ControllerStatus& status) {
       gate_.rest(reading());
       now_.state = host::RuntimeState::Fault;
       ++now_.process.traps;
-      emit(host::EventKind::Trap, trap_detail(status));
+      emit(host::EventKind::Trap, trap_detail(status), scan::SafeCause::Trap);
       break;
   }
   now_.scan = std::max(scan, now_.scan);
@@ -82,7 +82,7 @@ LineLoop::Done LineLoop::refresh_image() {
   return {};
 }
 
-void LineLoop::emit(host::EventKind kind, std::string detail) {
+void LineLoop::emit(host::EventKind kind, std::string detail, scan::SafeCause cause) {
   if (kind == host::EventKind::StepChange) gate_.stand(reading());
   host::StepEvent event;
   event.sequence = ++now_.last_event;
@@ -91,6 +91,7 @@ void LineLoop::emit(host::EventKind kind, std::string detail) {
   event.kind = kind;
   if (program_ != nullptr) event.program_digest = program_->digest();
   event.detail = std::move(detail);
+  event.cause = cause;
   event.image = image_;
   event.plant = plant_.named_truths();
   detail_ = event.detail;

@@ -24,7 +24,7 @@ using internal::Descriptor;
 using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 
-constexpr milliseconds kGreetingTimeout{1'000};
+constexpr milliseconds kGreetingTimeout{5'000};  // of a machine with much else to do
 // A service that does not take a connection or a message for so long is taken for dead.
 constexpr timeval kSendTimeout{1, 0};
 constexpr std::size_t kReadBytes = 64u << 10;

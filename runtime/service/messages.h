@@ -25,7 +25,7 @@ namespace stepwright::service {
 
 // Of the messages, wherever they travel: it changes with every change of a list of fields (codec.h) and of
 // what a field means. Nobody reads a message of another version.
-inline constexpr std::uint32_t kProtocolVersion = 10;
+inline constexpr std::uint32_t kProtocolVersion = 11;
 // Of one message without its frame: the largest event, or a reply full of diagnostics.
 inline constexpr std::size_t kMaxMessageBytes = host::kMaxImageBytes + (64u << 10);
 inline constexpr std::chrono::milliseconds kStatusPeriod{100};

@@ -103,7 +103,7 @@ Decision Mission::trapped(const host::StepEvent& event) {
 
 // Whoever stopped the plant on purpose does not want it to go on by itself.
 Decision Mission::stopped(const host::StepEvent& event) {
-  if (event.detail != host::kSupervisorLost)
+  if (event.cause != scan::SafeCause::SupervisorLost)
     return give_up_because(IncidentKind::Operator, "stopped from outside: " + event.detail);
   return {Verdict::Replan, {IncidentKind::LostSupervisor, {"the runtime stopped: " + event.detail}}};
 }

@@ -206,8 +206,7 @@ class Mission {
   // happens together with the start.
   [[nodiscard]] result::Result<void> accept_start(const std::function<void()>& also = {});
   // Shows the plan that waits, or that there is none (Planless), until somebody starts it or wants another
-  // one
-  // (`cause`); a start may have come with that.
+  // one (`cause`); a start may have come with that.
   Wish await_wish(Stage stage, std::string message, std::optional<Cause>& cause);
   // The same where the plan is made, or made again, behind the start. True at once where no operator starts
   // runs; false: aborted.

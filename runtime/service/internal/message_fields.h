@@ -67,6 +67,9 @@ constexpr Role last_of(Role) {
 constexpr host::EventKind last_of(host::EventKind) {
   return host::EventKind::RolledBack;
 }
+constexpr scan::SafeCause last_of(scan::SafeCause) {
+  return scan::SafeCause::Killed;
+}
 constexpr host::DownloadMode last_of(host::DownloadMode) {
   return host::DownloadMode::ChangeRestartCharts;
 }
@@ -197,7 +200,7 @@ template <typename A, Like<host::StepEvent> T>
 void fields(A& a, T& m) {
   a(m.incarnation, m.sequence, m.scan, m.time_ns, m.kind, AtMost{host::kDigestLetters, m.program_digest},
     First{host::kMaxTextBytes, m.detail}, AtMost{host::kMaxImageBytes, m.image},
-    First{host::kMaxPlantValues, m.plant});
+    First{host::kMaxPlantValues, m.plant}, m.cause);
 }
 template <typename A, Like<host::Snapshot> T>
 void fields(A& a, T& m) {

@@ -18,7 +18,14 @@ using std::chrono::milliseconds;
 
 FleetExecutive::FleetExecutive(FleetPlanning& planning, run::Controller& controller,
                                FleetExecutiveOptions options, Observer observer)
-    : Mission(controller, {options.cell, options.barrier, options.operator_starts}, std::move(observer)),
+    : MovingMission(controller, {options.cell, options.barrier, options.operator_starts},
+                    {options.max_replans, options.attended, options.hold},
+                    {.what = "the fleet",
+                     .rests = "all vehicles rest",
+                     .until = "the run is resumed",
+                     .another = "other orders",
+                     .stopped = "the fleet was stopped while it was held"},
+                    std::move(observer)),
       planning_(planning),
       options_(std::move(options)),
       ledger_(planning.problem()),
@@ -163,9 +170,9 @@ bool FleetExecutive::finish() {
     const std::string text = fmt::format("all that could be done is done: {}", fmt::join(left, "; "));
     open_incident({IncidentKind::Position, {text}, {}});
     if (nobody_comes()) return give_up(text, IncidentKind::Position);
-    if (!bring_to_rest() || !stay(text, IncidentKind::Position)) return false;
+    if (!bring_to_rest() || !stay(text, IncidentKind::Position) || !bring_to_rest()) return false;
     ledger_.reopen();
-    return plan_rest();
+    return plan_from_rest();
   }
   (void)controller_.stop("all missions are done");  // a lost runtime has stopped already
   set_phase(Phase::Done, "everything is delivered, and every vehicle rests");

@@ -36,8 +36,7 @@
 #include "supervisor/fleet/executive/fleet_request.h"
 #include "supervisor/fleet/executive/track.h"
 #include "supervisor/run/due_requests.h"
-#include "supervisor/run/mission.h"
-#include "supervisor/run/operator_hold.h"
+#include "supervisor/run/moving_mission.h"
 
 namespace stepwright::fleet {
 
@@ -56,7 +55,7 @@ struct FleetExecutiveOptions {
   std::vector<TimedRequest> requests;  // in order of time
 };
 
-class FleetExecutive final : public run::Mission {
+class FleetExecutive final : public run::MovingMission {
  public:
   FleetExecutive(FleetPlanning& planning, run::Controller& controller, FleetExecutiveOptions options,
                  Observer observer);
@@ -120,13 +119,12 @@ class FleetExecutive final : public run::Mission {
   std::size_t action_of(const StopMade& stop) const;
 
   // fleet_executive_rest.cpp: to rest, between two plans and after an emergency stop.
-  std::optional<run::Cause> hold(const run::Cause& cause, run::Phase phase, const std::string& message);
   std::optional<run::Cause> hold_stopped() override;
-  bool stay(const std::string& reason, run::IncidentKind kind);
-  bool nobody_comes() const;
-  std::optional<run::Cause> hold_asked();
-  run::Cause resumed();
-  bool bring_to_rest();
+  std::string nobody_came(const run::Cause& cause, run::Phase phase) const override;
+  bool none_to_come() const override { return requests_.none_to_come(); }
+  void see(std::span<const std::byte> image) override;
+  run::Cause resumed() override;
+  bool bring_to_rest() override;
   Rest await_fleet(const PreparedFleet& halt, const std::vector<double>& begun_m);
   bool all_rest(const PreparedFleet& halt) const;
   void watch_errors(const std::vector<double>& begun_m);
@@ -135,10 +133,9 @@ class FleetExecutive final : public run::Mission {
   ErrorReset take_resets();
 
   // fleet_executive_replan.cpp: from a cause to the next plan.
-  bool replan(const run::Cause& cause) override;
   FleetRequest next_request();
   NewStart start_of(std::uint32_t vehicle, const OccupancyGrid& map) const;
-  bool plan_rest();
+  bool plan_from_rest() override;
   bool relax(const FleetOutcome& outcome);
   void launch_record(const FleetOutcome& outcome);
   bool launch(FleetOutcome outcome, const FleetRequest& request);
@@ -162,7 +159,6 @@ class FleetExecutive final : public run::Mission {
   std::vector<bool> resets_;                        // by vehicle: with the next program
   std::vector<bool> reset_running_;                 // with the one that brings the fleet to rest
   std::uint32_t reset_number_ = 0;
-  run::OperatorHold hold_{"the fleet is"};  // or an emergency stop holds it
   std::vector<Blocked> blocked_;
   LedgerState planned_from_;  // of the plan: what the ledger said, and what was asked
   FleetRequest planned_as_;

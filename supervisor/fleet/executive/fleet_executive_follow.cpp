@@ -36,7 +36,7 @@ run::Decision FleetExecutive::judge_image(std::span<const std::byte> image) {
 
 // Forks go down without a program: nobody knows where loads are.
 run::Decision FleetExecutive::stopped(const host::StepEvent& event) {
-  const bool unattended = event.detail == host::kSupervisorLost;
+  const bool unattended = event.cause == scan::SafeCause::SupervisorLost;
   return run::give_up_because(unattended ? IncidentKind::LostSupervisor : IncidentKind::Operator,
                               "stopped from outside: " + event.detail);
 }

@@ -16,18 +16,6 @@ using run::Phase;
 using run::Response;
 using std::chrono::milliseconds;
 
-bool FleetExecutive::replan(const run::Cause& cause) {
-  record_.replans.push_back({clock_.now_s(), run::sentence_of(cause.evidence), {}, hold_.wanted()});
-  open_incident(cause);
-  if (!hold_.wanted() && static_cast<int>(counted(record_.replans)) > options_.max_replans) {
-    return give_up(
-        fmt::format("{} plans were not enough: {}", options_.max_replans, run::sentence_of(cause.evidence)),
-        cause.kind);
-  }
-  set_phase(hold_.wanted() ? Phase::Holding : Phase::Replanning, run::sentence_of(cause.evidence));
-  return bring_to_rest() && plan_rest();
-}
-
 NewStart FleetExecutive::start_of(std::uint32_t v, const OccupancyGrid& map) const {
   const Track& track = tracks_[v];
   const geometry::Footprint outline =
@@ -66,10 +54,10 @@ FleetRequest FleetExecutive::next_request() {
 
 // What cannot be planned is no end while all vehicles stand: people can take an order back, open a place,
 // bring a vehicle back.
-bool FleetExecutive::plan_rest() {
+bool FleetExecutive::plan_from_rest() {
   auto begin = std::chrono::steady_clock::now();
   const auto wait_for_people = [&](const std::string& reason, IncidentKind kind) {
-    const bool goes_on = stay(reason, kind);
+    const bool goes_on = stay(reason, kind) && bring_to_rest();
     begin = std::chrono::steady_clock::now();
     return goes_on;
   };
@@ -104,26 +92,6 @@ bool FleetExecutive::plan_rest() {
     if (!wait_for_people("there is no plan for what remains: " + outcome->reason, IncidentKind::Position))
       return false;
   }
-}
-
-// Nobody is there, and what is asked for at given times has been asked for.
-bool FleetExecutive::nobody_comes() const {
-  return !options_.attended && requests_.none_to_come();
-}
-
-// All vehicles rest until somebody lets the fleet go on, and then for the next plan; who comes back is reset
-// by that. False if the run is over.
-bool FleetExecutive::stay(const std::string& reason, IncidentKind kind) {
-  if (nobody_comes()) return give_up(reason, kind);
-  decide(Response::Replan);
-  (void)controller_.acknowledge(rested_at_);  // the clock goes on while the fleet is held
-  const auto cause =
-      hold({kind, {reason}, {}}, Phase::Held,
-           reason + ": all vehicles rest until the run is resumed, with other orders perhaps, or aborted");
-  if (!cause) return false;
-  open_incident(*cause);
-  set_phase(Phase::Replanning, cause->evidence.front());
-  return bring_to_rest();
 }
 
 // Gives up what keeps the rest from being done; false if there is nothing more to give up. What was given up

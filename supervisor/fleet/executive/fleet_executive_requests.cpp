@@ -101,12 +101,9 @@ result::Result<void> FleetExecutive::request(const FleetChange& change) {
     if (auto good = trial.order(order->name, order->from, order->to, std::max(1U, order->amount)); !good)
       return good;
   }
-  const std::lock_guard lock(requests_mutex_);
-  if (stage_ != Stage::Running &&
-      (std::holds_alternative<HoldChange>(change) || std::holds_alternative<ResumeChange>(change)))
-    return result::fail(service::kNotNow, {}, "nothing moves yet", "the run waits for its start");
-  requests_.add({0.0, change});
-  return {};
+  const bool moves =
+      std::holds_alternative<HoldChange>(change) || std::holds_alternative<ResumeChange>(change);
+  return accept(moves, [&] { requests_.add({0.0, change}); });
 }
 
 }  // namespace stepwright::fleet

@@ -24,13 +24,6 @@ constexpr double kRestWithin_s = 60.0;  // of the scan clock
 constexpr double kSeenAnew_s = 0.3;
 constexpr std::uint32_t kEmergencyStop = 24;
 
-// Why a run ends that was held for `cause`.
-std::string nobody_came(IncidentKind kind, const std::string& cause, Phase phase) {
-  const std::string nobody = "nobody has let the fleet go on";
-  if (kind != IncidentKind::Operator) return cause + "; " + nobody;
-  return nobody + (phase == Phase::Held ? " that an operator held" : " after the emergency stop");
-}
-
 }  // namespace
 
 std::optional<run::Cause> FleetExecutive::hold_stopped() {
@@ -38,35 +31,22 @@ std::optional<run::Cause> FleetExecutive::hold_stopped() {
               Phase::Waiting, "the emergency stop holds the fleet: release it, then let the fleet go on");
 }
 
-std::optional<run::Cause> FleetExecutive::hold_asked() {
-  return hold({IncidentKind::Operator, {"held by the operator: all vehicles rest"}, {}}, Phase::Held,
-              "held by the operator: all vehicles rest until the run is resumed or aborted");
+std::string FleetExecutive::nobody_came(const run::Cause& cause, Phase phase) const {
+  const std::string nobody = "nobody has let the fleet go on";
+  if (cause.kind != IncidentKind::Operator) return cause.evidence.front() + "; " + nobody;
+  return nobody + (phase == Phase::Held ? " that an operator held" : " after the emergency stop");
 }
 
-// All vehicles stand, and the program goes on scanning. Why the next plan is made; nothing if the run has
-// ended.
-std::optional<run::Cause> FleetExecutive::hold(const run::Cause& cause, Phase phase,
-                                               const std::string& message) {
-  hold_.begin();
-  const bool goes_on =
-      hold_at_rest({.cause = cause,
-                    .phase = phase,
-                    .message = message,
-                    .most = options_.hold,
-                    .stopped = "the fleet was stopped while it was held",
-                    .left = nobody_came(cause.kind, cause.evidence.front(), phase),
-                    .holds = [this] { return hold_.holds(); },
-                    .see = [this](std::span<const std::byte> image) { reading_ = reader_->read(image); }});
-  return goes_on ? std::optional(resumed()) : std::nullopt;
+void FleetExecutive::see(std::span<const std::byte> image) {
+  reading_ = reader_->read(image);
 }
 
 // Whoever stands for the emergency stop alone goes on; another cause is one that nobody has seen to.
 run::Cause FleetExecutive::resumed() {
-  run::Cause cause{IncidentKind::Operator, {"the fleet goes on"}, {}};
   for (std::uint32_t v = 0; v < reading_.vehicles.size(); ++v) {
     if (reading_.vehicles[v].error == kEmergencyStop && !ledger_.vehicles()[v].lost) resets_[v] = true;
   }
-  return cause;
+  return MovingMission::resumed();
 }
 
 bool FleetExecutive::bring_to_rest() {
@@ -88,12 +68,7 @@ bool FleetExecutive::bring_to_rest() {
     if (rest == Rest::Lost)
       return give_up("the runtime was lost while the fleet was brought to rest", IncidentKind::LostRuntime);
     if (rest != Rest::Error && !asked) return rest == Rest::Reached;
-    if (asked) (void)controller_.acknowledge(rested_at_);  // the clock goes on while the fleet is held
-    decide(Response::Replan);
-    const auto cause = asked ? hold_asked() : hold_stopped();
-    if (!cause) return false;
-    open_incident(*cause);
-    set_phase(Phase::Replanning, cause->evidence.front());
+    if (asked ? !stay_held() : !stay_stopped()) return false;
     plan = std::move(halt.plan);
     program = *std::move(prepared->program);
   }
@@ -113,7 +88,7 @@ FleetExecutive::Rest FleetExecutive::await_fleet(const PreparedFleet& halt,
                      .late = "the fleet does not come to rest",
                      .stopped = "the fleet was stopped while it was brought to rest",
                      .see = [&](std::span<const std::byte> image) -> std::optional<Rest> {
-                       reading_ = reader_->read(image);
+                       see(image);
                        if (reading_.emergency_stop) return Rest::Error;
                        const bool seen_anew = !reset || clock_.now_s() >= begun_s + kSeenAnew_s;
                        receive_returned(seen_anew);

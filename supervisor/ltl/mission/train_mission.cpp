@@ -15,7 +15,14 @@ using run::Phase;
 
 TrainMission::TrainMission(const TrainPlanning& planning, run::Controller& controller,
                            TrainMissionOptions options, Observer observer)
-    : Mission(controller, {options.cell, options.barrier, options.operator_starts}, std::move(observer)),
+    : MovingMission(controller, {options.cell, options.barrier, options.operator_starts},
+                    {options.max_replans, options.attended, options.hold},
+                    {.what = "the train",
+                     .rests = "the train rests",
+                     .until = "it is resumed",
+                     .another = "another task",
+                     .stopped = "the program was stopped while the train was held"},
+                    std::move(observer)),
       planning_(planning),
       options_(std::move(options)),
       pictures_(planning),
@@ -39,10 +46,7 @@ bool TrainMission::begin() {
   }
   pictures_.clear();
   draw();
-  set_phase(Phase::Planning, "the train waits for its plan");
-  if (!await_operator("nothing moves until an operator starts it")) return false;
-  (void)due(clock_.now_s());  // the task that came with a start is the first one that is planned
-  return await_runtime() && bring_to_rest() && plan_rest();
+  return begin_from_rest("the train waits for its plan");
 }
 
 // What stands on the floor stays there, and the clock goes on; the rest was of the run before.

@@ -24,8 +24,7 @@
 #include "supervisor/ltl/mission/train_reading.h"
 #include "supervisor/ltl/mission/train_request.h"
 #include "supervisor/run/due_requests.h"
-#include "supervisor/run/mission.h"
-#include "supervisor/run/operator_hold.h"
+#include "supervisor/run/moving_mission.h"
 
 namespace stepwright::ltl {
 
@@ -41,7 +40,7 @@ struct TrainMissionOptions {
   std::vector<TimedTrainRequest> requests{};  // in order of time
 };
 
-class TrainMission final : public run::Mission {
+class TrainMission final : public run::MovingMission {
  public:
   TrainMission(const TrainPlanning& planning, run::Controller& controller, TrainMissionOptions options,
                Observer observer);
@@ -57,6 +56,7 @@ class TrainMission final : public run::Mission {
   bool drives() const override { return reader_.has_value(); }
   bool begins_again() const override { return true; }
   void forget_requests() override { requests_.forget_asked(); }
+  bool none_to_come() const override { return requests_.none_to_come(); }
   std::optional<bool> resume();
   void forget_run();
   bool recover_runtime() override;
@@ -76,15 +76,13 @@ class TrainMission final : public run::Mission {
 
   // train_mission_rest.cpp: to rest, and there.
   std::optional<run::Cause> hold_stopped() override;
-  std::optional<run::Cause> hold(const run::Cause& cause, run::Phase phase, const std::string& message);
-  void see(std::span<const std::byte> image);
-  bool bring_to_rest();
+  void held() override;
+  void see(std::span<const std::byte> image) override;
+  bool bring_to_rest() override;
   Rest await_train();
 
   // train_mission_plan.cpp: from rest to the next plan.
-  bool replan(const run::Cause& cause) override;
-  bool plan_rest();
-  bool stay(const std::string& reason);
+  bool plan_from_rest() override;
   bool launch(PreparedTrain prepared);
   void launch_record();
   bool install(const PreparedTrain& prepared);
@@ -104,18 +102,17 @@ class TrainMission final : public run::Mission {
 
   TrainPictures pictures_;
   TrainTask task_;
-  std::uint32_t state_ = 0;                 // of its monitor, as last seen
-  std::vector<Area> blocked_;               // what stands on the floor besides
-  std::optional<PreparedTrain> driven_;     // the plan
-  std::vector<TrainStep> steps_;            // of the program that runs: plan, halt or look
-  std::string watched_;                     // the task of that program
-  std::optional<TrainReader> reader_;       // of it, too
-  TrainReading reading_;                    // the newest
-  run::OperatorHold hold_{"the train is"};  // or an error holds it
-  std::uint32_t resets_ = 0;                // so many programs have reset an error
-  int blocks_ = 0;                          // so many things have stood in the way
-  bool changed_ = false;                    // since the journal was written
-  bool ran_ = false;                        // this is not the first run
+  std::uint32_t state_ = 0;              // of its monitor, as last seen
+  std::vector<Area> blocked_;            // what stands on the floor besides
+  std::optional<PreparedTrain> driven_;  // the plan
+  std::vector<TrainStep> steps_;         // of the program that runs: plan, halt or look
+  std::string watched_;                  // the task of that program
+  std::optional<TrainReader> reader_;    // of it, too
+  TrainReading reading_;                 // the newest
+  std::uint32_t resets_ = 0;             // so many programs have reset an error
+  int blocks_ = 0;                       // so many things have stood in the way
+  bool changed_ = false;                 // since the journal was written
+  bool ran_ = false;                     // this is not the first run
 
   run::DueRequests<TimedTrainRequest> requests_;
 };

@@ -25,20 +25,8 @@ double milliseconds_since(steady_clock::time_point begin) {
 
 }  // namespace
 
-bool TrainMission::replan(const run::Cause& cause) {
-  record_.replans.push_back({clock_.now_s(), run::sentence_of(cause.evidence), {}, hold_.wanted()});
-  open_incident(cause);
-  if (!hold_.wanted() && static_cast<int>(run::counted(record_.replans)) > options_.max_replans) {
-    return give_up(
-        fmt::format("{} plans were not enough: {}", options_.max_replans, run::sentence_of(cause.evidence)),
-        cause.kind);
-  }
-  set_phase(hold_.wanted() ? Phase::Holding : Phase::Replanning, run::sentence_of(cause.evidence));
-  return bring_to_rest() && plan_rest();
-}
-
 // What cannot be planned is no end while the train stands: people can free a place, or want something else.
-bool TrainMission::plan_rest() {
+bool TrainMission::plan_from_rest() {
   while (true) {
     if (task_.monitor.verdicts[state_] == Verdict::True) return finish();
     const auto begin = steady_clock::now();
@@ -55,22 +43,9 @@ bool TrainMission::plan_rest() {
       prepared->answer.search.spent_s = 1e-3 * milliseconds_since(begin);
       return launch(*std::move(prepared));
     }
-    if (!stay("there is no plan: " + result::to_string(prepared.error()))) return false;
+    const std::string reason = "there is no plan: " + result::to_string(prepared.error());
+    if (!stay(reason, IncidentKind::Position) || !bring_to_rest()) return false;
   }
-}
-
-// False if the run is over.
-bool TrainMission::stay(const std::string& reason) {
-  if (!options_.attended && requests_.none_to_come()) return give_up(reason, IncidentKind::Position);
-  decide(Response::Replan);
-  (void)controller_.acknowledge(rested_at_);  // the clock goes on while the train is held
-  const auto cause =
-      hold({IncidentKind::Position, {reason}}, Phase::Held,
-           reason + ": the train rests until it is resumed, with another task perhaps, or aborted");
-  if (!cause) return false;
-  open_incident(*cause);
-  set_phase(Phase::Replanning, cause->evidence.front());
-  return bring_to_rest();
 }
 
 bool TrainMission::launch(PreparedTrain prepared) {
@@ -115,18 +90,16 @@ void TrainMission::launch_record() {
   record_.episodes.push_back(std::move(episode));
 }
 
-// A program that runs is relieved without a stop. False: the runtime is lost, or the run is over.
+// False: the runtime is lost, or the run is over.
 bool TrainMission::install(const PreparedTrain& prepared) {
   auto reader =
       TrainReader::create(prepared.container, prepared.program, planning_.options().terminals.hitches.size());
   if (!reader) return give_up("the program cannot be read", reader.error());
-  const bool took_over = reader_ && runs() && change(prepared.container);
-  if (!took_over && reader_ && runs()) (void)controller_.stop("the next program cannot take over");
-  reader_ = *std::move(reader);
-  steps_ = prepared.program.steps;
-  watched_ = prepared.watch.text;
-  if (took_over) return await_event(host::EventKind::Changed);
-  return download(prepared.container) && start();
+  return relieve(reader_ && runs(), prepared.container, [&] {
+    reader_ = *std::move(reader);
+    steps_ = prepared.program.steps;
+    watched_ = prepared.watch.text;
+  });
 }
 
 }  // namespace stepwright::ltl

@@ -94,12 +94,9 @@ result::Result<void> TrainMission::request_start(const run::Request& request) {
 result::Result<void> TrainMission::request(const TrainChange& change) {
   if (const auto* goal = std::get_if<GoalChange>(&change))
     if (auto good = planning_.task(goal->task); !good) return result::forward(good);
-  const std::lock_guard lock(requests_mutex_);
-  if (stage_ != Stage::Running &&
-      (std::holds_alternative<HoldChange>(change) || std::holds_alternative<ResumeChange>(change)))
-    return result::fail(service::kNotNow, {}, "nothing moves yet", "the run waits for its start");
-  requests_.add({0.0, change});
-  return {};
+  const bool moves =
+      std::holds_alternative<HoldChange>(change) || std::holds_alternative<ResumeChange>(change);
+  return accept(moves, [&] { requests_.add({0.0, change}); });
 }
 
 std::optional<run::Cause> TrainMission::due(double time_s) {
@@ -107,12 +104,8 @@ std::optional<run::Cause> TrainMission::due(double time_s) {
   bool replans = false;
   for (const TimedTrainRequest& each : requests_.take(time_s))
     replans |= std::visit([&](const auto& change) { return apply(change, cause); }, each.change);
-  if (cause.evidence.empty()) return std::nullopt;
-  draw();
-  if (replans && !hold_.holds()) return cause;
-  open_incident(cause);
-  decide(run::Response::GoOn);
-  return std::nullopt;
+  if (!cause.evidence.empty()) draw();
+  return decide_request(cause, replans);
 }
 
 bool TrainMission::apply(const GoalChange& goal, run::Cause& cause) {

@@ -22,22 +22,9 @@ std::optional<run::Cause> TrainMission::hold_stopped() {
   return hold(cause, Phase::Waiting, cause.evidence.front() + ": see to it, then let the train go on");
 }
 
-// The train stands, and the program goes on scanning. Why the next plan is made; nothing if the run has
-// ended.
-std::optional<run::Cause> TrainMission::hold(const run::Cause& cause, Phase phase,
-                                             const std::string& message) {
-  hold_.begin();
-  draw();  // how far it has come, for pages that see nothing of its way now
-  const bool goes_on = hold_at_rest({.cause = cause,
-                                     .phase = phase,
-                                     .message = message,
-                                     .most = options_.hold,
-                                     .stopped = "the program was stopped while the train was held",
-                                     .left = cause.evidence.front() + "; nobody has let the train go on",
-                                     .holds = [this] { return hold_.holds(); },
-                                     .see = [this](std::span<const std::byte> image) { see(image); }});
-  if (!goes_on) return std::nullopt;
-  return run::Cause{IncidentKind::Operator, {"the train goes on"}};
+// How far it has come, for pages that see nothing of its way now.
+void TrainMission::held() {
+  draw();
 }
 
 void TrainMission::see(std::span<const std::byte> image) {
@@ -65,24 +52,14 @@ bool TrainMission::bring_to_rest() {
         continue;
       case Rest::Error: {
         if (!options_.attended) return give_up(stopped_by_itself());
-        decide(Response::Replan);
-        const auto cause = hold_stopped();
-        if (!cause) return false;
-        open_incident(*cause);
-        set_phase(Phase::Replanning, cause->evidence.front());
+        if (!stay_stopped()) return false;
         continue;
       }
       case Rest::Ended:
         return false;
     }
     if (!hold_.wanted()) return true;
-    decide(Response::Replan);
-    (void)controller_.acknowledge(rested_at_);  // the clock goes on while the train is held
-    const auto cause = hold({IncidentKind::Operator, {"held by the operator: the train rests"}}, Phase::Held,
-                            "held by the operator: the train rests until it is resumed or aborted");
-    if (!cause) return false;
-    open_incident(*cause);
-    set_phase(Phase::Replanning, cause->evidence.front());
+    if (!stay_held()) return false;
   }
 }
 

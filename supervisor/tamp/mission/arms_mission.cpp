@@ -15,7 +15,15 @@ using run::Phase;
 
 ArmsMission::ArmsMission(const ArmsPlanning& planning, run::Controller& controller,
                          ArmsMissionOptions options, Observer observer)
-    : Mission(controller, {options.cell, options.barrier, options.operator_starts}, std::move(observer)),
+    : MovingMission(controller, {options.cell, options.barrier, options.operator_starts},
+                    {options.max_replans, options.attended, options.hold},
+                    {.what = "the arms",
+                     .many = true,
+                     .rests = "the arms stand",
+                     .until = "they are resumed",
+                     .another = "another order",
+                     .stopped = "the program was stopped while the arms were held"},
+                    std::move(observer)),
       planning_(planning),
       options_(std::move(options)),
       held_(planning.cell().arms.size(), -1),
@@ -39,10 +47,7 @@ bool ArmsMission::begin() {
     return *resumed;
   }
   show_plan();
-  set_phase(Phase::Planning, "the arms wait for a look at their cell");
-  if (!await_operator("nothing moves until an operator starts it")) return false;
-  (void)due(clock_.now_s());  // the order that came with a start is the first one that is planned
-  return await_runtime() && bring_to_rest() && look_and_plan();
+  return begin_from_rest("the arms wait for a look at their cell");
 }
 
 // Things stand where they were left, and the clock goes on; the rest was of the run before.
@@ -123,7 +128,7 @@ bool ArmsMission::finish() {
       if (action.state != run::ActionState::Failed) action.state = run::ActionState::Done;
   set_phase(Phase::Observing, driven_ && driven_->retreats ? "the camera looks at what the arm has met"
                                                            : "the camera looks whether it is done");
-  return look_and_plan();
+  return plan_from_rest();
 }
 
 void ArmsMission::publish(bool now) {

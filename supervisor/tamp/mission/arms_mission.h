@@ -25,8 +25,7 @@
 #include <vector>
 
 #include "supervisor/run/due_requests.h"
-#include "supervisor/run/mission.h"
-#include "supervisor/run/operator_hold.h"
+#include "supervisor/run/moving_mission.h"
 #include "supervisor/run/what_if_thread.h"
 #include "supervisor/tamp/mission/arms_outlook.h"
 #include "supervisor/tamp/mission/arms_planning.h"
@@ -48,7 +47,7 @@ struct ArmsMissionOptions {
   std::vector<TimedArmsRequest> requests{};  // in order of time
 };
 
-class ArmsMission final : public run::Mission {
+class ArmsMission final : public run::MovingMission {
  public:
   ArmsMission(const ArmsPlanning& planning, run::Controller& controller, ArmsMissionOptions options,
               Observer observer);
@@ -81,6 +80,7 @@ class ArmsMission final : public run::Mission {
   bool drives() const override { return reader_.has_value(); }
   bool begins_again() const override { return true; }
   void forget_requests() override { requests_.forget_asked(); }
+  bool none_to_come() const override { return requests_.none_to_come(); }
   std::optional<bool> resume();
   void forget_run();
   bool recover_runtime() override;
@@ -95,7 +95,7 @@ class ArmsMission final : public run::Mission {
 
   // arms_mission_follow.cpp: watching one plan.
   run::Decision judge_image(std::span<const std::byte> image) override;
-  void see(std::span<const std::byte> image);
+  void see(std::span<const std::byte> image) override;
   void note_progress();
   bool take_report(std::span<const std::byte> image);
   std::optional<std::string> moved_thing() const;
@@ -122,22 +122,19 @@ class ArmsMission final : public run::Mission {
 
   // arms_mission_rest.cpp: to rest, and there.
   std::optional<run::Cause> hold_stopped() override;
-  std::optional<run::Cause> hold(const run::Cause& cause, run::Phase phase, const std::string& message);
-  bool bring_to_rest();
+  bool bring_to_rest() override;
   bool look();
   bool picture();
   Rest await(bool (*there)(const ArmsReading&), double within_s, const std::string& late,
              run::IncidentKind kind);
 
   // arms_mission_plan.cpp: from rest to the next plan.
-  bool replan(const run::Cause& cause) override;
-  bool look_and_plan();
+  bool plan_from_rest() override;
   bool look_at_fault();
   bool at_home() const;
   bool judge_end();
   bool plan_because(const run::Cause& cause);
-  bool plan_rest();
-  bool stay(const std::string& reason);
+  bool plan_order();
   bool launch(PreparedArms prepared, const std::string& message);
   void launch_record();
   bool install(const PreparedArms& prepared, Kind kind);
@@ -177,9 +174,8 @@ class ArmsMission final : public run::Mission {
   std::optional<Surprise> fault_;       // of a drive, until the camera has looked at what is there
   std::optional<std::size_t> met_;      // the arm that has met something, until it has gone back
   int seen_reports_ = 0;
-  run::OperatorHold hold_{"the arms are"};  // or an emergency stop holds them
-  bool changed_ = false;                    // since the journal was written
-  bool ran_ = false;                        // this is not the first run
+  bool changed_ = false;  // since the journal was written
+  bool ran_ = false;      // this is not the first run
 
   std::mutex outlook_mutex_;
   ArmsOutlook outlook_;             // guarded by the mutex, as the next two

@@ -13,19 +13,8 @@ using run::IncidentKind;
 using run::Phase;
 using run::Response;
 
-bool ArmsMission::replan(const run::Cause& cause) {
-  record_.replans.push_back({clock_.now_s(), run::sentence_of(cause.evidence), {}, hold_.wanted()});
-  open_incident(cause);
-  if (!hold_.wanted() && static_cast<int>(run::counted(record_.replans)) > options_.max_replans)
-    return give_up(
-        fmt::format("{} plans were not enough: {}", options_.max_replans, run::sentence_of(cause.evidence)),
-        cause.kind);
-  set_phase(hold_.wanted() ? Phase::Holding : Phase::Replanning, run::sentence_of(cause.evidence));
-  return bring_to_rest() && look_and_plan();
-}
-
 // An order that is done is the end; one that is not is planned for from what is seen.
-bool ArmsMission::look_and_plan() {
+bool ArmsMission::plan_from_rest() {
   const bool retreated = driven_ && driven_->retreats;
   const bool after_a_plan = kind_ == Kind::Follow && reading_.stage == CellStage::Done && !retreated;
   if (!(fault_ ? look_at_fault() : look())) return false;
@@ -39,7 +28,7 @@ bool ArmsMission::look_and_plan() {
     if (prepared)
       return launch(*std::move(prepared), "the " + arm + " arm goes back by the way that it came");
   }
-  return after_a_plan ? judge_end() : plan_rest();
+  return after_a_plan ? judge_end() : plan_order();
 }
 
 // One picture shows what an arm has met, whether or not it has all things.
@@ -56,7 +45,7 @@ bool ArmsMission::judge_end() {
   }
   std::string missing = not_yet(planning_.cell(), observed_.state, order_);
   if (missing.empty() && !at_home()) missing = "all arms at home, with empty hands";
-  if (missing.empty()) return plan_rest();
+  if (missing.empty()) return plan_order();
   const run::Cause why{IncidentKind::Position, {"the plan has ended, and not yet is " + missing}};
   return ++tries_[missing] > options_.retries ? give_up(why) : plan_because(why);
 }
@@ -66,7 +55,7 @@ bool ArmsMission::plan_because(const run::Cause& cause) {
   record_.replans.push_back({clock_.now_s(), why, {}, false});
   open_incident(cause);
   set_phase(Phase::Replanning, why);
-  return plan_rest();
+  return plan_order();
 }
 
 bool ArmsMission::at_home() const {
@@ -78,7 +67,7 @@ bool ArmsMission::at_home() const {
 }
 
 // What cannot be planned is no end while the arms stand: people can see to it, or want something else.
-bool ArmsMission::plan_rest() {
+bool ArmsMission::plan_order() {
   while (true) {
     const scene::RobotCell& cell = planning_.cell();
     for (std::size_t k = 0; k < order_.wanted.size(); ++k)
@@ -100,22 +89,9 @@ bool ArmsMission::plan_rest() {
       if (!record_.incidents.empty()) record_.incidents.back().replan_ms = prepared->spent_ms;
       return launch(*std::move(prepared), "the arms work: " + order_.name);
     }
-    if (!stay(result::to_string(prepared.error()) + obstacles()) || !look()) return false;
+    const std::string reason = result::to_string(prepared.error()) + obstacles();
+    if (!stay(reason, IncidentKind::Position) || !look()) return false;
   }
-}
-
-// False if the run is over.
-bool ArmsMission::stay(const std::string& reason) {
-  if (!options_.attended && requests_.none_to_come()) return give_up(reason, IncidentKind::Position);
-  decide(Response::Replan);
-  (void)controller_.acknowledge(rested_at_);  // the clock goes on while the arms are held
-  const auto cause =
-      hold({IncidentKind::Position, {reason}}, Phase::Held,
-           reason + ": the arms stand until they are resumed, with another order perhaps, or aborted");
-  if (!cause) return false;
-  open_incident(*cause);
-  set_phase(Phase::Replanning, cause->evidence.front());
-  return true;
 }
 
 bool ArmsMission::launch(PreparedArms prepared, const std::string& message) {
@@ -141,17 +117,15 @@ void ArmsMission::launch_record() {
   record_.episodes.push_back(std::move(episode));
 }
 
-// A program that runs is relieved without a stop. False: the runtime is lost, or the run is over.
+// False: the runtime is lost, or the run is over.
 bool ArmsMission::install(const PreparedArms& prepared, Kind kind) {
   auto reader = ArmsReader::create(prepared.container, planning_.cell(), prepared.program.variables);
   if (!reader) return give_up("the program cannot be read", reader.error());
-  const bool took_over = runs() && change(prepared.container);
-  if (!took_over && runs()) (void)controller_.stop("the next program cannot take over");
-  reader_ = *std::move(reader);
-  kind_ = kind;
-  reading_.stage = CellStage::Begins;
-  if (took_over) return await_event(host::EventKind::Changed);
-  return download(prepared.container) && start();
+  return relieve(runs(), prepared.container, [&] {
+    reader_ = *std::move(reader);
+    kind_ = kind;
+    reading_.stage = CellStage::Begins;
+  });
 }
 
 }  // namespace stepwright::tamp::mission

@@ -90,11 +90,7 @@ result::Result<void> ArmsMission::request_what_if(const run::Request& request) {
 result::Result<void> ArmsMission::request(const ArmsChange& change) {
   if (const auto* goal = std::get_if<GoalChange>(&change))
     if (auto good = planning_.order(goal->order); !good) return result::forward(good);
-  const std::lock_guard lock(requests_mutex_);
-  if (stage_ != Stage::Running && !std::holds_alternative<GoalChange>(change))
-    return result::fail(service::kNotNow, {}, "nothing moves yet", "the run waits for its start");
-  requests_.add({0.0, change});
-  return {};
+  return accept(!std::holds_alternative<GoalChange>(change), [&] { requests_.add({0.0, change}); });
 }
 
 std::optional<run::Cause> ArmsMission::due(double time_s) {
@@ -105,11 +101,7 @@ std::optional<run::Cause> ArmsMission::due(double time_s) {
   bool replans = false;
   for (const TimedArmsRequest& each : requests_.take(time_s))
     replans |= std::visit([&](const auto& change) { return apply(change, cause); }, each.change);
-  if (cause.evidence.empty()) return std::nullopt;
-  if (replans && !hold_.holds()) return cause;
-  open_incident(cause);
-  decide(run::Response::GoOn);
-  return std::nullopt;
+  return decide_request(cause, replans);
 }
 
 bool ArmsMission::apply(const GoalChange& goal, run::Cause& cause) {

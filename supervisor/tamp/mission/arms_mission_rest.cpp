@@ -25,22 +25,6 @@ std::optional<run::Cause> ArmsMission::hold_stopped() {
               "the emergency stop is pressed: see to it, then let the arms go on");
 }
 
-// The arms stand, and the program goes on scanning. Why the next plan is made; nothing if the run has ended.
-std::optional<run::Cause> ArmsMission::hold(const run::Cause& cause, Phase phase,
-                                            const std::string& message) {
-  hold_.begin();
-  const bool goes_on = hold_at_rest({.cause = cause,
-                                     .phase = phase,
-                                     .message = message,
-                                     .most = options_.hold,
-                                     .stopped = "the program was stopped while the arms were held",
-                                     .left = cause.evidence.front() + "; nobody has let the arms go on",
-                                     .holds = [this] { return hold_.holds(); },
-                                     .see = [this](std::span<const std::byte> image) { see(image); }});
-  if (!goes_on) return std::nullopt;
-  return run::Cause{IncidentKind::Operator, {"the arms go on"}};
-}
-
 // On their paths where a program drives them. One that was stopped by a cause is judged once they stand.
 bool ArmsMission::bring_to_rest() {
   const bool works = reading_.stage == CellStage::Works || reading_.stage == CellStage::Begins;
@@ -53,15 +37,7 @@ bool ArmsMission::bring_to_rest() {
     if (rest == Rest::Ended) return false;
     if (rest == Rest::Lost) driven_.reset();
   }
-  if (!hold_.wanted()) return true;
-  decide(Response::Replan);
-  (void)controller_.acknowledge(rested_at_);  // the clock goes on while the arms are held
-  const auto cause = hold({IncidentKind::Operator, {"held by the operator: the arms stand"}}, Phase::Held,
-                          "held by the operator: the arms stand until they are resumed or aborted");
-  if (!cause) return false;
-  open_incident(*cause);
-  set_phase(Phase::Replanning, cause->evidence.front());
-  return true;
+  return !hold_.wanted() || stay_held();
 }
 
 // Until all that has to be known is seen, or several looks have not shown it.
@@ -70,18 +46,14 @@ bool ArmsMission::look() {
     if (!picture()) return false;
     if (!reading_.estop_ok) {
       if (!options_.attended) return give_up("the emergency stop is pressed", IncidentKind::Operator);
-      decide(Response::Replan);
       (void)controller_.acknowledge(rested_at_);
-      const auto cause = hold_stopped();
-      if (!cause) return false;
-      open_incident(*cause);
-      set_phase(Phase::Replanning, cause->evidence.front());
+      if (!stay_stopped()) return false;
       tried = 0;
       continue;
     }
     if (observed_.wrong.empty()) return true;
     if (tried < kLooks) continue;
-    if (!stay(observed_.wrong)) return false;
+    if (!stay(observed_.wrong, IncidentKind::Position)) return false;
     tried = 0;
   }
 }

@@ -34,8 +34,11 @@ class Guide(unittest.TestCase):
     def bash(self, script, folder):
         """Runs commands; the Python of devices is that of the system, as in the guides."""
         environment = {**os.environ, "PATH": f"{BIN}:/usr/bin:{os.environ['PATH']}", "EXAMPLES": str(BOOK / "examples")}
-        done = subprocess.run(["bash", "-e", "-c", script], cwd=folder, capture_output=True, text=True, timeout=PATIENCE_S,
-                              check=False, env=environment)
+        try:
+            done = subprocess.run(["bash", "-e", "-c", script], cwd=folder, capture_output=True, text=True, timeout=PATIENCE_S,
+                                  check=False, env=environment)
+        except subprocess.TimeoutExpired as late:
+            self.fail(f"no end of\n{script}\n{late.stdout}\n{late.stderr}")
         self.assertEqual(done.returncode, 0, f"{script}\n{done.stdout}{done.stderr}")
         return done.stdout
 

@@ -63,8 +63,16 @@ std::vector<Message> every_kind() {
   reply.change = {5, 6, 7, 8, 9, 10.5};
   reply.problems.push_back(diagnostic());
   messages.emplace_back(reply);
-  messages.emplace_back(host::StepEvent{
-      1, 2, -3, host::EventKind::Trap, "cd", "detail", bytes, {{"level", 0.25}, {"", -1.0}}, 9});
+  messages.emplace_back(host::StepEvent{1,
+                                        2,
+                                        -3,
+                                        host::EventKind::Trap,
+                                        "cd",
+                                        "detail",
+                                        bytes,
+                                        {{"level", 0.25}, {"", -1.0}},
+                                        9,
+                                        scan::SafeCause::IoLost});
   host::RuntimeStatus status;
   status.state = host::RuntimeState::Fault;
   status.scan_max_us = 1e9;
@@ -106,8 +114,8 @@ TEST(Codec, WhenAMessageIsEncodedAndDecoded_ThenNothingIsLost) {
 TEST(Codec, WhenTheBytesOfAMessageChange_ThenTheVersionHasToChangeWithThem) {
   std::vector<std::byte> all;
   for (const Message& message : every_kind()) ASSERT_TRUE(encode_frame(message, all));
-  EXPECT_EQ(kProtocolVersion, 10u);
-  EXPECT_EQ(to_hex(sha256(all)), "63c577a9357676146a2a7a952f095365eabfa7955e1c26568836617fae24096a")
+  EXPECT_EQ(kProtocolVersion, 11u);
+  EXPECT_EQ(to_hex(sha256(all)), "0316a5c4165bd54bf323ad6027b1515120099533f2d73c07be26a15f07c1c837")
       << "raise kProtocolVersion, then put both in here";
 }
 
