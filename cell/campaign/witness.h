@@ -1,6 +1,6 @@
 #pragma once
 
-// What the cell itself says of a run, scan by scan: its monitors that failed and its alarms that came.
+// Observer of a run: the cell's own monitors that failed and its alarms that came, scan by scan.
 //
 // Thread rule: one thread at a time.
 //

@@ -1,9 +1,9 @@
 #pragma once
 
-// When a channel tells of which alarms: each that is unacknowledged for the channel's delay, again after
-// every repetition, all that are due together in one message. An alarm that was acknowledged, or went for
-// good, and comes again begins anew. What could not be sent is tried again: after a minute, then twice as
-// long each time, up to a quarter of an hour.
+// Schedule of a channel's messages: each that is unacknowledged for the channel's delay, again after every
+// repetition, all that are due together in one message. An alarm that was acknowledged, or went for good, and
+// comes again begins anew. What could not be sent is tried again: after a minute, then twice as long each
+// time, up to a quarter of an hour.
 //
 //   Schedule schedule(channel);
 //   const auto due = schedule.due(standing, now);     // now and then

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a runtime can publish of its plant: so many values, with names so long.
+// Limits of what a runtime publishes of its plant: so many values, with names so long.
 //
 // Pure functions.
 
