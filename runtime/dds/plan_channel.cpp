@@ -63,7 +63,7 @@ struct PlanPublisher::State {
     }
     sample.text(json);
     if (!writer.write(sample))
-      return result::fail(service::kNobodyAnswers, {}, "viewers do not take " + what);
+      return result::fail("D0010", {}, "viewers do not take " + what);
     return {};
   }
 
@@ -123,7 +123,7 @@ result::Result<void> PlanPublisher::answer(const OperatorRequest& request,
   if (!verdict && answer.problems.empty())
     answer.problems.push_back({"", result::Severity::Error, {}, "refused", ""});
   if (!state_->answers.write(std::move(answer)))
-    return result::fail(service::kNobodyAnswers, {}, "nobody takes the answer");
+    return result::fail("D0010", {}, "nobody takes the answer");
   return {};
 }
 

@@ -37,7 +37,7 @@ namespace stepwright::host {
 
 class HostRuntime final : public RuntimePort {
  public:
-  // Starts the scan thread with nothing loaded. Fails with R0001 (system) or R0004 (a plant with too many
+  // Starts the scan thread with nothing loaded. Fails with R0077 (system) or R0081 (a plant with too many
   // values).
   [[nodiscard]] static result::Result<std::unique_ptr<HostRuntime>> create(const HostConfig& config,
                                                                            image::IoDriver& driver,
