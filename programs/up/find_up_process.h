@@ -1,7 +1,7 @@
 #pragma once
 
-// Search for the `stepwright up` of a cell's file, looked for among the processes of this machine: for when
-// the cell's state folder, where it is known, is gone or cannot be found any more.
+// Search for the `stepwright up` of a cell's file among the processes of this machine: for when the cell's
+// state folder, where it is known, is gone or cannot be found any more.
 //
 // Threads: any.
 
