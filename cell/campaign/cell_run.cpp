@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "cell/campaign/printed.h"
+#include "cell/campaign/run_observer.h"
 #include "cell/campaign/true_goals.h"
-#include "cell/campaign/witness.h"
 #include "cell/missions/mission_kinds.h"
 #include "cell/missions/planning/table/planning_table.h"
 #include "cell/missions/watched_tags.h"
@@ -85,11 +85,11 @@ class Trial {
         controller_(plant_of(config_), cell_runtime::plant_wires(config_),
                     {config_.image.input_bytes, config_.image.output_bytes}, faults_of(config_, disturbance),
                     host_of(config_)),
-        witness_(config_) {
+        observer_(config_) {
     run_.seed = seed;
     run_.disturbance = disturbance;
     controller_.most_s = kMostPlant_s;
-    controller_.on_scan = [this](std::span<const std::byte> image) { witness_.look(controller_, image); };
+    controller_.on_scan = [this](std::span<const std::byte> image) { observer_.look(controller_, image); };
     controller_.on_refused = [this](const PlantFault& fault, const std::string&) {
       run_.refused.push_back(fault.name);
     };
@@ -104,7 +104,7 @@ class Trial {
     judge_constraints();
     run_.time_s = controller_.now_s();
     if (const auto status = controller_.status()) run_.trace_hash = status->trace_hash;
-    for (const Sighting& alarm : witness_.alarms()) {
+    for (const Sighting& alarm : observer_.alarms()) {
       if (std::ranges::find(run_.alarms, alarm.name) == run_.alarms.end()) run_.alarms.push_back(alarm.name);
     }
     return std::move(run_);
@@ -214,8 +214,8 @@ class Trial {
       run_.cause = "plant";
       run_.why = seen;
     }
-    if (!witness_.failed_monitors().empty()) {
-      const Sighting& first = witness_.failed_monitors().front();
+    if (!observer_.failed_monitors().empty()) {
+      const Sighting& first = observer_.failed_monitors().front();
       run_.verdict = Verdict::Violated;
       run_.cause = "monitor " + first.name;
       run_.why = fmt::format("monitor '{}' failed at {:.2f} s", first.name, first.at_s);
@@ -226,7 +226,7 @@ class Trial {
   StateFolder folder_;
   config::CellConfig config_;
   SimulatedController controller_;
-  Witness witness_;
+  RunObserver observer_;
   CellRun run_;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// What goes wrong in a run of a campaign: faults that the cell's plant offers, one or several at once, at
+// Disturbance of one run of a campaign: faults that the cell's plant offers, one or several at once, at
 // random times, for good or for a while. A pure function of the seed, the faults offered and the horizon.
 //
 //   auto offered = offered_faults(*plant);

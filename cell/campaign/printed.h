@@ -1,6 +1,7 @@
 #pragma once
 
-// What the processes of a plant have printed last, for who asks why it was lost.
+// Last lines that the processes of a plant have printed, for the message that tells why one was lost.
+// Threads: any.
 
 #include <filesystem>
 #include <string>

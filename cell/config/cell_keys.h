@@ -1,6 +1,6 @@
 #pragma once
 
-// What people are told of each key of a cell's file (runtime/ground/settings/key_words.h). Types, defaults
+// Descriptions of the keys of a cell's file for people (runtime/ground/settings/key_words.h). Types, defaults
 // and ranges are not here: the readers have them, and cell/reference puts both together. A key without words,
 // and words without a key, fail the test of cell/reference.
 //

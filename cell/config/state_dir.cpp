@@ -13,7 +13,7 @@ namespace {
 
 tl::unexpected<result::Diagnostics> refused(const std::filesystem::path& folder, const std::string& why,
                                             const std::string& hint = {}) {
-  return result::fail("R0001", {folder.string(), 0, 0}, why, hint);
+  return result::fail("R0078", {folder.string(), 0, 0}, why, hint);
 }
 
 // Of all cells of this user that name no folder.

@@ -20,12 +20,12 @@ struct CellConfig;
 // alone. The same for all processes of the user, whether he has a session or not.
 std::filesystem::path default_state_dir(const std::string& cell);
 
-// Makes it, for this user only, if it is not there; true if it was made. Fails with R0001 and the reason
+// Makes it, for this user only, if it is not there; true if it was made. Fails with R0078 and the reason
 // where it cannot be made, is no folder, or belongs to somebody else or to everybody. A default folder is no
 // link.
 [[nodiscard]] result::Result<bool> claim_state_dir(const CellConfig& config);
 
-// For who only looks for a process there, maybe another user: R0001 if everybody may write into the folder,
+// For who only looks for a process there, maybe another user: R0078 if everybody may write into the folder,
 // or if a default folder is a link or somebody else's. One that is not there is nobody's.
 [[nodiscard]] result::Result<void> check_state_dir(const CellConfig& config);
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// What people want to know of tags as a table of comma-separated values (RFC 4180), as spreadsheets write it
-// and the page gives it out: beside [tags] of a cell's configuration ([hmi] tags = "tags.csv").
+// Notes on tags for people as a table of comma-separated values (RFC 4180), as spreadsheets write it and the
+// page gives it out: beside [tags] of a cell's configuration ([hmi] tags = "tags.csv").
 //
 //   name,unit,description,group,decimals,least,greatest,values
 //   Main.level,l,level of the buffer,buffer,1,0,200,

@@ -1,6 +1,6 @@
 #pragma once
 
-// What the page shows all the time of a runtime's status; the rest stands in its report of the scan
+// The part of a runtime's status that the page shows all the time; the rest stands in its report of the scan
 // (scan_report.h). Pure; any thread.
 
 #include "hmi_web/server/cell_source.h"

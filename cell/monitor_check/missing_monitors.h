@@ -1,7 +1,7 @@
 #pragma once
 
-// Whether a program that was compiled elsewhere has the monitors of its cell: for whoever brings one to the
-// runtime, and for a runtime that starts with one. It knows no compiler.
+// Check that a program that was compiled elsewhere has the monitors of its cell: for whoever brings one to
+// the runtime, and for a runtime that starts with one. It knows no compiler.
 //
 // Pure; any thread.
 //

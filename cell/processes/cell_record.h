@@ -1,6 +1,6 @@
 #pragma once
 
-// What `stepwright up` leaves of a cell that is up, in the cell's state folder, for `status`, `down` and
+// Record of a cell that is up: `stepwright up` leaves it in the cell's state folder for `status`, `down` and
 // scripts (doc/operate.md).
 //
 //   write_record(record_path(config), record);

@@ -1,6 +1,6 @@
 #pragma once
 
-// Whether a process that gives signs of life has fallen silent: it hangs.
+// Watch over a process that gives signs of life: one that has fallen silent hangs.
 //
 //   LifeWatch watch(std::chrono::seconds(5));
 //   watch.heard(now);                              // at every sign of life

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a process prints, line by line, as it comes.
+// Pipe from a process: what it prints, line by line, as it comes.
 //
 //   auto pipe = LinePipe::open();
 //   auto child = ChildProcess::start({.arguments = ..., .output = pipe->writing_end()});

@@ -1,6 +1,6 @@
 #pragma once
 
-// Which processes a cell needs, by its file, and in which order they start and end.
+// List of the processes that a cell needs, by its file, in the order in which they start and end.
 //
 // What drives outputs starts behind the others: an occupied port or a wrong file is found before anything
 // moves. At the end the runtime is stopped behind those who command it, so that its outputs go to their safe

@@ -1,7 +1,7 @@
 #pragma once
 
-// When a process that has ended is started again: at first soon, then later and later, and not any more when
-// it has failed too often before it was ready.
+// Policy for starting a process again that has ended: at first soon, then later and later, and not any more
+// when it has failed too often before it was ready.
 //
 //   RestartPolicy policy;
 //   policy.ready(now);

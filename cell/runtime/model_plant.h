@@ -18,7 +18,7 @@ namespace stepwright::cell_runtime {
 [[nodiscard]] result::Result<std::unique_ptr<core::Plant>> make_model(
     const config::CellConfig& cell, const std::optional<std::vector<double>>& left = std::nullopt);
 
-// What is wrong with a plant whose file is sound: more values than a runtime publishes (R0004), a plant that
+// What is wrong with a plant whose file is sound: more values than a runtime publishes (R0081), a plant that
 // gives up within its first second (C0351). Processes of its parts are not started.
 [[nodiscard]] result::Diagnostics check_model(const config::CellConfig& cell);
 

@@ -59,7 +59,7 @@ result::Result<std::unique_ptr<PlantMemory>> PlantMemory::open(const std::filesy
   const int error = errno;
   if (memory == MAP_FAILED) {
     if (descriptor >= 0) close(descriptor);
-    return result::fail("R0001", {file.string(), 0, 0},
+    return result::fail("R0079", {file.string(), 0, 0},
                         std::string("the plant's state cannot be kept: ") + std::strerror(error));
   }
   return std::unique_ptr<PlantMemory>(

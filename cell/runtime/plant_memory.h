@@ -23,7 +23,7 @@ namespace stepwright::cell_runtime {
 class PlantMemory {
  public:
   // Opens or makes the file for a plant with so many numbers; what it held stays until the first `keep`.
-  // Fails with R0001, also for a file of another user.
+  // Fails with R0079, also for a file of another user.
   [[nodiscard]] static result::Result<std::unique_ptr<PlantMemory>> open(const std::filesystem::path& file,
                                                                          std::size_t numbers);
   ~PlantMemory();

@@ -1,7 +1,7 @@
 #pragma once
 
-// What the runs of an action say about the domain and the binding: each difference with its figures, and with
-// the line to write instead.
+// Judgement on the runs of an action: each difference from the domain and the binding with its figures, and
+// with the line to write instead.
 //
 // - B0020: the plant does not begin where :init says
 // - B0021: an action that leads there fails (a warning)

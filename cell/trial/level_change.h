@@ -1,8 +1,8 @@
 #pragma once
 
-// What an action has done to a level, apart from what was wrong with the level before it began. An action
-// that stops at an absolute level has the way to it from where the level is; all others are held against
-// their change.
+// Change of a level by an action, apart from what was wrong with the level before it began. An action that
+// stops at an absolute level has the way to it from where the level is; all others are held against their
+// change.
 //
 // Pure functions.
 

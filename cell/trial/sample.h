@@ -1,8 +1,8 @@
 #pragma once
 
-// Which ground actions of one entry of a binding are tried where there are too many to try each: so many that
-// every object is tried in every place of the action. What a wrong line of the binding does shows there; the
-// combinations beyond differ in nothing that a binding names.
+// Choice of the ground actions of a binding's entry that are tried, where there are too many to try each: so
+// many that every object is tried in every place of the action. What a wrong line of the binding does shows
+// there; the combinations beyond differ in nothing that a binding names.
 //
 //   Sample sample;
 //   if (!sample.wants(action)) continue;

@@ -1,7 +1,7 @@
 #pragma once
 
-// What refusals of the cell mean for the page's server, which decides by them what to do next. What else is
-// refused is passed on to whoever asked. Pure; any thread.
+// Refusals of the cell by which the page's server decides what to do next. All others are passed on to
+// whoever asked. Pure; any thread.
 
 #include <string>
 

@@ -21,7 +21,7 @@ class CellMonitor {
 
   // What a sheet's blocks show in the newest scan. Refuses with H0066 while no program is known.
   virtual Answer live(const Parameters& given) const = 0;
-  // Where the parts of a chart stand. Refuses with H0066, too, if the program has no such chart.
+  // Where the parts of a chart stand. Refuses with H0130 if the program has no such chart.
   virtual Answer chart(const Parameters& given) const = 0;
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
-// What is computed of a body in ST: the conditions that it tests, and the variables whose index is not fixed.
+// Places of a body in ST at which something is computed: the conditions that it tests, and the variables
+// whose index is not fixed.
 //
 //   BodyPlaces places = places_of(body);
 //

@@ -166,7 +166,7 @@ api::Answer CellMonitor::chart(const Parameters& given) const {
   for (const auto& [asked, answer] : program.pictures)
     if (asked == key) return answer;
   json picture = chart_picture(program.layout->program, name, choice);
-  if (picture.is_null()) return api::refused(404, "H0066", "the running program has no chart of that name");
+  if (picture.is_null()) return api::refused(404, "H0130", "the running program has no chart of that name");
   picture["digest"] = program.layout->program.digest;
   api::Answer answer{.text = protocol::text(picture)};
   if (program.pictures.size() == kMostKept) program.pictures.pop_front();

@@ -1,7 +1,7 @@
 #pragma once
 
-// What the names of a sheet stand for in one of its instances: tags of the running program, or steps of its
-// chart; and their values in a copy of the image (hmi_web/doc/program.md).
+// Names of a sheet in one of its instances, as tags of the running program or steps of its chart; and their
+// values in a copy of the image (hmi_web/doc/program.md).
 //
 //   ProgramNames names(*layout);
 //   Scope scope(names, variables, "Main.f");

@@ -1,7 +1,7 @@
 #pragma once
 
-// What a page draws of a sheet in one of its instances while it runs: power flow, wires, conditions. Read
-// once, looked at scan by scan (hmi_web/doc/program.md).
+// Live state of a sheet in one of its instances, as a page draws it: power flow, wires, conditions. The sheet
+// is read once and looked at scan by scan (hmi_web/doc/program.md).
 //
 //   SheetMonitor monitor(names, read_sheet(json), "Main");
 //   json blocks = monitor.look(types, image, {{0, 3}});

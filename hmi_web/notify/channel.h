@@ -1,6 +1,6 @@
 #pragma once
 
-// Where people are told of alarms while nobody looks at the page: an e-mail, or a web hook.
+// Channel on which people are told of alarms while nobody looks at the page: an e-mail, or a web hook.
 //
 // Plain values; any thread.
 

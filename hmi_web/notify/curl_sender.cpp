@@ -75,7 +75,7 @@ std::size_t hear_server(char* from, std::size_t size, std::size_t count, void* i
   auto& refusal = *static_cast<Refusal*>(into);
   std::string_view line(from, size * count);
   while (!line.empty() && (line.back() == '\r' || line.back() == '\n')) line.remove_suffix(1);
-  if (line.starts_with("221")) return size * count;  // its farewell
+  if (line.starts_with("221")) return size * count;  // the end of the session
   if (!refusal.goes_on) refusal.text.clear();
   if (line.size() >= 3 && (line[0] == '4' || line[0] == '5')) {
     const std::string_view words =

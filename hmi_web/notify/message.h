@@ -1,6 +1,6 @@
 #pragma once
 
-// What is told of alarms, in words for a mail and as JSON for a web hook.
+// Message about alarms, in words for a mail and as JSON for a web hook.
 //
 // Pure; any thread.
 

@@ -37,7 +37,7 @@ struct Notifier::Worker {
 };
 
 Notifier::Notifier(std::string cell, std::vector<Channel> channels, Sender& sender, Standing standing,
-                   Tell tell, ToldStore* told)
+                   Tell tell, NotificationStore* told)
     : cell_(std::move(cell)),
       sender_(sender),
       standing_(std::move(standing)),
@@ -65,7 +65,7 @@ Notifier::~Notifier() {
 }
 
 void Notifier::work(Worker& worker, const std::stop_token& stop) {
-  Schedule schedule(worker.channel, told_ == nullptr ? ToldAlarms() : told_->of(worker.channel.name));
+  Schedule schedule(worker.channel, told_ == nullptr ? Notifications() : told_->of(worker.channel.name));
   while (!stop.stop_requested()) {
     std::optional<std::string> tester;
     {

@@ -37,7 +37,7 @@ class Notifier : public api::CellNotifications {
 
   // `told` keeps what was told of over restarts; null: every start tells again.
   Notifier(std::string cell, std::vector<Channel> channels, Sender& sender, Standing standing, Tell tell,
-           ToldStore* told = nullptr);
+           NotificationStore* told = nullptr);
   ~Notifier() override;
   Notifier(const Notifier&) = delete;
   Notifier& operator=(const Notifier&) = delete;
@@ -54,7 +54,7 @@ class Notifier : public api::CellNotifications {
   Sender& sender_;
   const Standing standing_;
   const Tell tell_;
-  ToldStore* const told_;
+  NotificationStore* const told_;
   std::vector<std::unique_ptr<Worker>> workers_;
 };
 

@@ -15,7 +15,7 @@ std::int64_t ms_of(Schedule::WallTime wall) {
 
 }  // namespace
 
-Schedule::Schedule(const Channel& channel, ToldAlarms told, WallTime wall)
+Schedule::Schedule(const Channel& channel, Notifications told, WallTime wall)
     : at_least_(channel.at_least),
       delay_(channel.delay),
       repeat_(channel.repeat),
@@ -23,7 +23,7 @@ Schedule::Schedule(const Channel& channel, ToldAlarms told, WallTime wall)
       begun_ms_(ms_of(wall)) {}
 
 // A clock that was set back makes it no longer than a whole repetition.
-std::chrono::milliseconds Schedule::rest_of(const Told& before) const {
+std::chrono::milliseconds Schedule::rest_of(const Notification& before) const {
   const std::chrono::milliseconds whole = repeat_;
   return std::clamp(whole - std::chrono::milliseconds(begun_ms_ - before.told_ms),
                     std::chrono::milliseconds(0), whole);
@@ -61,10 +61,10 @@ void Schedule::sent(bool arrived, Time now, WallTime wall) {
   }
 }
 
-ToldAlarms Schedule::told() const {
-  ToldAlarms told;
+Notifications Schedule::told() const {
+  Notifications told;
   for (const auto& [name, watched] : watched_)
-    if (watched.told_ms != 0) told.emplace(name, Told{watched.raised_ns, watched.told_ms});
+    if (watched.told_ms != 0) told.emplace(name, Notification{watched.raised_ns, watched.told_ms});
   return told;
 }
 

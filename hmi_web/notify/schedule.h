@@ -1,9 +1,9 @@
 #pragma once
 
-// When a channel tells of which alarms: each that is unacknowledged for the channel's delay, again after
-// every repetition, all that are due together in one message. An alarm that was acknowledged, or went for
-// good, and comes again begins anew. What could not be sent is tried again: after a minute, then twice as
-// long each time, up to a quarter of an hour.
+// Schedule of a channel's messages: each that is unacknowledged for the channel's delay, again after every
+// repetition, all that are due together in one message. An alarm that was acknowledged, or went for good, and
+// comes again begins anew. What could not be sent is tried again: after a minute, then twice as long each
+// time, up to a quarter of an hour.
 //
 //   Schedule schedule(channel);
 //   const auto due = schedule.due(standing, now);     // now and then
@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "hmi_web/notify/channel.h"
-#include "hmi_web/notify/told_store.h"
+#include "hmi_web/notify/notification_store.h"
 
 namespace stepwright::notify {
 
@@ -31,7 +31,7 @@ class Schedule {
 
   // `told` is what an earlier one has told of, as seen at `wall`: its repetitions go on as if it were that
   // one.
-  explicit Schedule(const Channel& channel, ToldAlarms told = {},
+  explicit Schedule(const Channel& channel, Notifications told = {},
                     WallTime wall = std::chrono::system_clock::now());
 
   // Of all that are unacknowledged, those to tell of now.
@@ -39,7 +39,7 @@ class Schedule {
   // What became of those that were due last.
   void sent(bool arrived, Time now, WallTime wall = std::chrono::system_clock::now());
   // Of all that are unacknowledged, those that were told of.
-  ToldAlarms told() const;
+  Notifications told() const;
 
  private:
   struct Watched {
@@ -49,11 +49,11 @@ class Schedule {
     std::int64_t told_ms = 0;  // 0: it was not
   };
   // Until one that was told of before is told of again.
-  std::chrono::milliseconds rest_of(const Told& before) const;
+  std::chrono::milliseconds rest_of(const Notification& before) const;
 
   const alarms::Priority at_least_;
   const std::chrono::seconds delay_, repeat_;
-  const ToldAlarms told_before_;
+  const Notifications told_before_;
   const std::int64_t begun_ms_;
   std::map<std::string, Watched, std::less<>> watched_;
   std::chrono::seconds retry_{0};  // 0: the last message has arrived

@@ -1,6 +1,6 @@
 #pragma once
 
-// How values become JSON.
+// Values as JSON. Pure; any thread.
 
 #include <nlohmann/json.hpp>
 #include <optional>

@@ -1,7 +1,6 @@
 #pragma once
 
-// What people want to know of a tag beside its value, as the cell or the declaration says it
-// (hmi_web/doc/tags.md).
+// Note on a tag for people, beside its value, as the cell or the declaration says it (hmi_web/doc/tags.md).
 //
 // Plain values; any thread.
 

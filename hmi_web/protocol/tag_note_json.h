@@ -1,7 +1,7 @@
 #pragma once
 
-// What is said of a tag as pages get it (hmi_web/doc/protocol.md): in `hello` what the cell says, in
-// `program` what the declaration does.
+// Notes on tags as JSON for pages (hmi_web/doc/protocol.md): in `hello` those of the cell, in `program` those
+// of the declarations.
 //
 // Pure; any thread.
 

@@ -1,11 +1,10 @@
 #pragma once
 
-// What the declarations in the sources of a program say for people, by the tags of the program: comments, and
-// pragmas with unit, group, decimals, range and names of values (hmi_web/doc/tags.md).
+// Notes on the tags of a program from the declarations in its sources: comments, and pragmas with unit,
+// group, decimals, range and names of values (hmi_web/doc/tags.md).
 //
 //   const DeclaredNotes notes(info->instances(), layout.document);
-//   notes.of("Main.levels[3]").description;   // "litres in each tank", of `levels` in the program of the
-//   instance Main
+//   notes.of("Main.levels[3]").description;   // "litres in each tank", of `levels` in the program of Main
 //
 // The document comes from outside and is read with doubt (hmi_web/doc/program.md): what has another shape
 // says nothing, and texts, lists and numbers have bounds. Immutable once made; any thread.

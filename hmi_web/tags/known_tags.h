@@ -1,8 +1,8 @@
 #pragma once
 
-// What is known of the tags of a program beside their values: what the cell says of a tag, and what the
-// declaration says of what the cell leaves open (hmi_web/doc/tags.md). The page puts both together itself
-// (client/src/lib/tag_notes.ts); this is for tables and messages that are made without one.
+// Notes on the tags of a program from both the cell and the declarations: what the cell leaves open, the
+// declaration says (hmi_web/doc/tags.md). The page puts both together itself (client/src/lib/tag_notes.ts);
+// this is for tables and messages that are made without one.
 //
 //   const KnownTags tags(tags::tag_notes(config.tags), {info.instances(), reader::document_text(container)});
 //   tags.of("Main.levels[3]").unit;

@@ -1,7 +1,7 @@
 #pragma once
 
-// What stands about a variable between the tokens of its declaration, for people: the comment behind it on
-// its line, and pragmas (syntax/tag_pragma.h) before it, in it, or behind it on its line.
+// Collector of the notes on a variable between the tokens of its declaration, for people: the comment behind
+// it on its line, and pragmas (syntax/tag_pragma.h) before it, in it, or behind it on its line.
 //
 //   {group := 'buffer'}
 //   level : REAL {decimals := 1}; {unit := 'l'} // how full it is

@@ -1,7 +1,7 @@
 #pragma once
 
-// Which configuration of a PLCopen file is read. A file of a plant has one for each device, and a program of
-// ours is that of one device.
+// Choice of the configuration of a PLCopen file that is read. A file of a plant has one for each device, and
+// a program of ours is that of one device.
 //
 // Pure functions of the file; internal to this folder.
 

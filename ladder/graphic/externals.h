@@ -1,6 +1,6 @@
 #pragma once
 
-// Which globals a program's text uses: who writes programs as text and charts declares exactly those. Pure
+// Globals that a program's text uses: who writes programs as text and charts declares exactly those. Pure
 // functions; any thread.
 //
 //   pou.variables = externals(project.globals, text);

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a declaration says of its variable for people, beside the comment (hmi_web/doc/tags.md). Values; use
+// Note of a declaration on its variable for people, beside the comment (hmi_web/doc/tags.md). Values; use
 // from any thread.
 
 #include <optional>

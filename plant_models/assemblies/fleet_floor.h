@@ -62,7 +62,7 @@ class FleetFloor final : public core::Plant {
   // no floor can have kept it.
   bool resume(std::span<const double> numbers);
 
-  // Where vehicle `index` is, for referees of tests.
+  // Where vehicle `index` is, for checks of tests.
   ForkliftPose vehicle_pose(std::size_t index) const { return vehicles_[index].forklift->pose(); }
   std::uint64_t state_hash() const;
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Where an arm's joints and its tool are: forward kinematics from the figures of an arm. Pure functions; any
+// Pose of an arm's joints and of its tool: forward kinematics from the figures of an arm. Pure functions; any
 // thread, no heap.
 //
 //   const ArmPose pose = arm_pose(arm, angles);

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a hand of two fingers holds: whether an object is between its pads, how it goes with the hand, and how
+// Grasp of a hand of two fingers: whether an object is between its pads, how it goes with the hand, and how
 // it slides where friction does not hold it. Functions of values; any thread, no heap.
 //
 //   if (const auto fit = fit_between(tool, pose, part); fit && opening_m <= fit->width_m) ...   // held

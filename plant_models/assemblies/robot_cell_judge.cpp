@@ -159,8 +159,8 @@ const Look& RobotCellJudge::look(const CellView& view, double now_s) {
   return look_;
 }
 
-std::vector<Whereabouts> RobotCellJudge::whereabouts(const CellObjects& objects) const {
-  std::vector<Whereabouts> found;
+std::vector<ObjectPlace> RobotCellJudge::object_places(const CellObjects& objects) const {
+  std::vector<ObjectPlace> found;
   for (std::size_t k = 0; k < objects.all().size(); ++k) {
     const CellObject& here = objects[k];
     const bool stands = here.state == ObjectState::Stands;

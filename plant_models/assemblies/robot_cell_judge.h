@@ -54,7 +54,7 @@ struct CellView {
 };
 
 // Where an object is, for a report.
-struct Whereabouts {
+struct ObjectPlace {
   std::string object;
   std::string on;  // what it stands on; empty while it is held or falls
   ObjectState state = ObjectState::Stands;
@@ -93,7 +93,7 @@ class RobotCellJudge {
   std::span<const Incident> incidents() const { return {incidents_.data(), noted_}; }
   // "t = 3.2 s: cup_1 fell 0.31 m on table"
   std::string text(const Incident& incident) const;
-  std::vector<Whereabouts> whereabouts(const CellObjects& objects) const;
+  std::vector<ObjectPlace> object_places(const CellObjects& objects) const;
   // Of a thing, by its number: arms, then fixed bodies, blockages, objects, and last the floor.
   const std::string& name(std::size_t thing) const { return names_[thing]; }
 

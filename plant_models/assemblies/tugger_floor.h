@@ -1,7 +1,7 @@
 #pragma once
 
-// What a tugger train may run into, and the distances that it keeps: walls, obstacles, blockages, and
-// trailers that were left somewhere. It knows boxes and outlines only, no plan.
+// Obstacles around a tugger train, and the distances that it keeps: walls, obstacles, blockages, and trailers
+// that were left somewhere. It knows boxes and outlines only, no plan.
 //
 // Threads: one at a time. No heap after construction.
 //

@@ -1,7 +1,7 @@
 #pragma once
 
-// What a kind of component is, for who reads a plant's file, connects its ports, lists it and documents it.
-// Plain data; a catalogue is a list of them.
+// Description of a kind of component, for who reads a plant's file, connects its ports, lists it and
+// documents it. Plain data; a catalogue is a list of them.
 
 #include <cstddef>
 #include <cstdint>

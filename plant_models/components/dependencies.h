@@ -1,6 +1,6 @@
 #pragma once
 
-// Which states each derivative of a plant depends on, found along the order in which values are worked out:
+// States that each derivative of a plant depends on, found along the order in which values are worked out:
 // for sparse Jacobians. Pure; at set-up.
 
 #include <cstdint>

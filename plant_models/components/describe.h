@@ -1,6 +1,6 @@
 #pragma once
 
-// What a viewer needs to draw a described plant. Pure.
+// Description of a plant of components, for viewers that draw it. Pure.
 
 #include "plant_models/components/model.h"
 #include "plant_models/core/plant_description.h"

@@ -1,8 +1,8 @@
 #pragma once
 
-// Where the components of a plant stand in a drawing: a column for each step that liquid, heat and signals
-// take from where they come from (Sugiyama, Tagawa, Toda, "Methods for visual understanding of hierarchical
-// system structures", 1981: layers, then order within a layer by the mean of the neighbours). Pure.
+// Layout of the components of a plant in a drawing: a column for each step that liquid, heat and signals take
+// from where they come from (Sugiyama, Tagawa, Toda, "Methods for visual understanding of hierarchical system
+// structures", 1981: layers, then order within a layer by the mean of the neighbours). Pure.
 
 #include <cstdint>
 #include <vector>

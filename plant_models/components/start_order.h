@@ -1,7 +1,7 @@
 #pragma once
 
-// Which starts of states need which others, found along the order in which values are worked out. Pure; at
-// set-up.
+// Order of the starts of states that need each other, found along the order in which values are worked out.
+// Pure; at set-up.
 
 #include <cstdint>
 #include <vector>

@@ -1,7 +1,7 @@
 #pragma once
 
-// How a described plant answers by itself: its terminals are set at given instants, and values are noted once
-// for each interval. As a table (CSV) and as a picture (SVG).
+// Answer of a described plant, left to itself: its terminals are set at given instants, and values are noted
+// once for each interval. As a table (CSV) and as a picture (SVG).
 //
 //   StepAnswer answer = record_answer(plant, {.seconds = 60.0, .values = {"a1.level"}, .actions =
 //   {{"B1", 1.0, 5.0, false}}});

@@ -1,8 +1,8 @@
 #pragma once
 
-// What makes a sensor's reading uncertain: bias(seed) + drift(seed, t) + noise(seed, t). Every term is a pure
-// function of seed and time: the same instant always gives the same error, whoever asks and how often. In the
-// unit of the sensor. Any thread.
+// Error of a sensor's reading: bias(seed) + drift(seed, t) + noise(seed, t). Every term is a pure function of
+// seed and time: the same instant always gives the same error, whoever asks and how often. In the unit of the
+// sensor. Any thread.
 
 #include <chrono>
 #include <cstdint>

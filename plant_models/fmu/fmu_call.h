@@ -1,6 +1,6 @@
 #pragma once
 
-// How the process of an FMU is called. Thread-safe: pure.
+// Call of the process of an FMU. Thread-safe: pure.
 
 #include <filesystem>
 #include <string>

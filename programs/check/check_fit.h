@@ -1,7 +1,8 @@
 #pragma once
 
-// What names something of the program that is there, and can do nothing with it: an alarm on a text, a recipe
-// for another type, a task's settings without the task, a figure of the cell that is none.
+// Check that the configuration fits the program: it tells of names that are there and of no use where they
+// stand: an alarm on a text, a recipe for another type, a task's settings without the task, a figure of the
+// cell that is none.
 //
 // Pure but for the files that the configuration names; any thread.
 

@@ -27,7 +27,7 @@ struct CellProgram {
                                                                       const std::filesystem::path& image);
 
 // Everything that does not fit, at its place in the configuration: what a load refuses (B0001 to B0006,
-// R0004, R0010, R0145), C0501 to C0505 of the register map, C0528 and C0529 of the tags (check_tags.h),
+// R0080, R0010, R0145), C0501 to C0505 of the register map, C0528 and C0529 of the tags (check_tags.h),
 // C0531 of the plant's wires (check_wires.h), C0532 of alarms, recipes and drawings (check_names.h).
 result::Diagnostics check_program(const config::CellConfig& config, const CellProgram& program);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a cell would tell nobody: alarms are kept and told with a history only.
+// Check for alarms that nobody would be told of: alarms are kept and told with a history only.
 //
 // Threads: any. Reads the cell's file for the lines.
 

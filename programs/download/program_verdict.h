@@ -1,7 +1,7 @@
 #pragma once
 
-// What becomes of a program that has just been brought in: it has its first scans behind it, it trapped in
-// them, or nobody knows yet. An online change is on trial for as many scans (runtime/doc/online_change.md).
+// Verdict on a program that has just been brought in: it has its first scans behind it, it trapped in them,
+// or nobody knows yet. An online change is on trial for as many scans (runtime/doc/online_change.md).
 //
 // Threads: that of the connection. Requires a connection that was open when the program was brought in: the
 // events since then say when it began.

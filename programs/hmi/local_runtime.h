@@ -1,7 +1,7 @@
 #pragma once
 
-// Whether a runtime of the cell listens on this machine although nobody carries it here: its link does not
-// run.
+// Watch for a runtime of the cell that listens on this machine although nobody carries it here: its link does
+// not run.
 //
 //   LocalRuntime local(config.socket_path());
 //   if (!alive) seen.unlinked = local.is_there(now);      // asked often

@@ -85,7 +85,7 @@ int run(const config::CellConfig& config) {
   auto watch = hmi::RuntimeWatch::connect(config, (*source)->runtime(), **log);
   if (!watch) return fail(watch.error(), ExitCode::RuntimeFault);
   notify::CurlSender sender;
-  notify::ToldStore told(config.history.folder / "notified.json");
+  notify::NotificationStore told(config.history.folder / "notified.json");
   std::unique_ptr<notify::Notifier> notifier;
   if (!config.notify.empty()) {
     if (!*records)

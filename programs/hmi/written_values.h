@@ -1,6 +1,6 @@
 #pragma once
 
-// What was written last, until the images show it: what comes next is written in its place, not in place of
+// Values that were written last, until the images show them: a write that follows is made to them, not to
 // what an image of before shows.
 //
 //   values.note("MAIN.level", "20.0", images);          // the runtime has taken it; so many images had come

@@ -1,7 +1,6 @@
 #pragma once
 
-// What a command line gives as a formula: its text, or the name of a file with it (.ltl), or an automaton
-// (.hoa).
+// Formula of a command line: its text, or the name of a file with it (.ltl), or an automaton (.hoa).
 
 #include <optional>
 #include <string>

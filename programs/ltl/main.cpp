@@ -90,7 +90,8 @@ void describe_plan(CLI::App& app, ltl_program::PlanArguments& arguments) {
          "1 or 2 (default: as many of them as the machine has); the plan is the same, the time is not")
       ->check(CLI::Range(1, 2));
   app.footer(
-      "Exit codes: 0 a plan that the referee accepts, 1 wrong input, 2 wrong usage, 3 even a point cannot do "
+      "Exit codes: 0 a plan that the plan checker accepts, 1 wrong input, 2 wrong usage, 3 even a point "
+      "cannot do "
       "the task, 4 no plan in that time.");
 }
 

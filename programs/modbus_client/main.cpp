@@ -46,7 +46,7 @@ struct Options {
 };
 
 // How long the safe outputs may take at the end: a device that does not answer keeps nobody.
-constexpr milliseconds kFarewell{1'000};
+constexpr milliseconds kFinalWrite{1'000};
 
 std::string json_text(const nlohmann::json& json) {
   return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
@@ -105,11 +105,11 @@ class Journal {
   bool deserted_ = false;
 };
 
-void say_farewell(IoClient& client, FieldOutputs& field, log::Logger& log) {
+void write_final_outputs(IoClient& client, FieldOutputs& field, log::Logger& log) {
   const auto outputs = field.last();
   if (!outputs) return;
   client.set_outputs(*outputs);
-  const auto deadline = std::chrono::steady_clock::now() + kFarewell;
+  const auto deadline = std::chrono::steady_clock::now() + kFinalWrite;
   while (!client.written() && std::chrono::steady_clock::now() < deadline)
     std::this_thread::sleep_for(milliseconds(1));
   if (!client.written()) log.warning("unwritten", "not every device has acknowledged its safe outputs");
@@ -169,7 +169,7 @@ int run(const config::CellConfig& config) {
     log.tick();
   }
   init.stopping();
-  say_farewell(**client, field, log);
+  write_final_outputs(**client, field, log);
   (*plant)->lose(inputs);
   log.info("ends", "Modbus client of '" + config.name + "' ends");
   return to_int(ExitCode::Done);

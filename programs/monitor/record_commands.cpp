@@ -147,7 +147,7 @@ int trace_to_csv(const config::CellConfig& config, const TraceArguments& argumen
   if (!names) return fail(names.error(), ExitCode::BadInput);
   if (names->empty()) {
     const auto none =
-        result::fail("R0057", {}, "nothing to trace", "name variables, or a file of names with --list");
+        result::fail("R0060", {}, "nothing to trace", "name variables, or a file of names with --list");
     return fail(none.value(), ExitCode::BadInput);
   }
   auto runtime = Attached::open(config, service::Role::Controller);

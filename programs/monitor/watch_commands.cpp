@@ -80,7 +80,7 @@ int look(const config::CellConfig& config, const WatchArguments& arguments, bool
   if (!names) return fail(names.error(), ExitCode::BadInput);
   if (names->empty() && !once) {
     const auto none =
-        result::fail("R0057", {}, "nothing to watch", "name variables, or a file of names with --list");
+        result::fail("R0060", {}, "nothing to watch", "name variables, or a file of names with --list");
     return fail(none.value(), ExitCode::BadInput);
   }
   auto runtime = Attached::open(config, service::Role::Observer);

@@ -1,7 +1,7 @@
 #pragma once
 
-// How many bits the variables of a project take at their addresses: an array or a structure more than its
-// address says. The compiler is asked, which lays them out. Not thread-safe.
+// Bits that the variables of a project take at their addresses: an array or a structure more than its address
+// says. The compiler is asked, which lays them out. Not thread-safe.
 
 #include <cstdint>
 #include <map>

@@ -143,7 +143,7 @@ int run(const config::CellConfig& config) {
     (*runtime)->set_note("guard", guard.note());
   }
   init.stopping();
-  // Safe outputs and the farewell first: everything else at the end may wait for a disk.
+  // Safe outputs and their release first: everything else at the end may wait for a disk.
   (*runtime)->end();
   log.info("ends", "runtime '" + config.name + "' ends");
   return to_int(ExitCode::Done);

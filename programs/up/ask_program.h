@@ -1,6 +1,6 @@
 #pragma once
 
-// What the runtime of a cell says of its program, asked over the cell's socket. Threads: any.
+// State of a cell's program, as the runtime tells it over the cell's socket. Threads: any.
 
 #include <string>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// Whether a cell is up: the kernel keeps a lock in the cell's state folder for as long as its `stepwright up`
-// lives, however that ends.
+// Lock of a cell that is up: the kernel keeps a lock in the cell's state folder for as long as its
+// `stepwright up` lives, however that ends.
 //
 // Threads: any.
 

@@ -11,7 +11,7 @@
 
 #include "cell/processes/cell_record.h"
 #include "programs/up/cell_lock.h"
-#include "programs/up/find_keeper.h"
+#include "programs/up/find_up_process.h"
 #include "runtime/ground/process/command_line.h"
 
 namespace stepwright::up {
@@ -59,11 +59,11 @@ tl::unexpected<result::Diagnostics> stays_up(const std::string& what, const std:
 // else by now. Nothing if nobody keeps the cell of this file up.
 std::optional<int> end_unknown(const Options& options) {
   const std::string& file = options.cell;
-  const auto pid = find_keeper(options);
+  const auto pid = find_up_process(options);
   if (!pid) return std::nullopt;
   if (const auto asked = ask_to_end(*pid, file); !asked) return fail(asked.error(), ExitCode::RuntimeFault);
   const auto deadline = std::chrono::steady_clock::now() + kMostWait;
-  while (find_keeper(options) == pid) {
+  while (find_up_process(options) == pid) {
     if (std::chrono::steady_clock::now() > deadline)
       return fail(stays_up("process " + std::to_string(*pid) + ", which keeps the cell up,", file).value(),
                   ExitCode::RuntimeFault);

@@ -1,6 +1,6 @@
 #pragma once
 
-// What has become of some files since the last look: which were saved, and which are gone.
+// Changes of some files since the last look: which were saved, and which are gone.
 //
 //   FileTimes times({"main.st"});
 //   for (const auto& file : times.look().saved) ...        // often

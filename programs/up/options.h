@@ -1,6 +1,6 @@
 #pragma once
 
-// What `up`, `down` and `status` are asked for, and the cell that is meant.
+// Options of `up`, `down` and `status`, and the cell that is meant. Plain data.
 
 #include <optional>
 #include <string>

@@ -7,7 +7,7 @@
 #include "cell/processes/kept_process.h"
 #include "programs/up/ask_program.h"
 #include "programs/up/cell_lock.h"
-#include "programs/up/find_keeper.h"
+#include "programs/up/find_up_process.h"
 #include "runtime/ground/process/command_line.h"
 #include "runtime/ground/result/counted.h"
 
@@ -81,7 +81,7 @@ void print_not_up(const config::CellConfig& config, bool json) {
 
 // Somebody keeps the cell of this file up, and its state folder does not say so.
 result::Result<void> check_unknown(const Options& options) {
-  const auto pid = find_keeper(options);
+  const auto pid = find_up_process(options);
   if (!pid) return {};
   return result::fail(
       "M0024", {options.cell, 0, 0},

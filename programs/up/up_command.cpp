@@ -9,10 +9,10 @@
 
 #include "cell/config/state_dir.h"
 #include "cell/processes/process_list.h"
-#include "programs/up/cell_keeper.h"
 #include "programs/up/cell_lock.h"
 #include "programs/up/compile_step.h"
 #include "programs/up/detached.h"
+#include "programs/up/process_supervisor.h"
 #include "runtime/ground/log/rotating_file.h"
 #include "runtime/ground/process/command_line.h"
 
@@ -61,15 +61,15 @@ int keep_up(const config::CellConfig& config, const Options& options, Detached& 
   std::vector<std::string> names = processes::starting_order(config);
   names.emplace_back("watch");
   Console console(names, log_of(config, options));
-  auto keeper = CellKeeper::make({.config = config,
-                                  .overrides = overrides_of(options),
-                                  .programs = programs,
-                                  .watch = options.watch,
-                                  .terminal = !options.detach,
-                                  .on_up = [&detached](ExitCode exit) { detached.up(exit); }},
-                                 console);
-  if (!keeper) {
-    const int exit = fail(keeper.error(), ExitCode::RuntimeFault);
+  auto supervisor = ProcessSupervisor::make({.config = config,
+                                             .overrides = overrides_of(options),
+                                             .programs = programs,
+                                             .watch = options.watch,
+                                             .terminal = !options.detach,
+                                             .on_up = [&detached](ExitCode exit) { detached.up(exit); }},
+                                            console);
+  if (!supervisor) {
+    const int exit = fail(supervisor.error(), ExitCode::RuntimeFault);
     console.say("the cell '" + config.name + "' is not up");
     return exit;
   }
@@ -85,7 +85,7 @@ int keep_up(const config::CellConfig& config, const Options& options, Detached& 
         (sources_can_be_read(config) ? "its program does not compile" : "its sources cannot be read"));
     return to_int(*compiled);
   }
-  return to_int((*keeper)->run(stop));
+  return to_int((*supervisor)->run(stop));
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #pragma once
 
 // The command `up`: checks what can be known before anything starts, compiles the cell's program, and keeps
-// its processes (cell_keeper.h).
+// its processes (process_supervisor.h).
 
 #include "programs/up/options.h"
 

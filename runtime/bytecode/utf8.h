@@ -1,6 +1,7 @@
 #pragma once
 
-// Is this UTF-8? (Unicode 15, table 3-7: no overlong forms, no surrogates, nothing above U+10FFFF.)
+// Test for UTF-8 (Unicode 15, table 3-7: no overlong forms, no surrogates, nothing above U+10FFFF). Pure; any
+// thread.
 
 #include <cstdint>
 #include <span>

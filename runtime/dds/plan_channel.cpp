@@ -62,8 +62,7 @@ struct PlanPublisher::State {
       sample.revision(++revision);
     }
     sample.text(json);
-    if (!writer.write(sample))
-      return result::fail(service::kNobodyAnswers, {}, "viewers do not take " + what);
+    if (!writer.write(sample)) return result::fail("D0010", {}, "viewers do not take " + what);
     return {};
   }
 
@@ -122,8 +121,7 @@ result::Result<void> PlanPublisher::answer(const OperatorRequest& request,
   // Without any problem it would be accepted.
   if (!verdict && answer.problems.empty())
     answer.problems.push_back({"", result::Severity::Error, {}, "refused", ""});
-  if (!state_->answers.write(std::move(answer)))
-    return result::fail(service::kNobodyAnswers, {}, "nobody takes the answer");
+  if (!state_->answers.write(std::move(answer))) return result::fail("D0010", {}, "nobody takes the answer");
   return {};
 }
 

@@ -49,7 +49,7 @@ class PlanPublisher {
   [[nodiscard]] result::Result<void> publish_pictures(const std::string& json);
   // The next request of any viewer, in order of arrival; none after `timeout`.
   std::optional<OperatorRequest> wait_request(std::chrono::milliseconds timeout);
-  // Says to whoever asked that the request is accepted, or why not. Fails with D0001 if nobody takes it.
+  // Says to whoever asked that the request is accepted, or why not. Fails with D0010 if nobody takes it.
   [[nodiscard]] result::Result<void> answer(const OperatorRequest& request,
                                             const result::Result<void>& verdict);
 

@@ -29,7 +29,7 @@ class AreaDriver final : public image::IoDriver {
   void safe(std::uint8_t cause, bool settled) override { driver_.safe(cause, settled); }
   void rest_outputs(std::span<const std::byte> rest) override;
   bool lapsed() override { return driver_.lapsed(); }
-  void farewell() override { driver_.farewell(); }
+  void release_outputs() override { driver_.release_outputs(); }
   void beat() override { driver_.beat(); }
   std::uint64_t held_reads() const override { return driver_.held_reads(); }
 

@@ -57,11 +57,11 @@ result::Result<std::unique_ptr<HostRuntime>> HostRuntime::create(const HostConfi
   try {
     std::unique_ptr<HostRuntime> self(
         new HostRuntime(config, driver, plant, std::move(*snapshots), std::move(*reader)));
-    if (!self->loop_->ok()) return result::fail("R0001", {}, "the system gives no more descriptors");
+    if (!self->loop_->ok()) return result::fail("R0077", {}, "the system gives no more descriptors");
     self->start_threads();
     return self;
   } catch (const std::system_error& error) {
-    return result::fail("R0001", {}, std::string("the system gives no thread: ") + error.what(),
+    return result::fail("R0077", {}, std::string("the system gives no thread: ") + error.what(),
                         "the limit of processes (ulimit -u) may be reached");
   }
 }

@@ -37,7 +37,7 @@ namespace stepwright::host {
 
 class HostRuntime final : public RuntimePort {
  public:
-  // Starts the scan thread with nothing loaded. Fails with R0001 (system) or R0004 (a plant with too many
+  // Starts the scan thread with nothing loaded. Fails with R0077 (system) or R0081 (a plant with too many
   // values).
   [[nodiscard]] static result::Result<std::unique_ptr<HostRuntime>> create(const HostConfig& config,
                                                                            image::IoDriver& driver,
@@ -45,8 +45,8 @@ class HostRuntime final : public RuntimePort {
   // As `end`; then retained values and the recording are written.
   ~HostRuntime() override;
 
-  // Stops the program and joins the scan thread: outputs are in their safe state and the driver has said
-  // farewell when it returns. Waits for no disk. Nothing but the status and the destructor may follow.
+  // Stops the program and joins the scan thread: outputs are in their safe state and the driver has
+  // released them when it returns. Waits for no disk. Nothing but the status and the destructor may follow.
   void end();
 
   [[nodiscard]] result::Result<void> load(std::uint64_t ticket, std::vector<std::byte> container,

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a runtime can publish of its plant: so many values, with names so long.
+// Limits of what a runtime publishes of its plant: so many values, with names so long.
 //
 // Pure functions.
 
@@ -11,7 +11,7 @@
 
 namespace stepwright::host {
 
-// R0004 for more than kMaxPlantValues, and for each name of more than kMaxNameBytes, with `where` as their
+// R0081 for more than kMaxPlantValues, and for each name of more than kMaxNameBytes, with `where` as their
 // place. Empty: it can.
 result::Diagnostics check_plant_values(std::span<const std::string> names, const result::Location& where);
 

@@ -46,7 +46,7 @@ class PreparedProgram {
   };
 
   // Verifies the container and takes its memory and threads. Fails with the diagnostics of the verifier, with
-  // R0004 where the program needs more than a cell or a message can carry, with R0021 where its values cannot
+  // R0080 where the program needs more than a cell or a message can carry, with R0021 where its values cannot
   // all be told apart (reader::visit_values), with R0010 (see make_engine), with R0071 where the system gives
   // no threads for its tasks, or with R0076 where it takes more memory than is free within the limit of the
   // process. Throws std::bad_alloc where the system gives no memory after all. What is passed by reference

@@ -7,7 +7,7 @@ namespace stepwright::host {
 result::Result<void> check_fit(const bytecode::Program& program, const CellAreas& areas,
                                const std::string& name) {
   const auto too_large = [&](const char* what, std::size_t needed, std::size_t possible, const char* hint) {
-    return result::fail("R0004", {name, 0, 0},
+    return result::fail("R0080", {name, 0, 0},
                         std::string("the program needs ") + std::to_string(needed) + " bytes of " + what +
                             ", the runtime has " + std::to_string(possible),
                         hint);

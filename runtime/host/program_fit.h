@@ -19,7 +19,7 @@ struct CellAreas {
   std::size_t output_bytes = 0;
 };
 
-// Fails with R0004 at the place `name` (a path, or "download").
+// Fails with R0080 at the place `name` (a path, or "download").
 [[nodiscard]] result::Result<void> check_fit(const bytecode::Program& program, const CellAreas& areas,
                                              const std::string& name);
 

@@ -63,7 +63,7 @@ void ScanLoop::run() {
   const auto hold = hold_tasks();
   stop("the runtime ends");
   // Before anything that waits: for a disk, for another thread.
-  io_.farewell();
+  io_.release_outputs();
   liveness_.rest();
   tap_.end("the runtime ends");
 }

@@ -105,7 +105,7 @@ std::size_t slot_offset(std::uint64_t number) {
 }
 
 tl::unexpected<result::Diagnostics> refused(const std::string& what) {
-  return result::fail("R0001", {}, what + ": " + std::strerror(errno));
+  return result::fail("R0077", {}, what + ": " + std::strerror(errno));
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ namespace stepwright::host {
 class SnapshotWriter {
  public:
   // Room for the largest image and the named plant values (kMaxPlantValues, names of kMaxNameBytes; more are
-  // an error). Fails with R0001 if the system refuses the memory.
+  // an error). Fails with R0077 if the system refuses the memory.
   [[nodiscard]] static result::Result<std::unique_ptr<SnapshotWriter>> create(
       std::span<const std::string> plant_names);
   ~SnapshotWriter();

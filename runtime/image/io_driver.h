@@ -49,7 +49,7 @@ class IoDriver {
 
   // The end of driving: the outputs stay as the newest write left them. The last call but for the destructor;
   // before the process waits for anything at its end. Scan thread.
-  virtual void farewell() {}
+  virtual void release_outputs() {}
 
   // The scan is alive. Called now and then by a thread beside the scan's, with the same rules.
   virtual void beat() {}

@@ -22,7 +22,7 @@ enum class Owner : std::uint32_t {
   Nobody = 0,    // never driven
   Runtime = 1,   // a program, or the safe state of a runtime that lives
   Guard = 2,     // the runtime was lost
-  Farewell = 3,  // nobody any more; the runtime ended in good order
+  Released = 3,  // nobody any more; the runtime ended in good order
 };
 
 struct AreaHeader {

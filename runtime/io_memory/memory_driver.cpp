@@ -12,10 +12,10 @@ constexpr std::int64_t kHeldNs = 100'000'000;
 }  // namespace
 
 MemoryDriver::~MemoryDriver() {
-  farewell();
+  release_outputs();
 }
 
-void MemoryDriver::farewell() {
+void MemoryDriver::release_outputs() {
   AreaHeader& header = area_->header();
   if (std::exchange(left_, true)) return;
   if (!leased_.load(std::memory_order_relaxed)) {
@@ -23,7 +23,7 @@ void MemoryDriver::farewell() {
     return;
   }
   leased_.store(false, std::memory_order_release);  // no more heartbeats
-  header.owner.store(static_cast<std::uint32_t>(Owner::Farewell), std::memory_order_release);
+  header.owner.store(static_cast<std::uint32_t>(Owner::Released), std::memory_order_release);
   area_->unlock(AreaLock::Lease);
 }
 
@@ -122,7 +122,7 @@ bool MemoryDriver::take_lease(std::int64_t now_ns) {
 
 bool MemoryDriver::guarded() const {
   const auto owner = static_cast<Owner>(area_->header().owner.load(std::memory_order_acquire));
-  return owner != Owner::Farewell && area_->locked_elsewhere(AreaLock::Guard);
+  return owner != Owner::Released && area_->locked_elsewhere(AreaLock::Guard);
 }
 
 GuardFigures MemoryDriver::guard() const {
@@ -143,7 +143,7 @@ bool MemoryDriver::left_outputs(std::span<std::byte> outputs) {
   return area_->outputs().read(slot, outputs);
 }
 
-// The guard goes on with what is not settled when this process says farewell.
+// The guard goes on with what is not settled when this process releases the outputs.
 void MemoryDriver::safe(std::uint8_t cause, bool settled) {
   safe_ = true;
   if (!leased_.load(std::memory_order_relaxed)) return;

@@ -52,7 +52,7 @@ class MemoryDriver final : public image::IoDriver {
   explicit MemoryDriver(std::unique_ptr<IoArea> area, PlantNeed need = PlantNeed::Announced,
                         const Judgement& judgement = {})
       : area_(std::move(area)), need_(need), judgement_(judgement) {}
-  // Says farewell, unless that was said.
+  // Releases the outputs, unless that was done.
   ~MemoryDriver() override;
 
   // Requires the sizes of the area.
@@ -65,10 +65,11 @@ class MemoryDriver final : public image::IoDriver {
   void safe(std::uint8_t cause, bool settled) override;
   bool lapsed() override;
   // The guard leaves the outputs alone, or brings what is not settled to its end.
-  void farewell() override;
+  void release_outputs() override;
   void beat() override;
 
-  // A guard watches this area, and not one that is about to end because the last runtime said farewell.
+  // A guard watches this area, and not one that is about to end because the last runtime released the
+  // outputs.
   bool guarded() const;
   // The guard that is there, whoever started it. Any thread; a system call.
   GuardFigures guard() const;
@@ -93,7 +94,7 @@ class MemoryDriver final : public image::IoDriver {
   std::atomic<bool> leased_{false};
   std::atomic<bool> lapsed_{false};  // no heartbeat until safe outputs are written
   bool safe_ = false;                // those of the next write
-  bool left_ = false;                // farewell was said
+  bool left_ = false;                // the outputs were released
   std::uint64_t generation_ = 0;
   std::int64_t wanted_since_ns_ = 0;
   InputAge age_;

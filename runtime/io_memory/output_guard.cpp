@@ -94,7 +94,7 @@ const char* OutputGuard::wait_for_owner(std::int64_t now_ns) {
   AreaHeader& header = area_->header();
   const Owner owner = this->owner();
   if (owner == Owner::Nobody) return nullptr;
-  if (owner == Owner::Farewell) {
+  if (owner == Owner::Released) {
     if (header.settled.load(std::memory_order_acquire) != 0) return nullptr;
     // It ended while a ramp was on its way.
     return begin_driving(cause_of(header), now_ns);
@@ -103,7 +103,7 @@ const char* OutputGuard::wait_for_owner(std::int64_t now_ns) {
   if (expected && gave_way_ns_ == 0) gave_way_ns_ = now_ns;
   if (!area_->locked_elsewhere(AreaLock::Lease)) {
     if (expected && now_ns - gave_way_ns_ < kPatienceNs) return nullptr;
-    // Nobody said farewell, and nobody drives: killed before the guard began to watch.
+    // Nobody released the outputs, and nobody drives: killed before the guard began to watch.
     return begin_driving(scan::SafeCause::Killed, now_ns);
   }
   if (owner != Owner::Runtime) return nullptr;
@@ -129,7 +129,7 @@ const char* OutputGuard::watch(std::int64_t now_ns) {
   // Of a process that it cannot see the kernel says by the lock that it is gone.
   const bool ended = process_ >= 0 ? process_ended(0) : !area_->locked_elsewhere(AreaLock::Lease);
   const bool same = header.generation.load(std::memory_order_acquire) == generation_;
-  if (!same || owner() == Owner::Farewell) {
+  if (!same || owner() == Owner::Released) {
     forget_process();
     state_ = GuardState::Waiting;
     return same ? "the runtime ended in good order" : nullptr;
@@ -193,7 +193,7 @@ const char* OutputGuard::drive(std::int64_t now_ns) {
   header.heartbeat_ns.store(static_cast<std::uint64_t>(now_ns), std::memory_order_release);
   if (safe_.cause() == scan::SafeCause::Killed || !safe_.settled()) return nullptr;
   // What the runtime left to do is done.
-  header.owner.store(static_cast<std::uint32_t>(Owner::Farewell), std::memory_order_release);
+  header.owner.store(static_cast<std::uint32_t>(Owner::Released), std::memory_order_release);
   state_ = GuardState::Waiting;
   area_->unlock(AreaLock::Lease);
   return "the outputs are where they stay";
@@ -202,7 +202,7 @@ const char* OutputGuard::drive(std::int64_t now_ns) {
 bool OutputGuard::idle() const {
   const bool settled = area_->header().settled.load(std::memory_order_acquire) != 0;
   return state_ == GuardState::Waiting &&
-         (owner() == Owner::Nobody || (owner() == Owner::Farewell && settled));
+         (owner() == Owner::Nobody || (owner() == Owner::Released && settled));
 }
 
 bool OutputGuard::process_ended(int timeout_ms) const {

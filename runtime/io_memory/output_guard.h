@@ -3,10 +3,10 @@
 // The guard of a shared-memory I/O area: detects that the runtime that drives the outputs is lost, makes sure
 // that it writes no more, and drives them to their safe state until a runtime takes them over again.
 //
-// Lost is a runtime that is gone without a farewell (seen at once, through its process descriptor) and one
-// whose heartbeat is too old: stopped, deadlocked, blocked in a driver. That one is killed first. The guard
-// writes only while it holds the lease, which it can have only when no thread of the runtime is left: there
-// are never two writers.
+// Lost is a runtime that is gone and did not release them (seen at once, through its process descriptor) and
+// one whose heartbeat is too old: stopped, deadlocked, blocked in a driver. That one is killed first. The
+// guard writes only while it holds the lease, which it can have only when no thread of the runtime is left:
+// there are never two writers.
 //
 //   auto guard = OutputGuard::create("press", 64, 64, matrix, {});
 //   while (going) if (const char* news = (*guard)->turn(stop_descriptor)) log(news);

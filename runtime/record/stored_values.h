@@ -1,7 +1,7 @@
 #pragma once
 
-// Whether the bytes of a block are values of their types. A program never makes others, so that engines need
-// not look again; a file may hold any.
+// Test for bytes of a block that are values of their types. A program never makes others, so that engines
+// need not look again; a file may hold any.
 //
 // Threads: any; O(bytes).
 

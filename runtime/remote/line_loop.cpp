@@ -46,7 +46,7 @@ void LineLoop::run() {
     plant_.make_safe(own_time_ns());
     publish();
   }
-  plant_.farewell();
+  plant_.release_outputs();
 }
 
 void LineLoop::quit() {

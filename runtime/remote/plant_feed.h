@@ -46,7 +46,7 @@ class PlantFeed {
   // This process stood still and others took it for lost: the reason why read or write failed.
   bool stood_still() const { return stood_still_; }
   // The end of driving.
-  void farewell() { io_.farewell(); }
+  void release_outputs() { io_.release_outputs(); }
   // This side is alive, for whoever looks at the outputs' other end.
   void beat() { io_.beat(); }
 

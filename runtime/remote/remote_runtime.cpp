@@ -36,13 +36,13 @@ result::Result<std::unique_ptr<RemoteRuntime>> RemoteRuntime::create(const Remot
   if (!snapshots) return result::forward(snapshots);
   std::unique_ptr<RemoteRuntime> self(
       new RemoteRuntime(config, std::move(line), std::move(*snapshots), plant));
-  if (!self->queues_.ok()) return result::fail("R0001", {}, "the system gives no more descriptors");
+  if (!self->queues_.ok()) return result::fail("R0077", {}, "the system gives no more descriptors");
   self->loop_ = std::make_unique<LineLoop>(self->config_, *self->line_, driver, plant, *self->snapshots_,
                                            self->queues_);
   try {
     self->thread_ = std::thread([loop = self->loop_.get()] { loop->run(); });
   } catch (const std::system_error& error) {
-    return result::fail("R0001", {}, std::string("the system gives no thread: ") + error.what(),
+    return result::fail("R0077", {}, std::string("the system gives no thread: ") + error.what(),
                         "the limit of processes (ulimit -u) may be reached");
   }
   return self;

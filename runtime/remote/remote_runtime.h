@@ -23,7 +23,7 @@ namespace stepwright::remote {
 
 class RemoteRuntime final : public host::RuntimePort {
  public:
-  // Fails with R0001 (system) or R0004 (a plant with too many values). Looks for the controller from now on,
+  // Fails with R0077 (system) or R0081 (a plant with too many values). Looks for the controller from now on,
   // whenever it is lost again.
   [[nodiscard]] static result::Result<std::unique_ptr<RemoteRuntime>> create(
       const RemoteConfig& config, std::unique_ptr<RegisterLine> line, image::IoDriver& driver,

@@ -1,8 +1,8 @@
 #pragma once
 
-// What people call variables and values, as requests to a runtime and out of its answers. Here alone a name
-// becomes a place of a program, a text a value, and what is forced a name and a text again: for the page, for
-// `stepwright force`, and for whoever else goes by names.
+// Names and values of a program as people write them, as requests to a runtime and out of its answers. Here
+// alone a name becomes a place of a program, a text a value, and what is forced a name and a text again: for
+// the page, for `stepwright force`, and for whoever else goes by names.
 //
 //   const ProgramNames names(digest, info);
 //   auto valve = names.value("MAIN.valve", "true");      // or R0057, R0058

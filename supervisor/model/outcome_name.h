@@ -1,6 +1,7 @@
 #pragma once
 
-// What commands say of an outcome: its name in JSON, and their exit code where nothing else is known of it.
+// Words of the commands for an outcome: its name in JSON, and their exit code where nothing else is known of
+// it.
 //
 // Pure functions.
 

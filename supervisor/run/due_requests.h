@@ -1,6 +1,7 @@
 #pragma once
 
-// What is wanted of a run: by people, at once, and by the cell's file, each from a time of the scan clock on.
+// Queue of requests to a run: by people, at once, and by the cell's file, each from a time of the scan clock
+// on.
 //
 //   DueRequests<TimedRequest> requests(options.requests);   // each with its `at_s`, in order of time
 //   requests.add({0.0, change});                            // somebody asks

@@ -1,8 +1,8 @@
 #pragma once
 
-// What the journal of every mission keeps, from which a restarted supervisor goes on: the record so far, the
-// run's clock, and how many of the timed requests have been taken. A mission's own derives from it; the file
-// is read and written by internal/journal_json.h.
+// Journal of a run, the part that all missions keep, from which a restarted supervisor goes on: the record so
+// far, the run's clock, and how many of the timed requests have been taken. A mission's own derives from it;
+// the file is read and written by internal/journal_json.h.
 //
 // Plain values.
 

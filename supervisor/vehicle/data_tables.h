@@ -1,7 +1,7 @@
 #pragma once
 
-// What blocks of vehicles take as data: paths as ST initial values, and the figures of a vehicle. Pure
-// functions; any thread.
+// Data of the blocks of vehicles: paths as ST initial values, and the figures of a vehicle. Pure functions;
+// any thread.
 //
 // The names of tables end with a digest of what they hold: an online change carries variables by name, and a
 // table with other content must not keep the old one.

@@ -2,7 +2,8 @@
 """Keeps the documents readable: README.md has at most 120 lines; the glossary has one term a row, in alphabetical order and
 each once; every relative link of a Markdown file leads to a file of the tree, and its anchor to a heading there; a code of a
 message has one row in all tables of codes; a page of the user's book (doc/*.md) has its first example within two screens;
-the document of the viewer protocol names the version that the server speaks wherever it names one.
+the document of the viewer protocol names the version that the server speaks wherever it names one; a header opens with the
+role of what it declares ("Journal of a run: ..."), and not with a riddle ("What ...").
 
 Prints each problem as file:line and exits with 1.
 """
@@ -23,6 +24,7 @@ FENCE = re.compile(r"^\s*```")
 PROTOCOL = "hmi_web/doc/protocol.md"
 SPOKEN = re.compile(r"kProtocolVersion = (\d+);")
 TOLD = re.compile(r"^(?:# .*version|\| `protocol` \| number \|) (\d+)")
+RIDDLE = re.compile(r"// What\b")
 CODE_ROW = re.compile(r"^\| (?P<code>[A-Z][0-9]{4}) \|")
 
 
@@ -120,22 +122,35 @@ def other_versions(text: str, header: str) -> list[str]:
     return [f"{PROTOCOL}:{number}: version {match[1]}, and the server speaks {spoken}" for number, match in told if match and match[1] != spoken]
 
 
+def riddles(name: str, text: str) -> list[str]:
+    """The opening of a header, which is its first line that begins with a comment, where it says no role."""
+    lines = text.splitlines()
+    first = next((number for number, line in enumerate(lines, 1) if line.startswith("//")), None)
+    if first is None or not RIDDLE.match(lines[first - 1]):
+        return []
+    return [f"{name}:{first}: an opening says the role of what is declared (\"Journal of a run: ...\"), and not \"What ...\""]
+
+
 def main() -> int:
     root = pathlib.Path(sys.argv[1])
     listed = subprocess.run(
-        ["git", "-C", str(root), "ls-files", "-z", "--cached", "--others", "--exclude-standard", "*.md"],
+        ["git", "-C", str(root), "ls-files", "-z", "--cached", "--others", "--exclude-standard", "*.md", "*.h"],
         capture_output=True, check=True, text=True,
     ).stdout.split("\0")
-    texts = {name: (root / name).read_text(encoding="utf-8") for name in listed if name and (root / name).is_file()}
+    files = {name: (root / name).read_text(encoding="utf-8") for name in listed if name and (root / name).is_file()}
+    headers = {name: text for name, text in files.items() if name.endswith(".h")}
+    texts = {name: text for name, text in files.items() if name.endswith(".md")}
     problems = long_readme(texts["README.md"]) + unsorted_terms(texts[GLOSSARY])
     for name, text in texts.items():
         if re.fullmatch(r"doc/[\w-]+\.md", name) and name not in (GLOSSARY, "doc/README.md"):
             problems += late_example(name, text)
     problems += other_versions(texts[PROTOCOL], (root / "hmi_web/protocol/messages.h").read_text(encoding="utf-8"))
+    for name in sorted(headers):
+        problems += riddles(name, headers[name])
     codes: dict[str, str] = {}
     for name in sorted(texts):
         problems += broken_links(root, name, texts) + repeated_codes(name, texts[name], codes)
-    print("\n".join(problems) or f"{len(texts)} documents are in order")
+    print("\n".join(problems) or f"{len(texts)} documents and the openings of {len(headers)} headers are in order")
     return 1 if problems else 0
 
 

@@ -21,16 +21,17 @@ class Repository(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.root = pathlib.Path(folder.name).resolve()
-        self.asked = os.environ.pop("STEPWRIGHT_BASE", None)
+        self.asked = {name: os.environ.pop(name, None) for name in ("STEPWRIGHT_BASE", "STEPWRIGHT_LONG")}
         self.git("init", "-q", "-b", "main")
         self.git("config", "user.name", "test")
         self.git("config", "user.email", "test@localhost")
         self.commit("old.cpp", FAULT)
 
     def tearDown(self) -> None:
-        os.environ.pop("STEPWRIGHT_BASE", None)
-        if self.asked is not None:
-            os.environ["STEPWRIGHT_BASE"] = self.asked
+        for name, value in self.asked.items():
+            os.environ.pop(name, None)
+            if value is not None:
+                os.environ[name] = value
 
     def git(self, *command: str) -> str:
         return subprocess.run(["git", "-C", str(self.root), *command], capture_output=True, check=True, text=True).stdout.strip()
@@ -76,6 +77,25 @@ class Repository(unittest.TestCase):
         for number in range(12):
             self.commit(f"{number}.cpp", SOUND)
         self.assertEqual(changed_files(self.root), [f"{number}.cpp" for number in range(11, 1, -1)])
+
+    def test_in_the_long_mode_all_since_the_last_release_count(self) -> None:
+        self.git("tag", "v1")
+        for number in range(12):
+            self.commit(f"{number}.cpp", SOUND)
+        os.environ["STEPWRIGHT_LONG"] = "1"
+        self.assertEqual(changed_files(self.root), [f"{number}.cpp" for number in range(11, -1, -1)])
+
+    def test_the_newest_files_are_looked_at_and_in_the_long_mode_all(self) -> None:
+        self.git("tag", "v1")
+        for number in range(6):
+            self.commit(f"{number}.cpp", SOUND)
+        short = self.tidy("--changed")
+        self.assertEqual((short.returncode, short.stdout.strip().splitlines()[-1]),
+                         (0, "4 files of 6 that changed, the newest first (2 are left out: STEPWRIGHT_LONG=1 takes all): 0 with findings"))
+        os.environ["STEPWRIGHT_LONG"] = "1"
+        whole = self.tidy("--changed")
+        self.assertEqual((whole.returncode, whole.stdout.strip().splitlines()[-1]),
+                         (0, "6 files of 6 that changed, the newest first: 0 with findings"))
 
     def test_lines_of_a_file_that_moved_are_those_that_are_new_in_it(self) -> None:
         text = "".join(f"int f{number}();\n" for number in range(40))

@@ -21,7 +21,8 @@ def _git(root: pathlib.Path, *command: str) -> list[str] | None:
 
 def base_commit(root: pathlib.Path) -> str | None:
     """The commit that the change begins at: STEPWRIGHT_BASE, else the merge base with the main branch of origin, else, where
-    that is the commit itself, the tenth before it, or the oldest that there is. Nothing without history."""
+    that is the commit itself, the tenth before it, or the oldest that there is; in the long mode (STEPWRIGHT_LONG) the last
+    release before it, if one is tagged. Nothing without history."""
     asked = os.environ.get("STEPWRIGHT_BASE")
     head = _git(root, "rev-parse", "HEAD")
     if head is None:
@@ -30,6 +31,8 @@ def base_commit(root: pathlib.Path) -> str | None:
         merged = _git(root, "merge-base", "HEAD", other)
         if merged and (asked or merged != head):
             return merged[0]
+    if os.environ.get("STEPWRIGHT_LONG") and (released := _git(root, "describe", "--tags", "--abbrev=0", "HEAD^")):
+        return released[0]
     before = _git(root, "rev-list", "--first-parent", f"--max-count={LAST_COMMITS + 1}", "HEAD")
     return before[-1] if before and len(before) > 1 else None
 

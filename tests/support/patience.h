@@ -1,7 +1,7 @@
 #pragma once
 
-// How long a test waits for the product's word before it fails. No measure of a machine: one that is busy
-// with something else may be a hundred times slower.
+// Longest time that a test waits for the product's word before it fails. No measure of a machine: one that is
+// busy with something else may be a hundred times slower.
 
 #include <chrono>
 

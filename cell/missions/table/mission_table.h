@@ -1,8 +1,7 @@
 #pragma once
 
-// What a cell's file says to its planner: a table of the planner's own, read by the planner's own reader, and
-// what the other processes of the cell have to know of it. No planner stands behind it: whoever loads a
-// cell's file links none.
+// Table of a planner in a cell's file, read by the planner's own reader, with what the other processes of the
+// cell have to know of it. No planner stands behind it: whoever loads a cell's file links none.
 //
 // Plain values, immutable once read; any thread.
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// Whether the simulated cell is that of the problem: the same arms in the same order, the same furniture and
-// things. A pure function; any thread.
+// Check that the simulated cell is that of the problem: the same arms in the same order, the same furniture
+// and things. A pure function; any thread.
 
 #include "cell/config/cell_config.h"
 #include "runtime/ground/result/result.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-// What components that liquid flows through have in common. Pure.
+// Common laws of the components that liquid flows through. Pure.
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Whether a file is one that a compiled program may replace.
+// Test for a file that a compiled program may replace.
 //
 // Threads: any.
 

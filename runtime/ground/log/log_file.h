@@ -1,6 +1,6 @@
 #pragma once
 
-// Whether a file is one that a log may be appended to.
+// Test for a file that a log may be appended to.
 //
 // Threads: any.
 

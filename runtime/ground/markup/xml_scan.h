@@ -1,7 +1,7 @@
 #pragma once
 
-// Where the parts of an XML text begin and end, so that it can be looked through, or changed in place, as it
-// is written. Pure; any thread.
+// Begin and end of the parts of an XML text, so that it can be looked through, or changed in place, as it is
+// written. Pure; any thread.
 
 #include <cstddef>
 #include <string_view>

@@ -18,7 +18,7 @@ namespace stepwright::mqtt {
 namespace {
 
 constexpr int kTurn_ms = 200;
-constexpr std::chrono::seconds kFarewell{1};  // for what is still to be sent at the end
+constexpr std::chrono::seconds kTimeToEnd{1};  // for what is still to be sent at the end
 
 // What the library's codes say of the cause; errno is still that of the call.
 Trouble trouble_of(int code, const std::string& told) {
@@ -50,7 +50,7 @@ class Client::Connection {
       {
         const std::lock_guard lock(mutex_);
         stopping_ = true;
-        give_up_ = std::chrono::steady_clock::now() + kFarewell;
+        give_up_ = std::chrono::steady_clock::now() + kTimeToEnd;
       }
       wake_.notify_all();
       mosquitto_disconnect(handle_);

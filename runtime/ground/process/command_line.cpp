@@ -31,7 +31,7 @@ void say(const char* text) {
 }
 
 [[noreturn]] void end(const char* refused, const char* hint) {
-  say("R0001: the system gives no more ");
+  say("R0077: the system gives no more ");
   say(refused);
   say("\n  hint: ");
   say(hint);

@@ -1,7 +1,7 @@
 #pragma once
 
-// What a command has printed and the system did not take: a full disk behind `> file` is told, once, when the
-// process ends.
+// Check of a command's standard output: what the system did not take, as with a full disk behind `> file`, is
+// told, once, when the process ends.
 
 namespace stepwright::process {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// What the code that reads a document asks it for: one key, with the type, the default and the range that the
-// reader has for it. A reference that is made of these says what the code does (cell/reference).
+// Question of a reader to its document: one key, with the type, the default and the range that the reader has
+// for it. Plain data. A reference that is made of these says what the code does (cell/reference).
 //
 //   document->listen([&](const AskedKey& asked) { found.push_back(asked); });
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// What people are told of one key of a settings file, beside what the reader's code says of it already (type,
-// default, range). Such words stand beside the readers; a test compares both.
+// Description of one key of a settings file for people, beside what the reader's code says of it already
+// (type, default, range). Such words stand beside the readers; a test compares both.
 
 #include <span>
 #include <string>

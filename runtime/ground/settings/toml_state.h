@@ -1,6 +1,6 @@
 #pragma once
 
-// What a document holds: toml++ behind a wall. Internal to this folder; not thread-safe.
+// State of a TomlDocument: toml++ behind a wall. Internal to this folder; not thread-safe.
 
 #define TOML_ENABLE_FORMATTERS 0
 #include <toml++/toml.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-// Whether a condition holds in a symbolic state.
+// Evaluation of conditions in a symbolic state.
 //
 // Thread rule: as the state.
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// When the search has to end: a deadline, and somebody who cancels it.
+// End of a search from outside: a deadline, and somebody who cancels it.
 //
 // Thread rule: one search, one object; the flag may be set by any thread.
 

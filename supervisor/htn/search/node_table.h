@@ -1,6 +1,6 @@
 #pragma once
 
-// What is known of the nodes of a search: pairs of a network and a state.
+// Nodes of a search, and what is known of each: pairs of a network and a state.
 //
 // Thread rule: a container like any other.
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Which states of a formula in progress any infinite word satisfies. Private to this library.
+// Emptiness of formulas in progress: the states that any infinite word satisfies. Private to this library.
 //
 // A node is a set of obligations that must hold together; an edge settles each Until of the set or takes it
 // along. A word exists where a cycle settles every Until that it takes along. Source: P. Gastin, D. Oddoux,

@@ -1,7 +1,7 @@
 #pragma once
 
-// Which states can reach some, and which cannot help reaching them. Thread rule: const functions from any
-// thread.
+// Reachability between states: those that can reach some, and those that cannot help reaching them. Thread
+// rule: const functions from any thread.
 
 #include <cstdint>
 #include <utility>

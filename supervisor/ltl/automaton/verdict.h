@@ -1,6 +1,6 @@
 #pragma once
 
-// What is known of a word by its first letters.
+// Verdict on a word by its first letters. Plain data.
 
 #include <cstdint>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// What a restarted supervisor has to know of a train's run: its task, how far the monitor had come, what
-// stands on the floor. The file is not trusted.
+// Journal of a train's run, from which a restarted supervisor goes on: its task, how far the monitor had
+// come, what stands on the floor. The file is not trusted.
 //
 // Threads: any; both functions wait for the disk.
 

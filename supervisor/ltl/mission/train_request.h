@@ -1,6 +1,6 @@
 #pragma once
 
-// What people, or the cell's file, ask of a train while it runs. Values.
+// Requests to a train while it runs, of people or of the cell's file. Values.
 
 #include <string>
 #include <variant>

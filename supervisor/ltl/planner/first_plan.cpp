@@ -22,7 +22,7 @@ class Line {
     found_.line = number;
   }
 
-  // Some rounds of a search, and the referee where it has found something.
+  // Some rounds of a search, and the plan checker where it has found something.
   State slice() {
     if (search_ == nullptr) search_ = means_.search();
     if (!asked_) search_->ask(query());

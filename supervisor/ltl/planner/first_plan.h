@@ -1,19 +1,19 @@
 #pragma once
 
-// A first plan, by two lines of searches and referees. The first line begins with the cheapest route, driven
-// plainly, the second one by chance; each goes on, by chance, where the referee refuses what it has found.
-// Both are cut into slices of a few rounds (the very first one is one round, and the second line begins
-// behind it), and the plan of the earliest slice is taken; of the same slice that of the first line. So it is
-// the same plan on one thread, where the lines take turns, and on two, where whoever has one waits until no
-// earlier slice can have another one; only where the time is over meanwhile it does not wait.
+// A first plan, by two lines of searches and plan checkers. The first line begins with the cheapest route,
+// driven plainly, the second one by chance; each goes on, by chance, where the plan checker refuses what it
+// has found. Both are cut into slices of a few rounds (the very first one is one round, and the second line
+// begins behind it), and the plan of the earliest slice is taken; of the same slice that of the first line.
+// So it is the same plan on one thread, where the lines take turns, and on two, where whoever has one waits
+// until no earlier slice can have another one; only where the time is over meanwhile it does not wait.
 //
 // Threads: it starts and joins one of its own. Example:
 //   const FirstPlan found = first_plan(search_of, {.start = state, ...}, judge, 2);
 
 #include <functional>
 
+#include "supervisor/ltl/checker/plan_checker.h"
 #include "supervisor/ltl/planner/deadline.h"
-#include "supervisor/ltl/referee/referee.h"
 #include "supervisor/ltl/search/train_search.h"
 
 namespace stepwright::ltl {
@@ -21,7 +21,7 @@ namespace stepwright::ltl {
 struct FirstPlan {
   SearchAnswer search;      // of the line that found it, or of the first one
   PlanJudgement judgement;  // accepted, or why the last one was not
-  std::size_t tries = 0;    // of that line: searches until the referee agreed
+  std::size_t tries = 0;    // of that line: searches until the plan checker agreed
   std::size_t line = 0;
 
   bool found() const { return search.plan.has_value() && judgement.accepted(); }

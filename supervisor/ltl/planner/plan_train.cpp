@@ -92,7 +92,7 @@ class Planner {
                       {.read = problem_.read, .stop = stop});
   }
 
-  // The shortest one that the referee accepts.
+  // The shortest one that the plan checker accepts.
   void shorten(PlanAnswer& answer) const {
     if (answer.plan.pieces.empty()) return;
     std::vector<TrainPlan> plans =
@@ -132,7 +132,7 @@ class Planner {
         break;
     }
     if (!refused.empty())
-      return result::fail(kAllRefused, nowhere, "the referee refused what was found: " + refused,
+      return result::fail(kAllRefused, nowhere, "the plan checker refused what was found: " + refused,
                           "another seed, or more time");
     return result::fail(kNoPlan, nowhere, "no plan was found in the time that there was",
                         "another seed, more time, or fewer trailers: a point can do the task");

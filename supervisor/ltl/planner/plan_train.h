@@ -1,8 +1,8 @@
 #pragma once
 
 // From a problem to a plan: floor to regions, task to an automaton (or, where that would be too large, to a
-// progression), why it cannot be done if it cannot, the search, and the referee, without whose consent no
-// plan is returned. Of a plan that the referee refuses nothing remains but another try.
+// progression), why it cannot be done if it cannot, the search, and the plan checker, without whose consent
+// no plan is returned. Of a plan that the plan checker refuses nothing remains but another try.
 //
 // Determinism: the same problem and seed have the same plan, on one thread and on two, unless a time was over
 // meanwhile; with rounds in place of times on every machine. A time for shorter plans cuts whole rounds.
@@ -18,7 +18,7 @@
 #include <limits>
 
 #include "runtime/ground/result/result.h"
-#include "supervisor/ltl/referee/referee.h"
+#include "supervisor/ltl/checker/plan_checker.h"
 #include "supervisor/ltl/scene/scene.h"
 #include "supervisor/ltl/search/train_search.h"
 
@@ -34,7 +34,7 @@ struct PlanOptions {
   std::uint64_t seed = 1;
   double most_s = 10.0;                                               // until the first plan, judged
   std::size_t most_rounds = std::numeric_limits<std::size_t>::max();  // of each of two lines of searches
-  std::size_t most_tries = 8;  // searches of each, where the referee refuses
+  std::size_t most_tries = 8;  // searches of each, where the plan checker refuses
   double shorten_s = 0.0;      // for a shorter plan afterwards
   std::size_t shorten_rounds = std::numeric_limits<std::size_t>::max();
   SearchGuide guide = SearchGuide::OnTheRegions;
@@ -46,7 +46,7 @@ struct PlanAnswer {
   TrainPlan plan;
   PlanJudgement judgement;  // accepted
   SearchAnswer search;      // that found the first plan
-  std::size_t tries = 1;    // searches until the referee agreed
+  std::size_t tries = 1;    // searches until the plan checker agreed
   std::size_t threads = 1;  // that worked on it
   bool shortened = false;   // the plan is a shorter one than the first
   std::size_t states = 0;   // of the task's automaton; 0: it was planned step by step
@@ -54,7 +54,7 @@ struct PlanAnswer {
 
 // L0201 to L0208: the floor; L0301: the train; L0001 to L0011, L0311, L0312: the task. L0411: the train does
 // not fit where it begins; L0412: a point cannot do the task, with the part to blame and what is in the way;
-// L0413: no plan in that time, or rounds; L0414: the referee refused what was found; L0415: cancelled.
+// L0413: no plan in that time, or rounds; L0414: the plan checker refused what was found; L0415: cancelled.
 [[nodiscard]] result::Result<PlanAnswer> plan_train(const Problem& problem, const PlanOptions& options = {});
 
 }  // namespace stepwright::ltl

@@ -25,7 +25,7 @@ struct PlannedTask {
   TaskStates states() const { return automaton ? TaskStates(*automaton) : TaskStates(formula, read); }
 };
 
-// Acceptance is strong, as the referee reads it. Fails with codes of read_task().
+// Acceptance is strong, as the plan checker reads it. Fails with codes of read_task().
 [[nodiscard]] result::Result<PlannedTask> read_planned(const Problem& problem);
 
 }  // namespace stepwright::ltl

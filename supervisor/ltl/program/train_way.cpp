@@ -4,8 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include "supervisor/ltl/checker/plan_checker.h"
 #include "supervisor/ltl/planner/plan_way.h"
-#include "supervisor/ltl/referee/referee.h"
 #include "supervisor/ltl/train/train_motion.h"
 #include "supervisor/ltl/train/walls.h"
 

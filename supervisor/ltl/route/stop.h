@@ -1,7 +1,7 @@
 #pragma once
 
-// When to give up what takes long: a time, and flags that somebody else sets. A value; the flags are not
-// owned. Any thread.
+// Stop of a long computation: a time, and flags that somebody else sets. A value; the flags are not owned.
+// Any thread.
 //
 //   if (stop.over()) return {};
 

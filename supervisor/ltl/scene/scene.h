@@ -1,7 +1,7 @@
 #pragma once
 
-// What a planner of tasks is asked: a floor with obstacles and places, a train that stands on it, and a
-// task. A value.
+// Problem of a planner of tasks: a floor with obstacles and places, a train that stands on it, and a task. A
+// value.
 
 #include <cstddef>
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
 
-// What searches for one problem have in common, whatever they are asked: the floor and its walls, the guide,
+// Common ground of the searches for one problem, whatever they are asked: the floor and its walls, the guide,
 // and graphs of ways that keep one of three clearances. Each part is made when it is first asked for.
 //
 // Any thread may ask, several at once: who comes while a part is being made waits for it. What it was made

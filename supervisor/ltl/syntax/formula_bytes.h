@@ -1,6 +1,6 @@
 #pragma once
 
-// How long a text with a formula can be: whoever reads one from a file reads no more.
+// Greatest length of a text with a formula: whoever reads one from a file reads no more.
 
 #include <cstddef>
 

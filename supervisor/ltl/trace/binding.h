@@ -1,6 +1,6 @@
 #pragma once
 
-// What a proposition means in a trace: a BOOL column, or a comparison of a column with a value.
+// Meaning of a proposition in a trace: a BOOL column, or a comparison of a column with a value.
 //
 //   read_binding("full=MAIN.level >= 20")   read_binding("idle=MAIN.mode = Idle")
 //   read_binding("go=!MAIN.stop")

@@ -1,6 +1,7 @@
 #pragma once
 
-// What a trace says of a formula, from which row on, and which of its parts says so.
+// Judgement on a trace by a formula: the verdict, from which row on it holds, and which parts of the formula
+// say so.
 //
 // Thread rule: pure functions. Example:
 //   const auto judgement = judge(*formula, trace);

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a planner answers: constant controls one after the other. A value.
+// Plan for a train: constant controls one after the other. A value.
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// What rounds a corner: a ramp that is 0 up to -1, x from 1 on and a quartic between, with a continuous
+// Rounding of a corner: a ramp that is 0 up to -1, x from 1 on and a quartic between, with a continuous
 // second derivative (doc: supervisor/doc/motion_timing.md). Values; any thread.
 //
 //   q(s) = corner + before * (s - s0) + (after - before) * rounding(s - s0, half_width).value

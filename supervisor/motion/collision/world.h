@@ -1,6 +1,6 @@
 #pragma once
 
-// What stands around a robot: boxes, cylinders, spheres and meshes, each with a name. Values; any thread.
+// Surroundings of a robot: boxes, cylinders, spheres and meshes, each with a name. Values; any thread.
 //
 //   World world;
 //   world.obstacles.push_back(box("table", {{}, {0.6, 0, 0.68}}, {0.8, 1.6, 0.04}));

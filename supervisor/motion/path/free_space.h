@@ -1,6 +1,6 @@
 #pragma once
 
-// What is free, as planners ask for it: by spheres, by the bodies themselves, or by the bodies where spheres
+// Free space, as planners ask for it: by spheres, by the bodies themselves, or by the bodies where spheres
 // say no.
 //
 //   const FreeSpace free = by_spheres(*checker);

@@ -1,8 +1,8 @@
 #pragma once
 
-// What SRDF says of a robot beside its bodies: groups of joints, named states, end effectors, and the pairs
-// of links that need no check. Numbers are those of the robot that it was read for. Values; any thread may
-// read.
+// Description of a robot in SRDF, beside its bodies: groups of joints, named states, end effectors, and the
+// pairs of links that need no check. Numbers are those of the robot that it was read for. Values; any thread
+// may read.
 //
 //   const Group* arm = semantics->group("right_arm");
 //   for (int coordinate : arm->coordinates) ...

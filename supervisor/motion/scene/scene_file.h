@@ -1,7 +1,7 @@
 #pragma once
 
-// What stands around a robot, as a file for people: boxes, cylinders, spheres and meshes in metres and
-// degrees (doc: supervisor/doc/motion.md, Files of scenes).
+// File of the surroundings of a robot, for people: boxes, cylinders, spheres and meshes in metres and degrees
+// (doc: supervisor/doc/motion.md, Files of scenes).
 //
 //   const auto scene = load_scene("cell.toml");
 //   if (!scene) std::cerr << to_string(scene.error());          // "cell.toml:7:10: A0601: ..."

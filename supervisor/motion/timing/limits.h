@@ -1,6 +1,6 @@
 #pragma once
 
-// What the joints of an arm may do. Values; any thread.
+// Limits of the joints of an arm. Values; any thread.
 
 #include <cstddef>
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
 
-// What an answer to a what-if says of plans (supervisor/doc/goals.md), for the missions that plan for one.
+// Answer to a what-if, as JSON on plans (supervisor/doc/goals.md), for the missions that plan for one.
 //
 // Pure functions.
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// What a restarted supervisor has to know of a run of arms: its order, where things were believed to be, what
-// hands held. The file is not trusted.
+// Journal of a run of arms, from which a restarted supervisor goes on: its order, where things were believed
+// to be, what hands held. The file is not trusted.
 //
 // Threads: any; both functions wait for the disk.
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// What people, or the cell's file, ask of two arms while they work. Values.
+// Requests to two arms while they work, of people or of the cell's file. Values.
 
 #include <string>
 #include <variant>

@@ -1,6 +1,6 @@
 #pragma once
 
-// What is believed of the cell before a plan is made: joints as measured, things as the camera has them, what
+// Estimate of the cell's state before a plan is made: joints as measured, things as the camera has them, what
 // hands hold by what they feel and by what is seen between their fingers.
 //
 // Pure functions; any thread.

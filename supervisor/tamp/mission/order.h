@@ -1,6 +1,6 @@
 #pragma once
 
-// What two arms are asked to bring about: things in regions or on other things, as a goal in PDDL.
+// Order to two arms: things in regions or on other things, as a goal in PDDL.
 //
 // Values and pure functions; any thread.
 //

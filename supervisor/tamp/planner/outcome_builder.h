@@ -1,7 +1,7 @@
 #pragma once
 
-// What the planners of this folder have in common: the workspace, times and figures, how much is tried before
-// a sequence is given up for now, and the last check of what is handed out.
+// Common part of the planners of this folder: the workspace, times and figures, how much is tried before a
+// sequence is given up for now, and the last check of what is handed out.
 //
 // Thread rule: one owner, one thread: times of the processor are those of the thread. The cell outlives it.
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Whether a task in PDDL is about its cell, as predicates/names.h asks it of one in HDDL.
+// Check that a task in PDDL is about its cell, as predicates/names.h asks it of one in HDDL.
 //
 // A function without state; any thread.
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// What the names of a task mean in a cell: the predicates can-move-pick (arm, grasp, thing), can-move-place
+// Grounding of a task's names in a cell: the predicates can-move-pick (arm, grasp, thing), can-move-place
 // (arm, place, thing), can-move-away (arm, thing) and their effects is-picked, is-placed, is-away. A place is
 // a region or a thing that carries others.
 //

@@ -1,6 +1,6 @@
 #pragma once
 
-// Where names stand in a domain and a problem that were read already.
+// Places of names in a domain and a problem that were read already.
 //
 // Immutable; any thread.
 //

@@ -13,7 +13,7 @@ namespace stepwright::tamp::predicates {
 namespace {
 
 // A predicate that says where a thing is: the places of thing and place among its terms.
-struct Whereabouts {
+struct PlacePredicate {
   int predicate = 0;
   std::size_t thing = 0, place = 0;
 };
@@ -28,7 +28,7 @@ class NameCheck {
     const std::vector<bool> used = used_objects();
     for (std::size_t k = 0; k < task_.objects.size(); ++k) check_object(static_cast<int>(k), used[k]);
     if (wrong_.empty())
-      for (const Whereabouts& each : whereabouts()) check_facts(each);
+      for (const PlacePredicate& each : place_predicates()) check_facts(each);
     if (!wrong_.empty()) return tl::unexpected(std::move(wrong_));
     return {};
   }
@@ -87,8 +87,8 @@ class NameCheck {
   }
 
   // What actions that place a thing add about just the thing and its place.
-  std::vector<Whereabouts> whereabouts() const {
-    std::vector<Whereabouts> found;
+  std::vector<PlacePredicate> place_predicates() const {
+    std::vector<PlacePredicate> found;
     for (const htn::Action& action : task_.actions)
       for (const htn::ExternalLiteral& placed : action.external_effects) {
         if (!placed.positive || placed.terms.size() != 3 ||
@@ -105,7 +105,7 @@ class NameCheck {
     return found;
   }
 
-  void check_facts(const Whereabouts& about) {
+  void check_facts(const PlacePredicate& about) {
     for (const htn::GroundAtom& fact : task_.facts) {
       if (fact.symbol != about.predicate || fact.objects.size() != 2) continue;
       const auto name = [&](std::size_t k) -> const std::string& {

@@ -1,7 +1,7 @@
 #pragma once
 
-// Whether a task is about its cell: arms, things and places of its objects are those of the cell, and where
-// things are at first is where they stand.
+// Check that a task is about its cell: arms, things and places of its objects are those of the cell, and
+// where things are at first is where they stand.
 //
 // A function without state; any thread.
 

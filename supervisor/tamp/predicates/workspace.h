@@ -1,8 +1,8 @@
 #pragma once
 
-// What the geometric predicates mean (Karlsson et al. 2012): whether an arm can pick, place or move away with
-// a given choice of grasp and place, and the state after it. Both planners ask here, so that they differ by
-// what they ask and by nothing else.
+// The geometric predicates (Karlsson et al. 2012): whether an arm can pick, place or move away with a given
+// choice of grasp and place, and the state after it. Both planners ask here, so that they differ by what they
+// ask and by nothing else.
 //
 // A pick or place is: from where the arm is straight up (if it is down at something), a path through the air
 // (transfer.h), straight down. The tool hangs down on the straight lines, so there the hand and what it holds
@@ -11,8 +11,8 @@
 // Thread rule: one owner. The cell outlives it. The same calls in the same order give the same answers.
 //
 //   Workspace workspace(cell, seed);
-//   const auto ways = workspace.ways(state, action, sample);         // all of the arm's, or why there are
-//   none if (ways) auto settled = workspace.settle(state, action, sample, ways->front(), true);
+//   const auto ways = workspace.ways(state, action, sample);     // all of the arm's, or why there are none
+//   if (ways) auto settled = workspace.settle(state, action, sample, ways->front(), true);
 
 #include <cstdint>
 #include <optional>

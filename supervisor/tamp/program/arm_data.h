@@ -1,7 +1,7 @@
 #pragma once
 
-// What the blocks of axes take as data, as initial values of ST: paths (MC_PATH, MC_WAY_POINT, MC_TIME_ROW),
-// the model of an arm (ARM_MODEL), and the figures of its group (AXES_GROUP). Pure functions; any thread.
+// Data of the blocks of axes, as initial values of ST: paths (MC_PATH, MC_WAY_POINT, MC_TIME_ROW), the model
+// of an arm (ARM_MODEL), and the figures of its group (AXES_GROUP). Pure functions; any thread.
 //
 //   const std::string model = arm_model_literal(schedule::arm_capsules(cell, 0));
 //   project.globals.push_back(global_variable("model_left", "ARM_MODEL", "for the interlock", {}, model));

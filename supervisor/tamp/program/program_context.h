@@ -1,6 +1,6 @@
 #pragma once
 
-// What the parts of a program are written from. Detail of this folder; values.
+// Context that the parts of a program are written from. Detail of this folder; values.
 
 #include <cmath>
 #include <optional>

@@ -1,7 +1,7 @@
 #pragma once
 
-// What each arm does one after the other, when, and what it waits for: a plan of tasks and motions as motions
-// in time (supervisor/doc/arms_program.md). Values; any thread.
+// Schedule of the arms (what each does one after the other, when, and what it waits for): a plan of tasks and
+// motions as motions in time (supervisor/doc/arms_program.md). Values; any thread.
 //
 //   auto made = schedule_plan(cell, initial_state(cell), plan);       // schedule_plan.h
 //   for (const ScheduledStep& each : made->arms[left].steps) ...

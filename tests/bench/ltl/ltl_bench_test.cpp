@@ -36,7 +36,7 @@ ltl::Problem small_problem() {
 }
 
 // And so has the planner of others.
-TEST(LtlBench, WhenLtlPlannerHasTime_ThenTheRefereeAcceptsItsPlan) {
+TEST(LtlBench, WhenLtlPlannerHasTime_ThenThePlanCheckerAcceptsItsPlan) {
   seed_ompl(1);
   const ltl::Problem problem = small_problem();
   const OmplAnswer answer = plan_by_ltlplanner(problem, 0.05, 600.0);
@@ -46,7 +46,7 @@ TEST(LtlBench, WhenLtlPlannerHasTime_ThenTheRefereeAcceptsItsPlan) {
 }
 
 // And the paper's algorithm as it is printed; the same seed has the same tree.
-TEST(LtlBench, WhenThePapersAlgorithmHasTime_ThenTheRefereeAcceptsItsPlan) {
+TEST(LtlBench, WhenThePapersAlgorithmHasTime_ThenThePlanCheckerAcceptsItsPlan) {
   const ltl::Problem problem = small_problem();
   for (const double shortest : {0.0, 0.9}) {
     const PaperOptions options{.iterations = 50, .shortest = shortest, .most_s = 600.0};
@@ -80,7 +80,7 @@ TEST(LtlBench, WhenAPlanIsTamperedWith_ThenItsCheckTells) {
   EXPECT_FALSE(check_plan(problem, *formula, ahead).clear) << "into the wall";
 }
 
-TEST(LtlBench, WhenFormulasAreKnown_ThenTheyHoldOnWordsAsTheRefereeSays) {
+TEST(LtlBench, WhenFormulasAreKnown_ThenTheyHoldOnWordsAsThePlanCheckerSays) {
   const auto formula = ltl::parse_formula("!a U (b & X (a | F b))", "", {"a", "b"});
   ASSERT_TRUE(formula);
   int held = 0;

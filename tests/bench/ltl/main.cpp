@@ -1,11 +1,11 @@
 // bench_ltl: a train plans the tasks of E. Plaku 2012 (phi1: eight places in succession, phi2 as printed:
 // three of them, phi3: all of them; and phi2 in order, which the progression plans without a table) on both
-// published scenes. A run is everything: triangles, automaton, search, referee. Baselines, in the same run:
-// the same search without the guide, which looks for routes on all sides alike; OMPL's LTLPlanner and the
-// paper's Algorithm 1 as printed, on the same triangles, automaton, motion and walls, with the best of their
-// settings in each cell, where a plan counts if the referee accepts it. A run without a plan counts ten times
-// its time. Each plan of ours is looked at once more by means of the benchmark's own, and its length beside
-// the lower bound of a point.
+// published scenes. A run is everything: triangles, automaton, search, plan checker. Baselines, in the same
+// run: the same search without the guide, which looks for routes on all sides alike; OMPL's LTLPlanner and
+// the paper's Algorithm 1 as printed, on the same triangles, automaton, motion and walls, with the best of
+// their settings in each cell, where a plan counts if the plan checker accepts it. A run without a plan
+// counts ten times its time. Each plan of ours is looked at once more by means of the benchmark's own, and
+// its length beside the lower bound of a point.
 
 #include <algorithm>
 #include <chrono>
@@ -63,7 +63,7 @@ struct Cell {
   std::vector<double> times_ms;
   std::vector<double> lengths_m;
   int solved = 0;
-  int refused = 0;  // plans that the referee did not accept
+  int refused = 0;  // plans that the plan checker did not accept
 
   double median_ms() const { return middle(times_ms); }
   double worst_ms() const { return times_ms.empty() ? 0.0 : *std::ranges::max_element(times_ms); }

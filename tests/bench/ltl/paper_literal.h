@@ -15,7 +15,7 @@
 //   and 10 cm, with its state as a vertex, as printed; the control is uniform within its limits.
 // - z reads the labels of the straight way between two states, each once, so that no strip is jumped over.
 // - Links are 5 cm longer and wider against what happens between two states, as ours are. A trajectory that
-//   the referee does not accept does not end the search: its last vertex is left out.
+//   the plan checker does not accept does not end the search: its last vertex is left out.
 //
 // One thread at a time. Example:
 //   const PaperAnswer answer = plan_by_paper(problem, {.seed = 1, .most_s = 10.0});
@@ -23,7 +23,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "supervisor/ltl/referee/referee.h"
+#include "supervisor/ltl/checker/plan_checker.h"
 #include "supervisor/ltl/scene/scene.h"
 
 namespace stepwright::bench {
@@ -38,12 +38,12 @@ struct PaperOptions {
 };
 
 struct PaperAnswer {
-  std::optional<ltl::TrainPlan> plan;  // accepted by the referee
+  std::optional<ltl::TrainPlan> plan;  // accepted by the plan checker
   ltl::PlanJudgement judgement;
   std::size_t vertices = 0;
   std::size_t targets = 0;  // rounds of the outer loop
-  std::size_t refused = 0;  // trajectories that the referee did not accept
-  double spent_s = 0.0;     // triangles, automaton, search and referee
+  std::size_t refused = 0;  // trajectories that the plan checker did not accept
+  double spent_s = 0.0;     // triangles, automaton, search and plan checker
 };
 
 // Requires a task that has an automaton; without one there is no plan.

@@ -1,9 +1,9 @@
 #pragma once
 
-// Looks at a plan once more with means of the benchmark's own, beside planner and referee: the controls are
-// driven in steps of a millisecond by the rule of Runge and Kutta, the word is read from samples of the way a
-// quarter of a millimetre apart, the formula is evaluated on it operator by operator as it was written, and
-// links are compared with outlines every 5 ms.
+// Looks at a plan once more with means of the benchmark's own, beside planner and plan checker: the controls
+// are driven in steps of a millisecond by the rule of Runge and Kutta, the word is read from samples of the
+// way a quarter of a millimetre apart, the formula is evaluated on it operator by operator as it was written,
+// and links are compared with outlines every 5 ms.
 //
 // A pure function; any thread. Example:
 //   const PlanCheck check = check_plan(problem, *formula, answer->plan);

@@ -1,9 +1,9 @@
 #pragma once
 
-// What a monitor of a cell costs in every scan: the first task of E. Plaku (AAAI 2012 workshop, section 2.5)
-// over eight places, in both engines, beside the same program without it and beside the same rule as people
-// write it, a CASE of IFs that knows that places do not overlap. The verdicts are compared before anything is
-// timed; all take turns.
+// Measured cost of a monitor of a cell in every scan: the first task of E. Plaku (AAAI 2012 workshop, section
+// 2.5) over eight places, in both engines, beside the same program without it and beside the same rule as
+// people write it, a CASE of IFs that knows that places do not overlap. The verdicts are compared before
+// anything is timed; all take turns.
 //
 // One thread. Throws std::runtime_error where programs do not compile or verdicts differ.
 //

@@ -1,7 +1,7 @@
 #pragma once
 
-// What the ground of motion planning costs: kinematics, and checks of collisions beside plain arithmetic and
-// FCL on the same configurations.
+// Measured cost of the ground of motion planning: kinematics, and checks of collisions beside plain
+// arithmetic and FCL on the same configurations.
 
 #include <string>
 #include <vector>

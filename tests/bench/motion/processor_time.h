@@ -1,6 +1,6 @@
 #pragma once
 
-// What a piece of work costs on a machine that others use, too.
+// Measured time of a piece of work, on a machine that others use, too. One thread.
 
 #include <algorithm>
 #include <ctime>

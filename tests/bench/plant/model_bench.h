@@ -1,7 +1,7 @@
 #pragma once
 
-// What a plant costs that is described by components: the tank bench beside the built-in one, and plants of
-// 10, 100 and 1000 components.
+// Measured cost of a plant that is described by components: the tank bench beside the built-in one, and
+// plants of 10, 100 and 1000 components.
 
 #include <string>
 #include <vector>

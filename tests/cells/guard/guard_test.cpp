@@ -157,7 +157,7 @@ TEST(Guard, WhenTheRuntimeEndsInGoodOrder_ThenItIsCalm) {
   std::this_thread::sleep_for(200ms);
   EXPECT_EQ(cell.output(0), kStop);
   EXPECT_EQ(cell.stamp.generation, generation);
-  EXPECT_EQ(cell.plant->owner(), Owner::Farewell);
+  EXPECT_EQ(cell.plant->owner(), Owner::Released);
 }
 
 // The end of the process leaves the ramp to the guard.
@@ -169,7 +169,7 @@ TEST(Guard, WhenTheRuntimeEndsWhileItRuns_ThenTheGuardBringsTheStopRampToItsEnd)
   EXPECT_EQ(runtime.wait(), 0);
   EXPECT_TRUE(cell.wait([&] { return cell.word() == -10; }));
   EXPECT_EQ(cell.output(0), kStop);
-  EXPECT_TRUE(cell.wait([&] { return cell.plant->owner() == Owner::Farewell; }));
+  EXPECT_TRUE(cell.wait([&] { return cell.plant->owner() == Owner::Released; }));
 }
 
 TEST(Guard, WhenTheRuntimeStartsIt_ThenItSurvivesAKillAndEndsWithTheNextRuntime) {

@@ -1,5 +1,5 @@
-// The end of a runtime whose disk does not answer: outputs and farewell do not wait for it, and what is
-// retained is written when it does.
+// The end of a runtime whose disk does not answer: safe outputs and their release do not wait for it, and
+// what is retained is written when it does.
 
 #include <filesystem>
 #include <fstream>
@@ -51,7 +51,7 @@ TEST(SlowDisk, WhenTheRuntimeIsToEnd_ThenItsOutputsAreSafeAndItsValuesAreKept) {
   ASSERT_TRUE(cell.wait([&] { return total(*cell.client) >= 20; }));
   std::ofstream(gate) << "yes";
   runtime.send(SIGTERM);
-  EXPECT_TRUE(cell.wait([&] { return cell.plant->owner() == Owner::Farewell; }));
+  EXPECT_TRUE(cell.wait([&] { return cell.plant->owner() == Owner::Released; }));
   EXPECT_EQ(cell.output(0), kStop);
   std::filesystem::remove(gate);
   EXPECT_EQ(runtime.wait(), 0) << runtime.output();

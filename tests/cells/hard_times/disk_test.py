@@ -113,7 +113,7 @@ class Disk(unittest.TestCase):
         cell.config.write_text(text, encoding="utf-8")
         runtime = cell.start("runtime")
         self.assertEqual(runtime.wait(), 1)
-        self.assertRegex(runtime.output(), r"box/state: R0001: the state folder cannot be made: Read-only file system")
+        self.assertRegex(runtime.output(), r"box/state: R0078: the state folder cannot be made: Read-only file system")
 
     def test_a_file_system_that_becomes_read_only_costs_nothing(self):
         cell = self.cell(REAL, "size=64k")

@@ -25,7 +25,7 @@ class Rights(unittest.TestCase):
         self.assertRegex(process.output(), pattern)
 
     def test_a_state_folder_that_cannot_be_made(self):
-        self.refused("runtime", self.cell(), r"state: R0001: the state folder cannot be made: Permission denied")
+        self.refused("runtime", self.cell(), r"state: R0078: the state folder cannot be made: Permission denied")
 
     def test_a_state_folder_of_somebody_else(self):
         cell = self.cell()

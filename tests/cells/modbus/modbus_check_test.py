@@ -129,7 +129,7 @@ class ModbusCheck(unittest.TestCase):
 
     def test_what_a_load_refuses_is_refused(self):
         done, found = self.check(SERVER + "[image]\ninput_bytes = 8\n")
-        self.assertEqual([each["code"] for each in found], ["R0004"], done.stderr)
+        self.assertEqual([each["code"] for each in found], ["R0080"], done.stderr)
         self.assertIn("main.swb", found[0]["file"])
         (self.folder / "main.swb").write_bytes(b"no container")
         done, found = self.check(SERVER)
@@ -140,7 +140,7 @@ class ModbusCheck(unittest.TestCase):
 
     def test_the_text_is_that_of_the_load(self):
         done, _ = self.check(SERVER + "[image]\ninput_bytes = 8\n")
-        message = re.search(r"R0004: (.*)", done.stderr).group(1)
+        message = re.search(r"R0080: (.*)", done.stderr).group(1)
         cell = Cell('[plant]\nkind = "none"\n[image]\ninput_bytes = 8\n')
         self.addCleanup(cell.__exit__)
         cell.start_runtime()

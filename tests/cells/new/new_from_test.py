@@ -117,7 +117,7 @@ class From(unittest.TestCase):
         self.assertIn("output_bytes = 44 ", (folder / "cell.toml").read_text(encoding="utf-8"))
         checked = stepwright("check", cwd=folder)
         self.assertEqual(checked.returncode, 0, checked.stderr)
-        self.assertNotRegex(checked.stderr, "W0016: 'b'|R0004")
+        self.assertNotRegex(checked.stderr, "W0016: 'b'|R0080")
 
     def test_texts_comments_and_documentation_keep_what_they_say(self):
         body = "IF s = 'was %QW0 $'%QX0.7' THEN w := 1; END_IF; (* %QW0 *) // %QW0\n w := %QW0;"

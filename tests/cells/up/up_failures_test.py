@@ -152,7 +152,7 @@ class Failures(unittest.TestCase):
         cell.state.mkdir()
         cell.state.chmod(0o777)
         said = self.refused(cell, 1)
-        self.assertIn("R0001: everybody may write into the state folder", said)
+        self.assertIn("R0078: everybody may write into the state folder", said)
 
     def test_a_program_that_does_not_compile_starts_nothing(self):
         cell = self.kept(program="PROGRAM Main\n  VAR n : INT; END_VAR\n  n := m;\nEND_PROGRAM\n")

@@ -1,7 +1,7 @@
 #pragma once
 
-// Whether capsules contain the bodies of an arm: points of the bodies, drawn at random, where joints and
-// fingers are drawn at random. A function without state; any thread.
+// Test of capsules that are to contain the bodies of an arm: points of the bodies, drawn at random, where
+// joints and fingers are drawn at random. A function without state; any thread.
 //
 //   motion::Random random(3);
 //   EXPECT_LE(farthest_outside(cell, arm, model, random, {.places = 12, .points = 20}), 1e-9);

@@ -74,7 +74,7 @@ TlsTransport::TlsTransport(std::unique_ptr<Transport> inner, const TlsContext& c
 }
 
 TlsTransport::~TlsTransport() {
-  // The farewell that tells a planned end from a cut connection; nobody waits for its answer.
+  // The close_notify alert that tells a planned end from a cut connection; nobody waits for its answer.
   if (ready_ && !failed_) SSL_shutdown(ssl_.get());
   ERR_clear_error();
 }

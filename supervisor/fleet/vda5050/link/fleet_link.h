@@ -30,7 +30,7 @@ struct LinkOptions {
 struct LinkNews {
   result::Diagnostics wrong;  // messages that were refused, complaints of vehicles, cancelOrders in vain
   std::vector<std::string> online;  // vehicles whose connection has come
-  std::vector<std::string> lost;    // ... has gone, by a farewell or by the broker's last will
+  std::vector<std::string> lost;    // ... has gone, by its own word or by the broker's last will
 };
 
 class FleetLink {

@@ -42,7 +42,7 @@ class VehicleLink {
   // Takes what came and says what there is to say. `running`: the controller is there.
   void turn(const fleet::vda5050::VehicleReading& reading, bool running,
             const fleet::vda5050::FleetOrders& orders, LinkNews& news);
-  // The farewell: the vehicle goes, and does so on purpose.
+  // The orderly end: the vehicle goes, and does so on purpose.
   void leave(LinkNews& news);
 
   const mqtt::Client& client() const { return client_; }

@@ -1,6 +1,6 @@
 #pragma once
 
-// How much of its limits a motion uses, as certain upper bounds: Bernstein's coefficients of the joints'
+// Share of its limits that a motion uses, as certain upper bounds: Bernstein's coefficients of the joints'
 // speeds, accelerations and jerks as polynomials in time. Functions without state; any thread.
 
 #include <span>

@@ -1,7 +1,7 @@
 #pragma once
 
-// Where objects are mentioned: by facts and fluents of the ground task, and through these by operators,
-// axioms and the goal.
+// Mentions of objects: by facts and fluents of the ground task, and through these by operators, axioms and
+// the goal.
 //
 // Thread rule: immutable.
 

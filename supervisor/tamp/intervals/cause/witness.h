@@ -1,6 +1,6 @@
 #pragma once
 
-// Is there a solution of a network's constraints? Its intervals are halved, the half with more room first,
+// Search for a solution of a network's constraints. Its intervals are halved, the half with more room first,
 // until each spot lies within one cell of all reaches that matter to it, and each angle is one. What it finds
 // meets every constraint, with the outer bounds of reach in the place of the reach itself; what it does not
 // find there is not.

@@ -1,6 +1,6 @@
 #pragma once
 
-// What an arm reaches at a point, for certain: bounds (reach_bounds.h) only say what it does not reach.
+// Exact reach of an arm at a point: bounds (reach_bounds.h) only say what it does not reach.
 //
 // Immutable; any thread.
 //

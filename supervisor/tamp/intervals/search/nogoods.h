@@ -1,8 +1,8 @@
 #pragma once
 
-// What refuted sequences have in common with others: of each refutation the part of an object's handling that
-// its conflict is made of, so that a task planner need not propose it again with other things around it. A
-// nogood is proved: whatever matches one has no solution.
+// Store of nogoods: of each refutation the part of an object's handling that its conflict is made of, so that
+// a task planner need not propose it again with other things around it. A nogood is proved: whatever matches
+// one has no solution.
 //
 // Thread rule: one owner. The cell outlives the store and does not change: a nogood speaks of its numbers.
 //

@@ -1,16 +1,16 @@
 #pragma once
 
-// What is asked of the intervals: a cell with arms, grasps, regions and objects, and a sequence of actions on
+// Problem for the intervals: a cell with arms, grasps, regions and objects, and a sequence of actions on
 // them, as a task planner proposes it. Nothing of it is a path; poses are of objects, with the angle about
 // the vertical. Metres, radians. Values; a reach is not owned and outlives the cell.
 //
 //   WorkCell cell;
 //   cell.arms = {{"right", &right_reach}};
 //   cell.grasps = {{.name = "top", .height_m = 0.34}};
-//   cell.regions = {{.name = "tray1", .x_m = 0.5, .y_m = -0.2, .z_m = 0.1, .size_x_m = 0.3, .size_y_m =
-//   0.3}}; cell.objects = {{.name = "cup1", .start = {0.6, 0.25, 0.1, 0.0}}}; const std::vector<Action>
-//   sequence = {pick(0, 0), place(0, 0, 0, std::numbers::pi)}; if (auto sound = validate(cell, sequence);
-//   !sound) ...
+//   cell.regions = {{.name = "tray1", .x_m = 0.5, .y_m = -0.2, .size_x_m = 0.3, .size_y_m = 0.3}};
+//   cell.objects = {{.name = "cup1", .start = {0.6, 0.25, 0.1, 0.0}}};
+//   const std::vector<Action> sequence = {pick(0, 0), place(0, 0, 0, std::numbers::pi)};
+//   if (auto sound = validate(cell, sequence); !sound) ...
 
 #include <cstddef>
 #include <cstdint>

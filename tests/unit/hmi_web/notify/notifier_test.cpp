@@ -133,22 +133,22 @@ TEST(CurlSender, WhenNobodyListens_ThenItSaysWhereAndWhatToLookAt) {
   }
 }
 
-TEST(ToldStoreFile, WhenItIsOpenedAgain_ThenItHasWhatWasKept) {
+TEST(NotificationStoreFile, WhenItIsOpenedAgain_ThenItHasWhatWasKept) {
   const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "notified.json";
   std::filesystem::remove(file);
   {
-    ToldStore told(file);
-    EXPECT_EQ(told.of("shift"), ToldAlarms());
+    NotificationStore told(file);
+    EXPECT_EQ(told.of("shift"), Notifications());
     EXPECT_TRUE(told.keep("shift", {{"runtime.lost", {7, 70}}}));
     EXPECT_TRUE(told.keep("chat", {{"a", {1, 10}}, {"b", {2, 20}}}));
     EXPECT_TRUE(told.keep("chat", {{"b", {2, 20}}}));
   }
-  const ToldStore again(file);
-  EXPECT_EQ(again.of("shift"), (ToldAlarms{{"runtime.lost", {7, 70}}}));
-  EXPECT_EQ(again.of("chat"), (ToldAlarms{{"b", {2, 20}}}));
+  const NotificationStore again(file);
+  EXPECT_EQ(again.of("shift"), (Notifications{{"runtime.lost", {7, 70}}}));
+  EXPECT_EQ(again.of("chat"), (Notifications{{"b", {2, 20}}}));
   for (const char* damaged : {"", "[]", R"({"chat": {"b": "x"}})"}) {
     std::ofstream(file) << damaged;
-    EXPECT_EQ(ToldStore(file).of("chat"), ToldAlarms()) << damaged;
+    EXPECT_EQ(NotificationStore(file).of("chat"), Notifications()) << damaged;
   }
   std::filesystem::remove(file);
 }

@@ -56,8 +56,8 @@ TEST_F(ScheduleTest, WhenAnEarlierOneHasToldOnce_ThenTheSameOccurrenceIsNotToldA
   EXPECT_EQ(first.due({alarm("a")}, begin_ + seconds(60)).size(), 1u);
   const Schedule::WallTime wall{std::chrono::hours(24)};
   first.sent(true, begin_ + seconds(60), wall);
-  const ToldAlarms told = first.told();
-  EXPECT_EQ(told, (ToldAlarms{{"a", {1, 86'400'000}}}));
+  const Notifications told = first.told();
+  EXPECT_EQ(told, (Notifications{{"a", {1, 86'400'000}}}));
   Schedule next(once, told, wall);
   const auto due_of_next = [&](int at, const std::vector<StandingAlarm>& standing) {
     std::string names;
@@ -67,7 +67,7 @@ TEST_F(ScheduleTest, WhenAnEarlierOneHasToldOnce_ThenTheSameOccurrenceIsNotToldA
   };
   EXPECT_EQ(due_of_next(100, {alarm("a"), alarm("b")}), "");
   EXPECT_EQ(due_of_next(5'000, {alarm("a"), alarm("b")}), "b ");
-  EXPECT_EQ(next.told(), (ToldAlarms{{"a", {1, 86'400'000}}, {"b", {1, 86'400'000}}}));
+  EXPECT_EQ(next.told(), (Notifications{{"a", {1, 86'400'000}}, {"b", {1, 86'400'000}}}));
   EXPECT_EQ(due_of_next(5'001, {alarm("a", Priority::High, 2)}), "") << "it has come again";
   EXPECT_EQ(due_of_next(5'061, {alarm("a", Priority::High, 2)}), "a ");
 }

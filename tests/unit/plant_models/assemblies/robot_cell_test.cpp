@@ -183,7 +183,7 @@ TEST(RobotCell, WhenObjectsAreStackedOrMoved_ThenTheyStandOnWhatIsBelowThem) {
   rig.fault("shift_x_top", 100.0);  // off its box
   rig.run(0.5);
   EXPECT_EQ(rig.truth("on_top"), 1.0);
-  const auto where = rig->judge().whereabouts(rig->objects());
+  const auto where = rig->judge().object_places(rig->objects());
   EXPECT_EQ(where[1].object + " on " + where[1].on, "top on table");
   rig.fault("shift_y_cup", 300.0);  // into the box
   rig.fault("shift_x_cup", 50.0);

@@ -51,7 +51,7 @@ class WidePlant final : public image::IoDriver {
     outputs[2] = std::byte{20};
     return true;
   }
-  void farewell() override { left.store(true); }
+  void release_outputs() override { left.store(true); }
   // Before the runtime is made.
   void another_drives() { another_drives_ = true; }
   // %QW1 of the first write after the other one.
@@ -243,7 +243,7 @@ TEST_F(AllOutputs, WhenAStopComesBehindARollback_ThenWhatWasDrivenLastIsHeld) {
 }
 
 // A disk that does not answer: the writer stands at the file that it makes, a pipe that nobody reads.
-TEST_F(AllOutputs, WhenTheDiskIsSlowAtTheEnd_ThenTheFarewellComesBeforeIt) {
+TEST_F(AllOutputs, WhenTheDiskIsSlowAtTheEnd_ThenTheOutputsAreReleasedBeforeIt) {
   const support::TemporaryFolder folder;
   HostConfig config = cell(ClockMode::Real);
   config.retain.store = folder / "retain.store";

@@ -275,10 +275,10 @@ TEST(SnapshotMemory, WhenTheDescriptorIsSomethingElse_ThenItIsRefused) {
 
 TEST(SnapshotMemory, WhenThePlantHasTooManyValues_ThenItIsRefused) {
   const std::vector<std::string> many(kMaxPlantValues + 1, "x");
-  EXPECT_EQ(SnapshotWriter::create(many).error().front().code, "R0004");
+  EXPECT_EQ(SnapshotWriter::create(many).error().front().code, "R0081");
   const std::vector<std::string> name{std::string(kMaxNameBytes + 1, 'x')};
   const auto refused = SnapshotWriter::create(name);
-  EXPECT_EQ(refused.error().front().code, "R0004");
+  EXPECT_EQ(refused.error().front().code, "R0081");
   EXPECT_NE(refused.error().front().message.find("has a name of 65 bytes; 64 are possible"),
             std::string::npos);
 }

@@ -249,7 +249,7 @@ TEST(HostRuntime, WhenAContainerIsRefused_ThenWhatRunsGoesOn) {
   EXPECT_EQ(harness.download(damaged, "cut").outcome, Outcome::Refused);
   const Completion too_large = harness.download(step_program({.input_bytes = 65}), "large");
   EXPECT_EQ(too_large.outcome, Outcome::Refused);
-  EXPECT_EQ(too_large.problems.front().code, "R0004");
+  EXPECT_EQ(too_large.problems.front().code, "R0080");
   EXPECT_EQ(harness.runtime->status().program_digest, "good");
   EXPECT_EQ(harness.runtime->status().state, RuntimeState::Running);
   EXPECT_FALSE(harness.runtime->take_event());

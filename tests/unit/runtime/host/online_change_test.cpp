@@ -187,7 +187,7 @@ TEST(OnlineChange, WhenTheContainerIsWrong_ThenThePreviousGoesOnUntouched) {
   // Wider inputs than the cell has.
   const Completion wide = run.harness.change(compiled(counting("VAR far AT %IW500 : INT; END_VAR")));
   ASSERT_TRUE(result::has_errors(wide.problems));
-  EXPECT_EQ(wide.problems[0].code, "R0004");
+  EXPECT_EQ(wide.problems[0].code, "R0080");
   const RuntimeStatus status = run.status();
   EXPECT_EQ(status.program_digest, "first");
   EXPECT_EQ(status.changes, 0u);

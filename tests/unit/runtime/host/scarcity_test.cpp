@@ -149,7 +149,7 @@ TEST(Scarcity, WhenAThreadCannotBeStarted_ThenTheRuntimeDoesNotComeUpAndSaysSo) 
       break;
     }
     ASSERT_FALSE(runtime);
-    EXPECT_EQ(runtime.error().front().code, "R0001");
+    EXPECT_EQ(runtime.error().front().code, "R0077");
   }
   EXPECT_GT(nth, 2);
 }

@@ -87,7 +87,7 @@ TEST_F(IoMemory, WhenThePlantAnnouncedATimeAndIsSilent_ThenTheInputsAreLostUntil
   EXPECT_EQ(driver.read_inputs(0, inputs), IoStatus::Good);
 }
 
-TEST_F(IoMemory, WhenTheRuntimeEnds_ThenItSaysFarewellAndTheNextHasAnotherGeneration) {
+TEST_F(IoMemory, WhenTheRuntimeEnds_ThenItReleasesTheOutputsAndTheNextHasAnotherGeneration) {
   const auto plant = this->plant();
   Bytes outputs(24);
   for (std::uint64_t generation = 1; generation <= 3; ++generation) {
@@ -96,7 +96,7 @@ TEST_F(IoMemory, WhenTheRuntimeEnds_ThenItSaysFarewellAndTheNextHasAnotherGenera
       EXPECT_EQ(driver.write_outputs(0, all(24, static_cast<int>(generation))), IoStatus::Good);
       EXPECT_EQ(plant->owner(), Owner::Runtime);
     }
-    EXPECT_EQ(plant->owner(), Owner::Farewell);
+    EXPECT_EQ(plant->owner(), Owner::Released);
     EXPECT_EQ(plant->read_outputs(outputs)->generation, generation);
   }
   EXPECT_EQ(outputs, all(24, 3));
@@ -121,8 +121,8 @@ TEST_F(IoMemory, WhenTheOutputsAreTakenOver_ThenTheyAreAsTheyWereLeftUntilTheFir
   EXPECT_TRUE(second.left_outputs(left));
   EXPECT_EQ(left, all(24, 5));
   EXPECT_EQ(this->plant()->owner(), Owner::Runtime);
-  second.farewell();
-  EXPECT_FALSE(second.takes_over()) << "it has said farewell";
+  second.release_outputs();
+  EXPECT_FALSE(second.takes_over()) << "it has released the outputs";
 }
 
 TEST_F(IoMemory, WhenAnotherHasTheLease_ThenTheSecondWritesNothingAndIsLostInTheEnd) {
@@ -147,7 +147,7 @@ TEST_F(IoMemory, WhenAnotherHasTheLease_ThenTheSecondWritesNothingAndIsLostInThe
   EXPECT_EQ(second.other_runtime()->pid, static_cast<std::uint32_t>(::getpid()));
   EXPECT_FALSE(first.other_runtime());
   EXPECT_EQ(first.read_inputs(0, inputs), IoStatus::Good);
-  first.farewell();
+  first.release_outputs();
   EXPECT_FALSE(second.other_runtime());
   EXPECT_EQ(second.read_inputs(0, inputs), IoStatus::Good);
 }
@@ -223,7 +223,7 @@ TEST_F(Lapse, WhenNobodyJudges_ThenItGoesOn) {
   simulated.write_outputs(0, all(24, 1));
   stand_still();
   EXPECT_FALSE(simulated.lapsed());
-  simulated.farewell();
+  simulated.release_outputs();
   MemoryDriver alone(area(), PlantNeed::Announced, {.after_ns = kAnHour});
   alone.write_outputs(0, all(24, 1));
   stand_still();
@@ -233,12 +233,12 @@ TEST_F(Lapse, WhenNobodyJudges_ThenItGoesOn) {
   EXPECT_TRUE(alone.lapsed()) << "a guard watches";
 }
 
-TEST_F(IoMemory, WhenFarewellWasSaid_ThenNothingIsWrittenAnyMore) {
+TEST_F(IoMemory, WhenTheOutputsWereReleased_ThenNothingIsWrittenAnyMore) {
   MemoryDriver driver(area());
   const auto plant = this->plant();
   driver.write_outputs(0, all(24, 1));
-  driver.farewell();
-  EXPECT_EQ(plant->owner(), Owner::Farewell);
+  driver.release_outputs();
+  EXPECT_EQ(plant->owner(), Owner::Released);
   EXPECT_FALSE(area()->locked_elsewhere(AreaLock::Lease));
   driver.write_outputs(0, all(24, 2));
   driver.beat();

@@ -189,7 +189,7 @@ TEST_F(OutputGuardTest, WhenTheRuntimeEndsInTheMiddleOfARamp_ThenTheGuardBringsI
   ASSERT_TRUE(turn_until(*guard, GuardState::Waiting));
   EXPECT_EQ(word(), 1'000);
   EXPECT_TRUE(guard->idle());
-  EXPECT_EQ(plant_->owner(), Owner::Farewell);
+  EXPECT_EQ(plant_->owner(), Owner::Released);
 }
 
 TEST_F(OutputGuardTest, WhenTheGuardIsStartedLate_ThenItFindsWhatWasLost) {

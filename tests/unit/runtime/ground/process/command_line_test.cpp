@@ -23,7 +23,7 @@ TEST(CommandLine, Process_WhenTheSystemRefusesAThread_ThenItEndsWithAWord) {
         }).join();
       },
       testing::ExitedWithCode(to_int(result::ExitCode::RuntimeFault)),
-      "R0001: the system gives no more threads");
+      "R0077: the system gives no more threads");
 }
 
 TEST(CommandLine, Process_WhenTheSystemRefusesMemory_ThenItEndsWithAWord) {
@@ -33,7 +33,7 @@ TEST(CommandLine, Process_WhenTheSystemRefusesMemory_ThenItEndsWithAWord) {
         std::thread([] { throw std::bad_alloc(); }).join();
       },
       testing::ExitedWithCode(to_int(result::ExitCode::RuntimeFault)),
-      "R0001: the system gives no more memory");
+      "R0077: the system gives no more memory");
 }
 
 // Anything else is a fault of the program: it leaves its core.

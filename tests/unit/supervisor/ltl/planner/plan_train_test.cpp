@@ -50,7 +50,7 @@ void expect_solved(const Problem& problem, std::uint64_t seed) {
   EXPECT_NEAR(answer->judgement.duration_s, answer->plan.duration_s(), 1e-6);
 }
 
-TEST(PlanTrain, WhenATaskIsPossible_ThenAPlanIsFoundThatTheRefereeAccepts) {
+TEST(PlanTrain, WhenATaskIsPossible_ThenAPlanIsFoundThatThePlanCheckerAccepts) {
   for (const std::size_t trailers : {0, 2, 5}) {
     for (const char* task : {"visit press", "visit rack then visit press", "visit press then visit rack",
                              "!wash U press", "visit rack, !wash U press"})

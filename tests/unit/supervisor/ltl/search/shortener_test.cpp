@@ -4,8 +4,8 @@
 
 #include <atomic>
 
+#include "supervisor/ltl/checker/plan_checker.h"
 #include "supervisor/ltl/guide/task.h"
-#include "supervisor/ltl/referee/referee.h"
 #include "supervisor/ltl/search/train_search.h"
 #include "tests/unit/supervisor/ltl/regions/floors.h"
 
@@ -39,7 +39,7 @@ struct BlockYard {
   std::unique_ptr<SearchGround> ground;
 };
 
-TEST(Shortener, WhenItGoesOnFromRoundToRound_ThenPlansGetShorterAndTheRefereeAcceptsThem) {
+TEST(Shortener, WhenItGoesOnFromRoundToRound_ThenPlansGetShorterAndThePlanCheckerAcceptsThem) {
   for (const std::size_t trailers : {0, 2}) {
     const BlockYard yard(trailers);
     Shortener shortener(*yard.ground, TaskStates(yard.task->automaton));

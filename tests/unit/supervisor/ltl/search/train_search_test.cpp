@@ -6,8 +6,8 @@
 #include <cmath>
 #include <memory>
 
+#include "supervisor/ltl/checker/plan_checker.h"
 #include "supervisor/ltl/guide/task.h"
-#include "supervisor/ltl/referee/referee.h"
 #include "tests/unit/supervisor/ltl/regions/floors.h"
 
 namespace stepwright::ltl {
@@ -52,7 +52,7 @@ struct Yard {
   TrainState start{};
 };
 
-TEST(TrainSearch, WhenTasksAreSmall_ThenEachHasAPlanThatTheRefereeAccepts) {
+TEST(TrainSearch, WhenTasksAreSmall_ThenEachHasAPlanThatThePlanCheckerAccepts) {
   for (const char* text : {"visit press", "visit press then visit rack", "!wash U press",
                            "visit wash then visit press", "visit rack, visit press, !press U wash"}) {
     for (const std::size_t trailers : {0, 1, 3}) {

@@ -1,4 +1,4 @@
-#include "supervisor/ltl/referee/referee.h"
+#include "supervisor/ltl/checker/plan_checker.h"
 
 namespace stepwright::ltl {
 

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <vector>
 
-#include "supervisor/ltl/referee/internal/within.h"
-#include "supervisor/ltl/referee/referee.h"
+#include "supervisor/ltl/checker/internal/within.h"
+#include "supervisor/ltl/checker/plan_checker.h"
 
 namespace stepwright::ltl {
 

@@ -1,4 +1,4 @@
-#include "hmi_web/notify/told_store.h"
+#include "hmi_web/notify/notification_store.h"
 
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -12,27 +12,27 @@ using nlohmann::json;
 
 constexpr std::size_t kLargestFile = std::size_t{4} << 20;
 
-Told told_of(const json& entry) {
+Notification notification_of(const json& entry) {
   // A number alone: of a version that did not know when.
   if (entry.is_number_integer()) return {entry.get<std::int64_t>(), 0};
   return {entry.at("raised_ns").get<std::int64_t>(), entry.at("told_ms").get<std::int64_t>()};
 }
 
-json to_json(const ToldAlarms& alarms) {
+json to_json(const Notifications& alarms) {
   json entries = json::object();
   for (const auto& [name, told] : alarms)
     entries[name] = {{"raised_ns", told.raised_ns}, {"told_ms", told.told_ms}};
   return entries;
 }
 
-std::map<std::string, ToldAlarms> read_told(const std::filesystem::path& file) {
+std::map<std::string, Notifications> read_notifications(const std::filesystem::path& file) {
   const auto text = access::read_bounded(file, kLargestFile);
   if (!text || text->size() > kLargestFile) return {};
   try {
-    std::map<std::string, ToldAlarms> channels;
+    std::map<std::string, Notifications> channels;
     const json whole = json::parse(*text);
     for (const auto& [channel, alarms] : whole.items())
-      for (const auto& [name, entry] : alarms.items()) channels[channel][name] = told_of(entry);
+      for (const auto& [name, entry] : alarms.items()) channels[channel][name] = notification_of(entry);
     return channels;
   } catch (const json::exception&) {
     return {};
@@ -41,15 +41,16 @@ std::map<std::string, ToldAlarms> read_told(const std::filesystem::path& file) {
 
 }  // namespace
 
-ToldStore::ToldStore(std::filesystem::path file) : file_(std::move(file)), channels_(read_told(file_)) {}
+NotificationStore::NotificationStore(std::filesystem::path file)
+    : file_(std::move(file)), channels_(read_notifications(file_)) {}
 
-ToldAlarms ToldStore::of(const std::string& channel) const {
+Notifications NotificationStore::of(const std::string& channel) const {
   const std::lock_guard lock(mutex_);
   const auto found = channels_.find(channel);
-  return found == channels_.end() ? ToldAlarms() : found->second;
+  return found == channels_.end() ? Notifications() : found->second;
 }
 
-result::Result<void> ToldStore::keep(const std::string& channel, ToldAlarms alarms) {
+result::Result<void> NotificationStore::keep(const std::string& channel, Notifications alarms) {
   const std::lock_guard lock(mutex_);
   channels_[channel] = std::move(alarms);
   json whole = json::object();

@@ -3,7 +3,7 @@
 #include <random>
 
 #include "supervisor/ltl/automaton/build.h"
-#include "supervisor/ltl/referee/referee.h"
+#include "supervisor/ltl/checker/plan_checker.h"
 
 namespace stepwright::ltl {
 namespace {

@@ -1,4 +1,4 @@
-#include "programs/up/find_keeper.h"
+#include "programs/up/find_up_process.h"
 
 #include <unistd.h>
 
@@ -74,7 +74,7 @@ bool keeps(const fs::path& process, const Options& wanted, const fs::path& file)
 
 }  // namespace
 
-std::optional<pid_t> find_keeper(const Options& options) {
+std::optional<pid_t> find_up_process(const Options& options) {
   std::error_code failed;
   const fs::path file = whole(fs::absolute(options.cell, failed));
   for (const auto& entry : fs::directory_iterator("/proc", failed)) {

@@ -1,4 +1,4 @@
-#include "programs/up/cell_keeper.h"
+#include "programs/up/process_supervisor.h"
 
 #include <poll.h>
 #include <unistd.h>
@@ -31,13 +31,13 @@ constexpr seconds kSilenceOfPage{15};
 constexpr seconds kSilenceOfGateway{30};
 constexpr seconds kSilenceOfSupervisor{30};
 // A runtime may wait for a disk behind its safe outputs.
-constexpr seconds kFarewell{10};
+constexpr seconds kTimeToEnd{10};
 
 std::string program_of(const std::filesystem::path& programs, const std::string& name) {
   return (programs / ("stepwright-" + name)).string();
 }
 
-process::ChildOptions command_of(const KeeperSetting& setting, const std::string& name,
+process::ChildOptions command_of(const ProcessSupervisorSetting& setting, const std::string& name,
                                  const std::string& notify) {
   process::ChildOptions options;
   options.arguments = {program_of(setting.programs, name), name, "--config", setting.config.file.string()};
@@ -82,48 +82,50 @@ bool is_without_controller(const config::CellConfig& config) {
 
 // The lock says that the cell is not up; what is left over here would only mislead people, but for who has
 // asked for the end and is to hear what it has left behind.
-CellKeeper::~CellKeeper() {
+ProcessSupervisor::~ProcessSupervisor() {
   if (!killed_.empty()) return;
   std::error_code ignored;
   std::filesystem::remove(processes::record_path(setting_.config), ignored);
 }
 
-result::Result<std::unique_ptr<CellKeeper>> CellKeeper::make(KeeperSetting setting, Console& console) {
+result::Result<std::unique_ptr<ProcessSupervisor>> ProcessSupervisor::make(ProcessSupervisorSetting setting,
+                                                                           Console& console) {
   auto listener = process::NotifyListener::open();
   if (!listener) return result::forward(listener);
-  std::unique_ptr<CellKeeper> keeper(new CellKeeper(std::move(setting), console, std::move(*listener)));
-  const KeeperSetting& kept = keeper->setting_;
+  std::unique_ptr<ProcessSupervisor> supervisor(
+      new ProcessSupervisor(std::move(setting), console, std::move(*listener)));
+  const ProcessSupervisorSetting& kept = supervisor->setting_;
   for (const std::string& name : processes::starting_order(kept.config)) {
-    const process::ChildOptions options = command_of(kept, name, keeper->listener_.variable());
+    const process::ChildOptions options = command_of(kept, name, supervisor->listener_.variable());
     if (auto there = check_program(kept.programs, name); !there) return result::forward(there);
     auto member = KeptProcess::make(name, options, {}, silence_of(name));
     if (!member) return result::forward(member);
-    keeper->members_.push_back(std::move(*member));
+    supervisor->members_.push_back(std::move(*member));
   }
   // The runtime starts its guard itself.
   if (kept.config.safety.guard.enabled && !kept.config.controller.remote()) {
     if (auto there = check_program(kept.programs, "guard"); !there) return result::forward(there);
   }
-  keeper->kept_ = keeper->record();
+  supervisor->kept_ = supervisor->record();
   // A folder without room is told while somebody still listens.
-  if (auto unwritten = processes::write_record(processes::record_path(kept.config), *keeper->kept_);
+  if (auto unwritten = processes::write_record(processes::record_path(kept.config), *supervisor->kept_);
       !unwritten.empty())
     return tl::unexpected(std::move(unwritten));
-  if (kept.watch) keeper->watch_.emplace(kept.config, kept.overrides, kept.programs);
-  return keeper;
+  if (kept.watch) supervisor->watch_.emplace(kept.config, kept.overrides, kept.programs);
+  return supervisor;
 }
 
-KeptProcess* CellKeeper::find(const std::string& name) {
+KeptProcess* ProcessSupervisor::find(const std::string& name) {
   const auto at = std::ranges::find(members_, name, &KeptProcess::name);
   return at == members_.end() ? nullptr : &*at;
 }
 
-const KeptProcess* CellKeeper::failed() const {
+const KeptProcess* ProcessSupervisor::failed() const {
   const auto at = std::ranges::find(members_, Phase::Failed, &KeptProcess::phase);
   return at == members_.end() ? nullptr : &*at;
 }
 
-void CellKeeper::start_next() {
+void ProcessSupervisor::start_next() {
   if (begun_ == members_.size() || failed() != nullptr) return;
   if (begun_ > 0 && members_[begun_ - 1].phase() != Phase::Ready) {
     if (patience_told_ || Clock::now() < begun_at_ + kTellAfter) return;
@@ -138,7 +140,7 @@ void CellKeeper::start_next() {
     console_.line(next.name(), result::to_string(started.error()));
 }
 
-void CellKeeper::print_lines(KeptProcess& member) {
+void ProcessSupervisor::print_lines(KeptProcess& member) {
   for (const std::string& line : member.lines()) {
     console_.line(member.name(), line);
     if (member.name() != "hmi") continue;
@@ -146,7 +148,7 @@ void CellKeeper::print_lines(KeptProcess& member) {
   }
 }
 
-void CellKeeper::turn(const process::StopSignal* stop) {
+void ProcessSupervisor::turn(const process::StopSignal* stop) {
   std::vector<pollfd> entries = {{listener_.descriptor(), POLLIN, 0}};
   if (stop != nullptr) entries.push_back({stop->descriptor(), POLLIN, 0});
   for (const KeptProcess& member : members_) entries.push_back({member.descriptor(), POLLIN, 0});
@@ -169,13 +171,13 @@ void CellKeeper::turn(const process::StopSignal* stop) {
   keep_record();
 }
 
-void CellKeeper::tell_token() {
+void ProcessSupervisor::tell_token() {
   if (!ready_ || token_.empty()) return;
   console_.say("to act on the page, log in there with the set-up token " + token_ + " (once)");
   token_.clear();
 }
 
-void CellKeeper::become_ready() {
+void ProcessSupervisor::become_ready() {
   const bool all =
       std::ranges::all_of(members_, [](const KeptProcess& each) { return each.phase() == Phase::Ready; });
   if (ready_ || !all) return;
@@ -197,7 +199,7 @@ void CellKeeper::become_ready() {
   setting_.on_up(idle.empty() ? ExitCode::Done : ExitCode::RuntimeFault);
 }
 
-void CellKeeper::tell_failure(const KeptProcess& member) {
+void ProcessSupervisor::tell_failure(const KeptProcess& member) {
   if (std::ranges::find(told_failed_, member.name()) != told_failed_.end()) return;
   told_failed_.push_back(member.name());
   const std::string file = setting_.config.file.string();
@@ -206,7 +208,7 @@ void CellKeeper::tell_failure(const KeptProcess& member) {
                "`), then `stepwright down " + file + "` and `stepwright up " + file + "`");
 }
 
-processes::CellRecord CellKeeper::record() const {
+processes::CellRecord ProcessSupervisor::record() const {
   processes::CellRecord record;
   record.cell = setting_.config.name;
   record.config = processes::whole_path(setting_.config.file);
@@ -221,7 +223,7 @@ processes::CellRecord CellKeeper::record() const {
   return record;
 }
 
-void CellKeeper::keep_record() {
+void ProcessSupervisor::keep_record() {
   processes::CellRecord news = record();
   const auto now = Clock::now();
   if (kept_ == news || now < next_try_) return;
@@ -235,7 +237,7 @@ void CellKeeper::keep_record() {
   }
 }
 
-void CellKeeper::kill(KeptProcess& member) {
+void ProcessSupervisor::kill(KeptProcess& member) {
   const std::string left = processes::left_behind_by(member.name());
   console_.say(member.name() + " does not end: it is killed" + (left.empty() ? "" : "; " + left));
   killed_.push_back(member.name());
@@ -243,7 +245,7 @@ void CellKeeper::kill(KeptProcess& member) {
   member.kill_now();
 }
 
-void CellKeeper::end_all() {
+void ProcessSupervisor::end_all() {
   init_.stopping();
   // What waits for its next start is not started any more.
   for (KeptProcess& each : members_)
@@ -253,14 +255,14 @@ void CellKeeper::end_all() {
     if (member == nullptr || !member->runs()) continue;
     console_.say("ends " + name);
     member->ask_to_end();
-    const auto deadline = Clock::now() + kFarewell;
+    const auto deadline = Clock::now() + kTimeToEnd;
     while (member->runs() && Clock::now() < deadline) turn(nullptr);
     if (member->runs()) kill(*member);
     while (member->runs()) turn(nullptr);
   }
 }
 
-ExitCode CellKeeper::run(const process::StopSignal& stop) {
+ExitCode ProcessSupervisor::run(const process::StopSignal& stop) {
   while (!stop.came()) {
     start_next();
     turn(&stop);

@@ -1,4 +1,4 @@
-#include "supervisor/ltl/referee/referee.h"
+#include "supervisor/ltl/checker/plan_checker.h"
 
 #include <gtest/gtest.h>
 
@@ -44,7 +44,7 @@ struct Drive {
   TrainPlan plan;
 };
 
-TEST(Referee, WhenAPlanHolds_ThenItIsAcceptedWithItsWord) {
+TEST(PlanChecker, WhenAPlanHolds_ThenItIsAcceptedWithItsWord) {
   const Drive drive;
   const PlanJudgement judgement = drive.judged();
   EXPECT_TRUE(judgement.accepted()) << judgement.reason;
@@ -55,18 +55,18 @@ TEST(Referee, WhenAPlanHolds_ThenItIsAcceptedWithItsWord) {
   EXPECT_GT(judgement.looks, 500u);
 }
 
-TEST(Referee, WhenThereIsNoTime_ThenItIsRefused) {
+TEST(PlanChecker, WhenThereIsNoTime_ThenItIsRefused) {
   const Drive drive;
   const auto formula = parse_formula("visit press", {}, {"press", "rack"});
   std::size_t asked = 0;
-  const RefereeOptions options{.stop = [&] { return ++asked == 3; }};
+  const PlanCheckerOptions options{.stop = [&] { return ++asked == 3; }};
   const PlanJudgement judgement =
       judge_plan(drive.floor, drive.model, drive.plan.start, *formula, drive.plan, options);
   EXPECT_EQ(judgement.reason, "there was no time to judge it");
   EXPECT_EQ(asked, 3u);
 }
 
-TEST(Referee, WhenAPlanJumps_ThenItIsRefused) {
+TEST(PlanChecker, WhenAPlanJumps_ThenItIsRefused) {
   Drive begins;
   begins.plan.start[kTrainX] += 0.5;
   begins.finish();
@@ -76,7 +76,7 @@ TEST(Referee, WhenAPlanJumps_ThenItIsRefused) {
   EXPECT_EQ(skips.judged().reason, "the plan ends elsewhere");
 }
 
-TEST(Referee, WhenTheEndIsWrong_ThenItIsRefusedWhateverStateItIs) {
+TEST(PlanChecker, WhenTheEndIsWrong_ThenItIsRefusedWhateverStateItIs) {
   for (std::size_t k = 0; k < 7; ++k) {
     Drive drive;
     drive.plan.end[k] += 0.01;
@@ -86,7 +86,7 @@ TEST(Referee, WhenTheEndIsWrong_ThenItIsRefusedWhateverStateItIs) {
   }
 }
 
-TEST(Referee, WhenControlsOrTimesAreBeyondTheirLimits_ThenItIsRefused) {
+TEST(PlanChecker, WhenControlsOrTimesAreBeyondTheirLimits_ThenItIsRefused) {
   Drive strong;
   strong.plan.pieces[0].control.acceleration_m_s2 = 1.2;
   EXPECT_EQ(strong.judged().reason, "a control is beyond its limits");
@@ -102,7 +102,7 @@ TEST(Referee, WhenControlsOrTimesAreBeyondTheirLimits_ThenItIsRefused) {
   EXPECT_EQ(endless.judged().reason, "the plan lasts too long");
 }
 
-TEST(Referee, WhenItIsTooFastOrSteersTooFar_ThenItIsRefused) {
+TEST(PlanChecker, WhenItIsTooFastOrSteersTooFar_ThenItIsRefused) {
   Drive fast;
   fast.plan.pieces[0].duration_s = 2.5;  // at 1 m/s^2: beyond 2 m/s in this piece
   EXPECT_EQ(fast.judged().reason.substr(0, 8), "too fast");
@@ -111,7 +111,7 @@ TEST(Referee, WhenItIsTooFastOrSteersTooFar_ThenItIsRefused) {
   EXPECT_EQ(far.judged().reason.substr(0, 14), "steers too far");
 }
 
-TEST(Referee, WhenTheTractorMeetsSomething_ThenItIsRefused) {
+TEST(PlanChecker, WhenTheTractorMeetsSomething_ThenItIsRefused) {
   Drive drive;
   drive.floor.obstacles = {{"post", {{7.0, 6.0}, {7.1, 6.0}, {7.05, 6.1}}, {}}};  // within one box at last
   EXPECT_EQ(drive.judged().reason.substr(0, 19), "link 0 meets 'post'");
@@ -120,7 +120,7 @@ TEST(Referee, WhenTheTractorMeetsSomething_ThenItIsRefused) {
   EXPECT_EQ(leaves.judged().reason.substr(0, 23), "link 0 leaves the floor");
 }
 
-TEST(Referee, WhenATrailerMeetsSomething_ThenItIsRefused) {
+TEST(PlanChecker, WhenATrailerMeetsSomething_ThenItIsRefused) {
   // Where the tractor turns left its trailers cut the corner: a post there is met by the second of them only.
   Drive drive;
   drive.plan.pieces.resize(2);
@@ -134,7 +134,7 @@ TEST(Referee, WhenATrailerMeetsSomething_ThenItIsRefused) {
   }
 }
 
-TEST(Referee, WhenLinksMeetEachOther_ThenItIsRefused) {
+TEST(PlanChecker, WhenLinksMeetEachOther_ThenItIsRefused) {
   Drive drive;
   drive.model = {.trailers = 6, .hitch_m = 0.5, .length_m = 0.95, .width_m = 0.9};
   drive.plan.start = standing_at(drive.model, {5.0, 6.0, 0.0});
@@ -147,13 +147,13 @@ TEST(Referee, WhenLinksMeetEachOther_ThenItIsRefused) {
   EXPECT_EQ(reason.substr(0, 6), "links ") << reason;
 }
 
-TEST(Referee, WhenTheFormulaIsViolated_ThenItIsRefused) {
+TEST(PlanChecker, WhenTheFormulaIsViolated_ThenItIsRefused) {
   EXPECT_EQ(Drive().judged("visit rack").reason, "the way does not satisfy the task");
   EXPECT_EQ(Drive().judged("!press U rack").reason, "the way does not satisfy the task");
   EXPECT_TRUE(Drive().judged("!rack U press").accepted());
 }
 
-TEST(Referee, WhenThereAreNoControls_ThenTheStartIsJudged) {
+TEST(PlanChecker, WhenThereAreNoControls_ThenTheStartIsJudged) {
   Drive drive;
   drive.plan.pieces.clear();
   drive.plan.end = drive.plan.start;

@@ -2,7 +2,7 @@
 
 #include <random>
 
-#include "supervisor/ltl/referee/referee.h"
+#include "supervisor/ltl/checker/plan_checker.h"
 #include "tests/unit/supervisor/ltl/regions/floors.h"
 
 namespace stepwright::ltl {

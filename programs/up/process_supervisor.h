@@ -1,9 +1,9 @@
 #pragma once
 
-// Keeps the processes of one cell alive, from the first start to the end in order.
+// Supervisor of the processes of one cell: keeps them alive, from the first start to the end in order.
 //
-//   auto keeper = CellKeeper::make(setting, console);
-//   return to_int(keeper->run(stop));
+//   auto supervisor = ProcessSupervisor::make(setting, console);
+//   return to_int(supervisor->run(stop));
 //
 // They are started one after the other, each when the one before has said that it is ready. If one of them
 // fails before all are, all are ended again: no half of a cell is left. Afterwards a process that ends is
@@ -30,7 +30,7 @@
 
 namespace stepwright::up {
 
-struct KeeperSetting {
+struct ProcessSupervisorSetting {
   const config::CellConfig& config;
   std::vector<std::string> overrides = {};  // for every process
   std::filesystem::path programs = {};      // the folder of the executables
@@ -40,13 +40,13 @@ struct KeeperSetting {
   std::function<void(result::ExitCode)> on_up = [](result::ExitCode) {};
 };
 
-class CellKeeper {
+class ProcessSupervisor {
  public:
   // Before any is started it fails with M0001 if one of the programs is missing, with E0002 if the state
   // folder takes no record of them; M0014.
-  [[nodiscard]] static result::Result<std::unique_ptr<CellKeeper>> make(KeeperSetting setting,
-                                                                        Console& console);
-  ~CellKeeper();
+  [[nodiscard]] static result::Result<std::unique_ptr<ProcessSupervisor>> make(
+      ProcessSupervisorSetting setting, Console& console);
+  ~ProcessSupervisor();
 
   // Returns at `stop`, or when the cell could not be brought up.
   result::ExitCode run(const process::StopSignal& stop);
@@ -54,7 +54,7 @@ class CellKeeper {
  private:
   using Clock = std::chrono::steady_clock;
 
-  CellKeeper(KeeperSetting setting, Console& console, process::NotifyListener listener)
+  ProcessSupervisor(ProcessSupervisorSetting setting, Console& console, process::NotifyListener listener)
       : setting_(std::move(setting)), console_(console), listener_(std::move(listener)) {}
   void start_next();
   // Waits for news, and passes them on.
@@ -70,7 +70,7 @@ class CellKeeper {
   const processes::KeptProcess* failed() const;
   processes::KeptProcess* find(const std::string& name);
 
-  KeeperSetting setting_;
+  ProcessSupervisorSetting setting_;
   Console& console_;
   process::NotifyListener listener_;
   process::NotifySocket init_;  // of whoever has started this process

@@ -1,9 +1,9 @@
 #pragma once
 
-// Of which alarms each channel has told, and when, kept over restarts of the page's server: a restart is no
-// reason to tell again of the same occurrence.
+// Store of notifications: of which alarms each channel has told, and when, kept over restarts of the page's
+// server: a restart is no reason to tell again of the same occurrence.
 //
-//   ToldStore told(folder / "notified.json");
+//   NotificationStore told(folder / "notified.json");
 //   told.keep("shift", {{"runtime.lost", {raised_ns, told_ms}}});
 //
 // Threads: every function from any. keep() waits for the disk.
@@ -19,28 +19,28 @@
 
 namespace stepwright::notify {
 
-struct Told {
+struct Notification {
   std::int64_t raised_ns = 0;  // which occurrence, on the history's clock
   std::int64_t told_ms = 0;    // when it was told of last, since 1970
 
-  friend bool operator==(const Told&, const Told&) = default;
+  friend bool operator==(const Notification&, const Notification&) = default;
 };
-using ToldAlarms = std::map<std::string, Told, std::less<>>;
+using Notifications = std::map<std::string, Notification, std::less<>>;
 
-class ToldStore {
+class NotificationStore {
  public:
   // A file that is not there, or cannot be read as what this class writes, holds nothing: its alarms are told
   // again.
-  explicit ToldStore(std::filesystem::path file);
+  explicit NotificationStore(std::filesystem::path file);
 
-  ToldAlarms of(const std::string& channel) const;
+  Notifications of(const std::string& channel) const;
   // In place of what the channel had. Fails with H0021 and the reason.
-  [[nodiscard]] result::Result<void> keep(const std::string& channel, ToldAlarms alarms);
+  [[nodiscard]] result::Result<void> keep(const std::string& channel, Notifications alarms);
 
  private:
   const std::filesystem::path file_;
   mutable std::mutex mutex_;
-  std::map<std::string, ToldAlarms> channels_;
+  std::map<std::string, Notifications> channels_;
 };
 
 }  // namespace stepwright::notify

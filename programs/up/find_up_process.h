@@ -1,6 +1,6 @@
 #pragma once
 
-// The `stepwright up` of a cell's file, looked for among the processes of this machine: for when the cell's
+// Search for the `stepwright up` of a cell's file among the processes of this machine: for when the cell's
 // state folder, where it is known, is gone or cannot be found any more.
 //
 // Threads: any.
@@ -15,6 +15,6 @@ namespace stepwright::up {
 
 // The process that keeps up the cell of this file, with the same overrides of [cell], as one file may make
 // several cells; nothing if there is none, or if this user cannot see it.
-std::optional<pid_t> find_keeper(const Options& options);
+std::optional<pid_t> find_up_process(const Options& options);
 
 }  // namespace stepwright::up

@@ -1,4 +1,4 @@
-#include "supervisor/ltl/referee/referee.h"
+#include "supervisor/ltl/checker/plan_checker.h"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 
 #include "plant_models/ode/cvode_solver.h"
 #include "supervisor/geometry/box.h"
-#include "supervisor/ltl/referee/internal/within.h"
+#include "supervisor/ltl/checker/internal/within.h"
 
 namespace stepwright::ltl {
 
@@ -89,10 +89,10 @@ bool share(const Corners& a, const Corners& b) {
   return !apart(a, b) && !apart(b, a);
 }
 
-class Referee {
+class PlanChecker {
  public:
-  Referee(const Floor& floor, const TrainModel& model, const RefereeOptions& options,
-          PlanJudgement& judgement)
+  PlanChecker(const Floor& floor, const TrainModel& model, const PlanCheckerOptions& options,
+              PlanJudgement& judgement)
       : floor_(floor),
         model_(model),
         options_(options),
@@ -253,7 +253,7 @@ class Referee {
 
   const Floor& floor_;
   const TrainModel& model_;
-  RefereeOptions options_;
+  PlanCheckerOptions options_;
   PlanJudgement& judgement_;
   const double reach_m_;  // of a corner from a link's middle
   struct Obstacle {
@@ -270,10 +270,10 @@ class Referee {
 }  // namespace
 
 PlanJudgement judge_plan(const Floor& floor, const TrainModel& model, const TrainState& start,
-                         const Formula& formula, const TrainPlan& plan, const RefereeOptions& options) {
+                         const Formula& formula, const TrainPlan& plan, const PlanCheckerOptions& options) {
   PlanJudgement judgement;
-  Referee referee(floor, model, options, judgement);
-  if (!referee.replay(plan, start)) return judgement;
+  PlanChecker checker(floor, model, options, judgement);
+  if (!checker.replay(plan, start)) return judgement;
   std::vector<Label> word = options.read;
   for (const Label label : judgement.word)
     if (word.empty() || word.back() != label) word.push_back(label);

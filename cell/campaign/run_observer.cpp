@@ -1,4 +1,4 @@
-#include "cell/campaign/witness.h"
+#include "cell/campaign/run_observer.h"
 
 #include "cell/monitor_check/monitor_names.h"
 #include "hmi_web/alarms/definition_file.h"
@@ -6,7 +6,7 @@
 
 namespace stepwright::campaign {
 
-Witness::Witness(const config::CellConfig& config) {
+RunObserver::RunObserver(const config::CellConfig& config) {
   for (const config::MonitorConfig& each : config.monitors)
     monitors_.push_back({each.name, cell_monitors::failed_tag(each.name)});
   if (config.history.alarms.empty()) return;
@@ -16,14 +16,14 @@ Witness::Witness(const config::CellConfig& config) {
     watched_alarms_.push_back({each.name, each.source, alarms::Condition(each.condition)});
 }
 
-void Witness::find_places(const simulation::SimulatedController& controller) {
+void RunObserver::find_places(const simulation::SimulatedController& controller) {
   program_ = controller.programs_loaded();
   const reader::ProgramInfo* const program = controller.program_info();
   for (Monitor& each : monitors_) each.place = program == nullptr ? nullptr : program->find(each.tag);
   for (Alarm& each : watched_alarms_) each.place = program == nullptr ? nullptr : program->find(each.source);
 }
 
-void Witness::look(const simulation::SimulatedController& controller, std::span<const std::byte> image) {
+void RunObserver::look(const simulation::SimulatedController& controller, std::span<const std::byte> image) {
   if (controller.programs_loaded() != program_) find_places(controller);
   for (Monitor& each : monitors_) {
     if (each.told || each.place == nullptr || reader::read_number(*each.place, image) == 0.0) continue;

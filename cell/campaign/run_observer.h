@@ -1,11 +1,11 @@
 #pragma once
 
-// What the cell itself says of a run, scan by scan: its monitors that failed and its alarms that came.
+// Observer of a run: the cell's own monitors that failed and its alarms that came, scan by scan.
 //
 // Thread rule: one thread at a time.
 //
-//   Witness witness(config);
-//   controller.on_scan = [&](auto image) { witness.look(controller, image); };
+//   RunObserver observer(config);
+//   controller.on_scan = [&](auto image) { observer.look(controller, image); };
 
 #include <cstddef>
 #include <cstdint>
@@ -24,10 +24,10 @@ struct Sighting {
   double at_s = 0.0;
 };
 
-class Witness {
+class RunObserver {
  public:
   // Alarms whose file is wrong are none; `stepwright check` says so.
-  explicit Witness(const config::CellConfig& config);
+  explicit RunObserver(const config::CellConfig& config);
 
   void look(const simulation::SimulatedController& controller, std::span<const std::byte> image);
 

@@ -19,7 +19,7 @@
 
 namespace stepwright::ltl {
 
-struct RefereeOptions {
+struct PlanCheckerOptions {
   double relative_tolerance = 1e-10;
   double look_every_m = 0.01;    // on the way of the car at its most speed
   double most_end_error = 1e-3;  // of each state: m, rad, m/s
@@ -41,7 +41,8 @@ struct PlanJudgement {
 
 // `start` is where the train stands: the plan must begin there.
 PlanJudgement judge_plan(const Floor& floor, const TrainModel& model, const TrainState& start,
-                         const Formula& formula, const TrainPlan& plan, const RefereeOptions& options = {});
+                         const Formula& formula, const TrainPlan& plan,
+                         const PlanCheckerOptions& options = {});
 
 // The labels of a straight way, each one other than the one before, appended to a word. A strip is read
 // however thin it is.
