@@ -10,12 +10,12 @@
 #include <vector>
 
 #include "cell/hmi/plant_picture.h"
-#include "hmi_web/access/durable_file.h"
 #include "hmi_web/alarms/definition_file.h"
 #include "hmi_web/drawing/drawing_file.h"
 #include "hmi_web/recipes/definition_file.h"
 #include "hmi_web/screens/part_check.h"
 #include "hmi_web/screens/screen_store.h"
+#include "runtime/ground/files/durable_file.h"
 #include "runtime/ground/naming/ascii_names.h"
 #include "runtime/ground/settings/toml_document.h"
 
@@ -161,7 +161,7 @@ void check_drawing(const config::CellConfig& config, NameCheck& names) {
 
 // What a server keeps is its own: a file that cannot be read or is damaged is told by the server.
 nlohmann::json kept(const std::filesystem::path& file, const char* list) {
-  const auto text = access::read_bounded(file, kLargestKept);
+  const auto text = files::read_bounded(file, kLargestKept);
   if (!text || text->size() > kLargestKept) return nlohmann::json::array();
   nlohmann::json document = nlohmann::json::parse(*text, nullptr, /*allow_exceptions=*/false);
   const bool right = document.is_object() && document.contains(list) && document[list].is_array();

@@ -14,7 +14,7 @@
 #include "programs/check/check_wires.h"
 #include "runtime/bytecode/reader/loaded_program.h"
 #include "runtime/bytecode/reader/program_info.h"
-#include "runtime/ground/process/files.h"
+#include "runtime/ground/files/files.h"
 #include "runtime/host/engine_choice.h"
 #include "runtime/host/program_fit.h"
 #include "runtime/modbus/map/build_map.h"
@@ -43,7 +43,7 @@ void note(const result::Result<Value>& tried, const std::string& name, result::D
 result::Result<std::optional<CellProgram>> find_program(const config::CellConfig& config,
                                                         const std::filesystem::path& image) {
   if (!image.empty()) {
-    auto text = process::read_file(image.string());
+    auto text = files::read_file(image.string());
     if (!text) return result::forward(text);
     const auto bytes = std::as_bytes(std::span(*text));
     return CellProgram{image.string(), {bytes.begin(), bytes.end()}};

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "runtime/ground/process/files.h"
+#include "runtime/ground/files/files.h"
 #include "runtime/ground/result/utf8_place.h"
 
 namespace stepwright::check {
@@ -14,7 +14,7 @@ result::Diagnostics check_texts(const config::CellConfig& config) {
     if (!each.formula_file.empty()) files.push_back(each.formula_file);
   result::Diagnostics problems;
   for (const std::filesystem::path& file : files) {
-    const auto text = process::read_file(file.string());
+    const auto text = files::read_file(file.string());
     if (!text) continue;
     if (const auto broken = result::place_of_no_utf8(file.string(), *text))
       problems.push_back({"C0533", result::Severity::Warning, *broken,

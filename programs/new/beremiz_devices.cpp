@@ -6,7 +6,7 @@
 
 #include "ladder/exchange/settings_element.h"
 #include "ladder/syntax/direct_address.h"
-#include "runtime/ground/process/files.h"
+#include "runtime/ground/files/files.h"
 
 namespace stepwright::new_cell {
 namespace {
@@ -25,7 +25,7 @@ struct Node {
 };
 
 std::optional<exchange::SettingsElement> settings_in(const fs::path& file) {
-  auto text = process::read_file(file.string(), kMostBytes);
+  auto text = files::read_file(file.string(), kMostBytes);
   if (!text) return std::nullopt;
   auto element = exchange::read_settings_element(file.string(), std::move(*text));
   if (!element) return std::nullopt;

@@ -15,7 +15,7 @@
 #include "programs/new/plcopen_project.h"
 #include "programs/new/project_cell.h"
 #include "programs/new/template_texts.h"
-#include "runtime/ground/process/files.h"
+#include "runtime/ground/files/files.h"
 
 namespace stepwright::new_cell {
 namespace {
@@ -70,7 +70,7 @@ result::Result<void> check_free(const std::filesystem::path& folder) {
 }
 
 result::Result<void> write(const std::filesystem::path& file, const std::string& text) {
-  auto unwritten = process::write_file(file.string(), text);
+  auto unwritten = files::write_file(file.string(), text);
   if (!unwritten.empty()) return tl::unexpected(std::move(unwritten));
   return {};
 }

@@ -16,8 +16,8 @@
 #include "programs/new/located_lengths.h"
 #include "programs/new/named_bodies.h"
 #include "runtime/bytecode/reader/program_info.h"
+#include "runtime/ground/files/files.h"
 #include "runtime/ground/naming/ascii_names.h"
-#include "runtime/ground/process/files.h"
 
 namespace stepwright::new_cell {
 namespace {
@@ -30,7 +30,7 @@ result::Result<std::string> read_text(const std::filesystem::path& path, std::fi
   if (std::filesystem::is_directory(path, error) && !std::filesystem::is_regular_file(file, error))
     return result::fail("M0020", {path.string(), 0, 0}, "this folder has no plc.xml",
                         "OpenPLC Editor 4 and CODESYS export one: PLCopen XML");
-  auto text = process::read_file(file.string());
+  auto text = files::read_file(file.string());
   if (!text) return text;
   const std::size_t first = text->find_first_not_of(" \t\r\n");
   if (first != std::string::npos && (*text)[first] == '{')

@@ -9,8 +9,8 @@
 #include "cell/tags/tag_notes.h"
 #include "programs/registers/register_table.h"
 #include "runtime/bytecode/reader/document_text.h"
+#include "runtime/ground/files/files.h"
 #include "runtime/ground/process/command_line.h"
-#include "runtime/ground/process/files.h"
 #include "runtime/ground/result/exit_code.h"
 #include "runtime/modbus/map/build_map.h"
 #include "runtime/service/connection.h"
@@ -44,7 +44,7 @@ result::Result<std::vector<std::byte>> program_of_runtime(const config::CellConf
 
 result::Result<std::vector<std::byte>> program_of(const Options& options, const config::CellConfig& config) {
   if (options.image.empty()) return program_of_runtime(config);
-  auto text = process::read_file(options.image);
+  auto text = files::read_file(options.image);
   if (!text) return result::forward(text);
   const auto bytes = std::as_bytes(std::span(*text));
   return std::vector<std::byte>(bytes.begin(), bytes.end());
@@ -73,7 +73,7 @@ int run(const Options& options) {
                                                       : to_markdown(rows, title, wanted.openplc);
   if (options.out.empty()) {
     std::fputs(text.c_str(), stdout);
-  } else if (const auto failed = process::write_file(options.out, text); !failed.empty()) {
+  } else if (const auto failed = files::write_file(options.out, text); !failed.empty()) {
     return process::fail(failed, ExitCode::BadInput);
   }
   return to_int(ExitCode::Done);

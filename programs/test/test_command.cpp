@@ -8,7 +8,7 @@
 
 #include "ladder/source_files/source_files.h"
 #include "programs/test/report.h"
-#include "runtime/ground/process/files.h"
+#include "runtime/ground/files/files.h"
 
 namespace stepwright::test_program {
 
@@ -94,7 +94,7 @@ ExitCode run_tests(const TestArguments& arguments) {
   for (const auto& [path, text] :
        {std::pair(arguments.json_file, &to_json), std::pair(arguments.junit_file, &to_junit)}) {
     if (path.empty()) continue;
-    const result::Diagnostics failed = process::write_file(path, text(report));
+    const result::Diagnostics failed = files::write_file(path, text(report));
     report.diagnostics.insert(report.diagnostics.end(), failed.begin(), failed.end());
   }
   sources::print(report.diagnostics, files.files);

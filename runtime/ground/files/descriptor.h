@@ -1,12 +1,14 @@
 #pragma once
 
 // A file descriptor that closes itself.
+//
+// Threads: one at a time.
 
 #include <unistd.h>
 
 #include <utility>
 
-namespace stepwright::service::internal {
+namespace stepwright::files {
 
 class Descriptor {
  public:
@@ -28,4 +30,4 @@ class Descriptor {
   int fd_ = -1;
 };
 
-}  // namespace stepwright::service::internal
+}  // namespace stepwright::files

@@ -12,7 +12,7 @@
 
 #include "runtime/ground/result/result.h"
 
-namespace stepwright::process {
+namespace stepwright::files {
 
 inline constexpr std::uintmax_t kMostFileBytes = 256u << 20;
 
@@ -38,4 +38,4 @@ bool is_stream(const std::string& path);
 // ".xml" in any case: a PLCopen project.
 bool is_xml(const std::string& path);
 
-}  // namespace stepwright::process
+}  // namespace stepwright::files

@@ -1,14 +1,16 @@
-#include "runtime/ground/process/files.h"
+#include "runtime/ground/files/files.h"
 
 #include <unistd.h>
 
 #include <cctype>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <span>
 
-namespace stepwright::process {
+#include "runtime/ground/files/internal/replacement.h"
+
+namespace stepwright::files {
 namespace {
 
 namespace fs = std::filesystem;
@@ -35,9 +37,9 @@ std::string place_of(const std::string& path) {
   return path == "-" ? "/dev/stdout" : path;
 }
 
-bool write_to(const fs::path& path, std::string_view bytes, std::ios::openmode mode) {
+bool write_to_stream(const fs::path& path, std::string_view bytes) {
   errno = 0;
-  std::ofstream file(path, std::ios::binary | mode);
+  std::ofstream file(path, std::ios::binary | std::ios::app);
   file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   return static_cast<bool>(file.flush());
 }
@@ -100,19 +102,13 @@ result::Result<std::string> read_file(const std::string& path, std::uintmax_t mo
 result::Diagnostics write_file(const std::string& given, std::string_view bytes) {
   const std::string path = place_of(given);
   if (is_stream(path)) {
-    if (write_to(path, bytes, std::ios::app)) return {};
+    if (write_to_stream(path, bytes)) return {};
     return unwritten(path, errno);
   }
-  const fs::path place = behind_links(path);
-  const fs::path partial = place.string() + ".part";
-  const bool written = write_to(partial, bytes, std::ios::trunc);
-  int reason = errno;
-  std::error_code failed;
-  if (written) fs::rename(partial, place, failed);
-  if (written && !failed) return {};
-  if (failed) reason = failed.value();
-  std::remove(partial.c_str());
-  return unwritten(path, reason);
+  // A command can be run again: it does not wait for the disk.
+  const int reason = internal::replace(behind_links(path), std::as_bytes(std::span(bytes)),
+                                       {.beside = ".part", .durable = false});
+  return reason == 0 ? result::Diagnostics{} : unwritten(path, reason);
 }
 
 result::Diagnostics check_writable(const std::string& given) {
@@ -133,4 +129,4 @@ bool is_xml(const std::string& path) {
   return extension == ".xml";
 }
 
-}  // namespace stepwright::process
+}  // namespace stepwright::files

@@ -1,4 +1,4 @@
-#include "runtime/ground/process/files.h"
+#include "runtime/ground/files/files.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 
 #include "tests/support/temporary_folder.h"
 
-namespace stepwright::process {
+namespace stepwright::files {
 namespace {
 
 namespace fs = std::filesystem;
@@ -107,4 +107,4 @@ TEST(Files, WhenAPipeADeviceOrAFileOfGigabytesIsRead_ThenRefusedAtOnce) {
 }
 
 }  // namespace
-}  // namespace stepwright::process
+}  // namespace stepwright::files
