@@ -4,8 +4,8 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
+#include "cell/check/check_cell.h"
 #include "cell/config/cell_options.h"
-#include "programs/check/check_command.h"
 #include "runtime/ground/files/files.h"
 #include "runtime/ground/process/command_line.h"
 #include "runtime/ground/result/counted.h"

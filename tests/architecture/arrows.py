@@ -219,6 +219,9 @@ ARROWS = {
         "plant_models/bridge",
         "supervisor/run", "supervisor/translate",
     ],
+    "cell/check": [
+        "cell/binding", "cell/gateway", "cell/hmi", "cell/missions", "cell/program", "plant_models/program",
+    ],
     "cell/fleet": ["cell/config", "supervisor/fleet/mission", "supervisor/fleet/program"],
     "cell/gateway": ["cell/runtime", "runtime/metrics", "runtime/remote"],
     "cell/tags": ["cell/config", "hmi_web/tags"],

@@ -1,10 +1,10 @@
-#include "programs/check/check_ports.h"
+#include "cell/check/check_ports.h"
 
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "programs/check/listening_servers.h"
+#include "cell/check/listening_servers.h"
 
 namespace stepwright::check {
 namespace {

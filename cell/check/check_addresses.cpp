@@ -1,9 +1,9 @@
-#include "programs/check/check_addresses.h"
+#include "cell/check/check_addresses.h"
 
 #include <string>
 #include <string_view>
 
-#include "programs/check/listening_servers.h"
+#include "cell/check/listening_servers.h"
 #include "runtime/ground/network/own_addresses.h"
 
 namespace stepwright::check {

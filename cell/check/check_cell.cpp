@@ -1,4 +1,4 @@
-#include "programs/check/check_command.h"
+#include "cell/check/check_cell.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -6,11 +6,20 @@
 #include <utility>
 
 #include "cell/binding/check_binding.h"
+#include "cell/check/check_addresses.h"
+#include "cell/check/check_places.h"
+#include "cell/check/check_plant.h"
+#include "cell/check/check_ports.h"
+#include "cell/check/check_processes.h"
+#include "cell/check/check_program.h"
+#include "cell/check/check_texts.h"
+#include "cell/check/check_unheard.h"
 #include "cell/config/state_dir.h"
 #include "cell/hmi/alarm_list.h"
 #include "cell/hmi/plant_picture.h"
 #include "cell/missions/mission_kinds.h"
 #include "cell/monitors/cell_monitors.h"
+#include "cell/program/compile_cell.h"
 #include "cell/runtime/cell_io.h"
 #include "cell/runtime/host_options.h"
 #include "hmi_web/alarms/engine.h"
@@ -18,15 +27,6 @@
 #include "hmi_web/recipes/definition_file.h"
 #include "hmi_web/screens/codes.h"
 #include "hmi_web/screens/screen_store.h"
-#include "programs/check/check_addresses.h"
-#include "programs/check/check_places.h"
-#include "programs/check/check_plant.h"
-#include "programs/check/check_ports.h"
-#include "programs/check/check_processes.h"
-#include "programs/check/check_program.h"
-#include "programs/check/check_texts.h"
-#include "programs/check/check_unheard.h"
-#include "programs/check/compile_sources.h"
 #include "runtime/ground/process/diagnostics_json.h"
 
 namespace stepwright::check {
@@ -75,10 +75,10 @@ void note_unknown(const config::CellConfig& config, result::Diagnostics& problem
 // or the one that is there already.
 void check_image(const config::CellConfig& config, const std::filesystem::path& image, CheckReport& report) {
   if (image.empty() && !config.boot.sources.empty()) {
-    const auto made = compile_sources(config, report.problems);
+    auto made = cell_program::compile_cell(config, report.problems);
     if (!made) return;
-    report.program = made->name;
-    return add(report.problems, check_program(config, *made));
+    report.program = config.boot.sources.front().string();
+    return add(report.problems, check_program(config, {report.program, std::move(*made)}));
   }
   auto program = find_program(config, image);
   if (!program) return add(report.problems, program.error());

@@ -1,4 +1,4 @@
-#include "programs/check/check_described_tags.h"
+#include "cell/check/check_described_tags.h"
 
 #include <map>
 #include <optional>

@@ -1,4 +1,4 @@
-#include "programs/check/check_fit.h"
+#include "cell/check/check_fit.h"
 
 #include <algorithm>
 #include <array>

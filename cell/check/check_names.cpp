@@ -1,4 +1,4 @@
-#include "programs/check/check_names.h"
+#include "cell/check/check_names.h"
 
 #include <algorithm>
 #include <cctype>

@@ -1,11 +1,11 @@
-#include "programs/check/check_tags.h"
+#include "cell/check/check_tags.h"
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string>
 
-#include "programs/check/extent.h"
+#include "cell/check/extent.h"
 
 namespace stepwright::check {
 namespace {

@@ -1,17 +1,17 @@
-#include "programs/check/check_program.h"
+#include "cell/check/check_program.h"
 
 #include <span>
 #include <utility>
 
+#include "cell/check/check_described_tags.h"
+#include "cell/check/check_fit.h"
+#include "cell/check/check_names.h"
+#include "cell/check/check_tags.h"
+#include "cell/check/check_wires.h"
 #include "cell/monitor_check/missing_monitors.h"
 #include "cell/runtime/boot_program.h"
 #include "cell/runtime/host_options.h"
 #include "hmi_web/server/array_selection.h"
-#include "programs/check/check_described_tags.h"
-#include "programs/check/check_fit.h"
-#include "programs/check/check_names.h"
-#include "programs/check/check_tags.h"
-#include "programs/check/check_wires.h"
 #include "runtime/bytecode/reader/loaded_program.h"
 #include "runtime/bytecode/reader/program_info.h"
 #include "runtime/ground/files/files.h"

@@ -1,4 +1,4 @@
-#include "programs/check/check_plant.h"
+#include "cell/check/check_plant.h"
 
 #include <cmath>
 #include <string>

@@ -1,4 +1,4 @@
-#include "programs/check/check_places.h"
+#include "cell/check/check_places.h"
 
 #include <linux/magic.h>
 #include <sys/stat.h>
@@ -12,7 +12,7 @@
 #include <filesystem>
 #include <string>
 
-#include "programs/check/listening_servers.h"
+#include "cell/check/listening_servers.h"
 
 namespace stepwright::check {
 namespace {

@@ -1,4 +1,4 @@
-#include "programs/check/check_processes.h"
+#include "cell/check/check_processes.h"
 
 #include "cell/gateway/controller_line.h"
 #include "cell/gateway/hand_plan.h"

@@ -1,4 +1,4 @@
-#include "programs/check/check_texts.h"
+#include "cell/check/check_texts.h"
 
 #include <filesystem>
 #include <vector>

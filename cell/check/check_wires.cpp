@@ -1,4 +1,4 @@
-#include "programs/check/check_wires.h"
+#include "cell/check/check_wires.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "cell/check/extent.h"
 #include "cell/runtime/cell_io.h"
 #include "cell/runtime/model_plant.h"
 #include "plant_models/bridge/io_address.h"
-#include "programs/check/extent.h"
 
 namespace stepwright::check {
 namespace {

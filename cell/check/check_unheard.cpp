@@ -1,8 +1,8 @@
-#include "programs/check/check_unheard.h"
+#include "cell/check/check_unheard.h"
 
 #include <string>
 
-#include "programs/check/listening_servers.h"
+#include "cell/check/listening_servers.h"
 
 namespace stepwright::check {
 

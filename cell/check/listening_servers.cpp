@@ -1,4 +1,4 @@
-#include "programs/check/listening_servers.h"
+#include "cell/check/listening_servers.h"
 
 #include "runtime/ground/settings/toml_document.h"
 
