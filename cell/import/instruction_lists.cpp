@@ -1,15 +1,15 @@
-#include "programs/new/instruction_lists.h"
+#include "cell/import/instruction_lists.h"
 
 #include <algorithm>
 #include <functional>
 #include <string_view>
 #include <variant>
 
-#include "programs/new/named_bodies.h"
+#include "cell/import/named_bodies.h"
 #include "runtime/ground/markup/xml_scan.h"
 #include "runtime/ground/naming/ascii_names.h"
 
-namespace stepwright::new_cell {
+namespace stepwright::cell_import {
 namespace {
 
 bool has_list(const graphic::DiagramBody& body) {
@@ -91,4 +91,4 @@ std::string without_instruction_lists(const graphic::Project& project, std::vect
   return xml;
 }
 
-}  // namespace stepwright::new_cell
+}  // namespace stepwright::cell_import

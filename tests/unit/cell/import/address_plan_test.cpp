@@ -1,8 +1,8 @@
-#include "programs/new/address_plan.h"
+#include "cell/import/address_plan.h"
 
 #include <gtest/gtest.h>
 
-namespace stepwright::new_cell {
+namespace stepwright::cell_import {
 namespace {
 
 using naming::Area;
@@ -44,4 +44,4 @@ TEST(AddressPlan, WhenAddressesHaveLevels_ThenAnArrayCountsInItsOwnTable) {
 }
 
 }  // namespace
-}  // namespace stepwright::new_cell
+}  // namespace stepwright::cell_import

@@ -1,4 +1,4 @@
-#include "programs/new/plcopen_project.h"
+#include "cell/import/plcopen_project.h"
 
 #include <algorithm>
 #include <array>
@@ -7,19 +7,19 @@
 #include <string_view>
 #include <tuple>
 
+#include "cell/import/address_plan.h"
+#include "cell/import/address_tokens.h"
+#include "cell/import/instruction_lists.h"
+#include "cell/import/located_lengths.h"
+#include "cell/import/named_bodies.h"
 #include "ladder/driver/compile.h"
 #include "ladder/exchange/plcopen_reader.h"
 #include "ladder/source/codes.h"
-#include "programs/new/address_plan.h"
-#include "programs/new/address_tokens.h"
-#include "programs/new/instruction_lists.h"
-#include "programs/new/located_lengths.h"
-#include "programs/new/named_bodies.h"
 #include "runtime/bytecode/reader/program_info.h"
 #include "runtime/ground/files/files.h"
 #include "runtime/ground/naming/ascii_names.h"
 
-namespace stepwright::new_cell {
+namespace stepwright::cell_import {
 namespace {
 
 constexpr const char* kFileName = "main.xml";
@@ -211,4 +211,4 @@ result::Result<TakenProject> read_project(const std::filesystem::path& path, con
   return taken;
 }
 
-}  // namespace stepwright::new_cell
+}  // namespace stepwright::cell_import

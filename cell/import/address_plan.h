@@ -23,7 +23,7 @@
 
 #include "runtime/ground/naming/direct_address.h"
 
-namespace stepwright::new_cell {
+namespace stepwright::cell_import {
 
 class AddressPlan {
  public:
@@ -67,4 +67,4 @@ class AddressPlan {
   std::vector<std::string> unknown_;
 };
 
-}  // namespace stepwright::new_cell
+}  // namespace stepwright::cell_import

@@ -1,9 +1,9 @@
-#include "programs/new/named_bodies.h"
+#include "cell/import/named_bodies.h"
 
 #include <algorithm>
 #include <variant>
 
-namespace stepwright::new_cell {
+namespace stepwright::cell_import {
 
 bool takes_named_bodies(const graphic::DrawnBody& drawn) {
   return std::ranges::any_of(drawn.body.diagram.elements, [](const graphic::Element& each) {
@@ -26,4 +26,4 @@ void tell_named_bodies(const graphic::Project& project, std::vector<std::string>
   }
 }
 
-}  // namespace stepwright::new_cell
+}  // namespace stepwright::cell_import

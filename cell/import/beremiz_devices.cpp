@@ -1,4 +1,4 @@
-#include "programs/new/beremiz_devices.h"
+#include "cell/import/beremiz_devices.h"
 
 #include <algorithm>
 #include <charconv>
@@ -8,7 +8,7 @@
 #include "ladder/syntax/direct_address.h"
 #include "runtime/ground/files/files.h"
 
-namespace stepwright::new_cell {
+namespace stepwright::cell_import {
 namespace {
 
 namespace fs = std::filesystem;
@@ -152,4 +152,4 @@ std::optional<ForeignObject> object_at(const ForeignDevices& devices, const std:
   return std::nullopt;
 }
 
-}  // namespace stepwright::new_cell
+}  // namespace stepwright::cell_import

@@ -1,4 +1,4 @@
-#include "programs/new/project_cell.h"
+#include "cell/import/project_cell.h"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 #include "runtime/ground/naming/direct_address.h"
 #include "runtime/ground/settings/toml_document.h"
 
-namespace stepwright::new_cell {
+namespace stepwright::cell_import {
 namespace {
 
 using naming::Area;
@@ -264,4 +264,4 @@ std::string left_of(const TakenProject& project) {
   return text;
 }
 
-}  // namespace stepwright::new_cell
+}  // namespace stepwright::cell_import

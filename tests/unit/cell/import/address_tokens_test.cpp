@@ -1,9 +1,9 @@
-#include "programs/new/address_tokens.h"
+#include "cell/import/address_tokens.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace stepwright::new_cell {
+namespace stepwright::cell_import {
 namespace {
 
 using testing::ElementsAre;
@@ -45,4 +45,4 @@ TEST(AddressTokens, WhenAddressesChange_ThenEverythingElseStays) {
 }
 
 }  // namespace
-}  // namespace stepwright::new_cell
+}  // namespace stepwright::cell_import

@@ -1,11 +1,11 @@
-#include "programs/new/address_plan.h"
+#include "cell/import/address_plan.h"
 
 #include <algorithm>
 #include <tuple>
 
 #include "ladder/syntax/direct_address.h"
 
-namespace stepwright::new_cell {
+namespace stepwright::cell_import {
 namespace {
 
 using naming::Area;
@@ -134,4 +134,4 @@ std::vector<std::pair<std::string, std::string>> AddressPlan::moved() const {
   return pairs;
 }
 
-}  // namespace stepwright::new_cell
+}  // namespace stepwright::cell_import

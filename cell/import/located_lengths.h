@@ -11,7 +11,7 @@
 #include "ladder/graphic/project.h"
 #include "ladder/source/dialect.h"
 
-namespace stepwright::new_cell {
+namespace stepwright::cell_import {
 
 // Of each address that a variable of the project has, as it is written. What cannot be known is not there,
 // and a line of `left`.
@@ -19,4 +19,4 @@ std::map<std::string, std::uint32_t> located_lengths(const graphic::Project& pro
                                                      const source::Dialect& dialect,
                                                      std::vector<std::string>& left);
 
-}  // namespace stepwright::new_cell
+}  // namespace stepwright::cell_import

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace stepwright::new_cell {
+namespace stepwright::cell_import {
 
 // What one request of a client reads or writes.
 struct ForeignRequest {
@@ -51,4 +51,4 @@ struct ForeignObject {
 };
 std::optional<ForeignObject> object_at(const ForeignDevices& devices, const std::string& address);
 
-}  // namespace stepwright::new_cell
+}  // namespace stepwright::cell_import

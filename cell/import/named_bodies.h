@@ -8,7 +8,7 @@
 
 #include "ladder/graphic/project.h"
 
-namespace stepwright::new_cell {
+namespace stepwright::cell_import {
 
 // Whether the body is a chart.
 bool takes_named_bodies(const graphic::DrawnBody& drawn);
@@ -16,4 +16,4 @@ bool takes_named_bodies(const graphic::DrawnBody& drawn);
 // A line for each that nothing takes.
 void tell_named_bodies(const graphic::Project& project, std::vector<std::string>& left);
 
-}  // namespace stepwright::new_cell
+}  // namespace stepwright::cell_import

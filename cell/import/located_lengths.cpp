@@ -1,4 +1,4 @@
-#include "programs/new/located_lengths.h"
+#include "cell/import/located_lengths.h"
 
 #include <algorithm>
 #include <optional>
@@ -8,7 +8,7 @@
 #include "runtime/bytecode/reader/program_info.h"
 #include "runtime/ground/naming/ascii_names.h"
 
-namespace stepwright::new_cell {
+namespace stepwright::cell_import {
 namespace {
 
 std::uint8_t bits_of(const std::string& address) {
@@ -92,4 +92,4 @@ std::map<std::string, std::uint32_t> located_lengths(const graphic::Project& pro
   return longest;
 }
 
-}  // namespace stepwright::new_cell
+}  // namespace stepwright::cell_import

@@ -1,4 +1,4 @@
-#include "programs/new/address_tokens.h"
+#include "cell/import/address_tokens.h"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 #include "ladder/syntax/blank.h"
 #include "runtime/ground/markup/xml_scan.h"
 
-namespace stepwright::new_cell {
+namespace stepwright::cell_import {
 namespace {
 
 constexpr std::string_view kCdata = "<![CDATA[";
@@ -175,4 +175,4 @@ std::string with_addresses(const std::string& xml,
   return changed.append(xml, done, std::string::npos);
 }
 
-}  // namespace stepwright::new_cell
+}  // namespace stepwright::cell_import

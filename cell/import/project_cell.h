@@ -1,15 +1,15 @@
 #pragma once
 
-// The files of a cell that is made of a PLCopen project: the template of programs/new/templates/plcopen,
-// filled in with what the project has. Pure; any thread.
+// The files of a cell that is made of a PLCopen project: what the project has, for the placeholders of a
+// template (programs/new/templates/plcopen). Pure; any thread.
 
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "programs/new/plcopen_project.h"
+#include "cell/import/plcopen_project.h"
 
-namespace stepwright::new_cell {
+namespace stepwright::cell_import {
 
 // Pairs of a placeholder's name and what stands there: "{{outputs}}" is "outputs".
 using Fillings = std::vector<std::pair<std::string, std::string>>;
@@ -21,4 +21,4 @@ Fillings fillings_of(TakenProject& project);
 // {{left}}: what was not taken, and why the cell does not run.
 std::string left_of(const TakenProject& project);
 
-}  // namespace stepwright::new_cell
+}  // namespace stepwright::cell_import

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace stepwright::new_cell {
+namespace stepwright::cell_import {
 
 // In their order, each with the place where it begins.
 using EachAddress = std::function<void(std::size_t at, std::string_view address)>;
@@ -21,4 +21,4 @@ std::vector<std::string> addresses_in(std::string_view xml);
 // The same file with other addresses.
 std::string with_addresses(const std::string& xml, const std::function<std::string(const std::string&)>& now);
 
-}  // namespace stepwright::new_cell
+}  // namespace stepwright::cell_import

@@ -13,12 +13,12 @@
 #include <utility>
 #include <vector>
 
+#include "cell/import/beremiz_devices.h"
 #include "ladder/graphic/project.h"
-#include "programs/new/beremiz_devices.h"
 #include "runtime/ground/result/diagnostic.h"
 #include "runtime/ground/result/result.h"
 
-namespace stepwright::new_cell {
+namespace stepwright::cell_import {
 
 struct Signal {
   std::string name;     // as the program calls it: "instance0.lamp"
@@ -55,4 +55,4 @@ struct ProjectOptions {
 // "main.xml:7:3: E0302: ...".
 std::string line_of(const result::Diagnostic& problem);
 
-}  // namespace stepwright::new_cell
+}  // namespace stepwright::cell_import
