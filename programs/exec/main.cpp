@@ -22,6 +22,7 @@ namespace {
 
 using stepwright::result::ExitCode;
 namespace exec = stepwright::exec;
+namespace files = stepwright::files;
 namespace process = stepwright::process;
 namespace reader = stepwright::reader;
 namespace result = stepwright::result;

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 
 #include "runtime/ground/files/descriptor.h"
 #include "runtime/ground/files/durable_file.h"
