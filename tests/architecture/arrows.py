@@ -222,6 +222,7 @@ ARROWS = {
     "cell/check": [
         "cell/binding", "cell/gateway", "cell/hmi", "cell/missions", "cell/program", "plant_models/program",
     ],
+    "cell/testing": ["ladder/source_files", "runtime/ground/process", "runtime/host"],
     "cell/import": ["cell/config", "ladder/driver", "ladder/exchange", "runtime/ground/markup"],
     "cell/fleet": ["cell/config", "supervisor/fleet/mission", "supervisor/fleet/program"],
     "cell/gateway": ["cell/runtime", "runtime/metrics", "runtime/remote"],

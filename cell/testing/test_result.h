@@ -8,7 +8,7 @@
 
 #include "runtime/ground/result/diagnostic.h"
 
-namespace stepwright::test_program {
+namespace stepwright::cell_testing {
 
 // Why a test failed. The diagnostic holds the whole of it in words; of a trap it has a code.
 struct Failure {
@@ -33,4 +33,4 @@ struct TestResult {
   bool passed() const { return !failure; }
 };
 
-}  // namespace stepwright::test_program
+}  // namespace stepwright::cell_testing

@@ -1,9 +1,9 @@
 #include <nlohmann/json.hpp>
 
-#include "programs/test/report.h"
+#include "cell/testing/report.h"
 #include "runtime/ground/process/diagnostics_json.h"
 
-namespace stepwright::test_program {
+namespace stepwright::cell_testing {
 
 namespace {
 
@@ -53,4 +53,4 @@ std::string to_json(const TestReport& report) {
   return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
-}  // namespace stepwright::test_program
+}  // namespace stepwright::cell_testing

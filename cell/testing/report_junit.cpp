@@ -4,10 +4,10 @@
 #include <span>
 #include <sstream>
 
-#include "programs/test/report.h"
+#include "cell/testing/report.h"
 #include "runtime/bytecode/utf8.h"
 
-namespace stepwright::test_program {
+namespace stepwright::cell_testing {
 
 namespace {
 
@@ -110,4 +110,4 @@ std::string to_junit(const TestReport& report) {
   return out.str();
 }
 
-}  // namespace stepwright::test_program
+}  // namespace stepwright::cell_testing

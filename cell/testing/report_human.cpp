@@ -4,11 +4,11 @@
 #include <cstdio>
 #include <iomanip>
 
+#include "cell/testing/report.h"
 #include "ladder/source_files/source_files.h"
-#include "programs/test/report.h"
 #include "runtime/base/time_text.h"
 
-namespace stepwright::test_program {
+namespace stepwright::cell_testing {
 
 namespace {
 
@@ -68,4 +68,4 @@ void print_summary(std::ostream& out, const TestReport& report) {
   out << "; " << times << "\n";
 }
 
-}  // namespace stepwright::test_program
+}  // namespace stepwright::cell_testing

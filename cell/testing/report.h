@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "cell/testing/test_result.h"
 #include "ladder/source/source_set.h"
-#include "programs/test/test_result.h"
 
-namespace stepwright::test_program {
+namespace stepwright::cell_testing {
 
 struct TestReport {
   std::string engine;
@@ -36,4 +36,4 @@ std::string to_json(const TestReport& report);
 // JUnit XML: a testsuite for each source file. Wrong sources are a test case with an error.
 std::string to_junit(const TestReport& report);
 
-}  // namespace stepwright::test_program
+}  // namespace stepwright::cell_testing

@@ -1,4 +1,4 @@
-#include "programs/test/suite_runner.h"
+#include "cell/testing/suite_runner.h"
 
 #include <algorithm>
 #include <cassert>
@@ -7,11 +7,11 @@
 #include <limits>
 #include <utility>
 
-#include "programs/test/value_text.h"
+#include "cell/testing/value_text.h"
 #include "runtime/base/time_text.h"
 #include "runtime/bytecode/reader/read_value.h"
 
-namespace stepwright::test_program {
+namespace stepwright::cell_testing {
 
 namespace {
 
@@ -208,4 +208,4 @@ Failure SuiteRunner::trap(const bytecode::Trap& trap, const std::string& where) 
   return failure;
 }
 
-}  // namespace stepwright::test_program
+}  // namespace stepwright::cell_testing

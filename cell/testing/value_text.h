@@ -9,10 +9,10 @@
 
 #include "ladder/driver/compile_tests.h"
 
-namespace stepwright::test_program {
+namespace stepwright::cell_testing {
 
 // `instance`: the absolute address of the test's instance in the image.
 std::string value_text(const driver::TestOperand& operand, std::uint32_t instance,
                        std::span<const std::byte> image);
 
-}  // namespace stepwright::test_program
+}  // namespace stepwright::cell_testing

@@ -1,11 +1,11 @@
-#include "programs/test/value_text.h"
+#include "cell/testing/value_text.h"
 
 #include <cstdio>
 #include <memory>
 
 #include "runtime/bytecode/reader/read_value.h"
 
-namespace stepwright::test_program {
+namespace stepwright::cell_testing {
 
 namespace {
 
@@ -80,4 +80,4 @@ std::string value_text(const driver::TestOperand& operand, std::uint32_t instanc
   }
 }
 
-}  // namespace stepwright::test_program
+}  // namespace stepwright::cell_testing

@@ -17,8 +17,8 @@
 #include <span>
 #include <vector>
 
+#include "cell/testing/test_result.h"
 #include "ladder/driver/compile_tests.h"
-#include "programs/test/test_result.h"
 #include "runtime/bytecode/reader/loaded_program.h"
 #include "runtime/host/engine_choice.h"
 #include "runtime/image/no_io.h"
@@ -26,7 +26,7 @@
 #include "runtime/scan/no_clock.h"
 #include "runtime/scan/scan_cycle.h"
 
-namespace stepwright::test_program {
+namespace stepwright::cell_testing {
 
 struct RunOptions {
   host::EngineKind engine = host::EngineKind::Auto;
@@ -77,4 +77,4 @@ class SuiteRunner {
   Clock clock_;
 };
 
-}  // namespace stepwright::test_program
+}  // namespace stepwright::cell_testing
