@@ -6,8 +6,8 @@
 #include <cstdio>
 
 #include "cell/config/cell_config.h"
+#include "cell/tags/register_table.h"
 #include "cell/tags/tag_notes.h"
-#include "programs/registers/register_table.h"
 #include "runtime/bytecode/reader/document_text.h"
 #include "runtime/ground/files/files.h"
 #include "runtime/ground/process/command_line.h"
@@ -66,11 +66,11 @@ int run(const Options& options) {
   if (!built.problems.empty()) return process::fail(built.problems, ExitCode::BadInput);
   const tags::KnownTags known(tags::tag_notes(config.tags),
                               {info->instances(), reader::document_text(*container)});
-  const auto rows = tagged(modbus::map::register_rows(*info, built.map), known);
+  const auto rows = tags::tagged(modbus::map::register_rows(*info, built.map), known);
   const std::string title = "Modbus registers of " + (options.image.empty() ? config.name : options.image);
-  const std::string text = options.format == "csv"    ? to_csv(rows)
-                           : options.format == "json" ? to_json(rows)
-                                                      : to_markdown(rows, title, wanted.openplc);
+  const std::string text = options.format == "csv"    ? tags::to_csv(rows)
+                           : options.format == "json" ? tags::to_json(rows)
+                                                      : tags::to_markdown(rows, title, wanted.openplc);
   if (options.out.empty()) {
     std::fputs(text.c_str(), stdout);
   } else if (const auto failed = files::write_file(options.out, text); !failed.empty()) {

@@ -1,4 +1,4 @@
-#include "programs/registers/register_table.h"
+#include "cell/tags/register_table.h"
 
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -6,7 +6,7 @@
 
 #include "hmi_web/protocol/tag_note_json.h"
 
-namespace stepwright::registers {
+namespace stepwright::tags {
 namespace {
 
 using modbus::map::holds_bits;
@@ -76,7 +76,7 @@ constexpr const char* kTitles[] = {"Coils", "Discrete inputs", "Holding register
 
 }  // namespace
 
-std::vector<TaggedRow> tagged(std::vector<RegisterRow> rows, const tags::KnownTags& tags) {
+std::vector<TaggedRow> tagged(std::vector<RegisterRow> rows, const KnownTags& tags) {
   std::vector<TaggedRow> all;
   for (RegisterRow& row : rows) {
     protocol::TagNote note = tags.of(row.name);
@@ -155,4 +155,4 @@ std::string to_json(const std::vector<TaggedRow>& rows) {
   return list.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
-}  // namespace stepwright::registers
+}  // namespace stepwright::tags

@@ -8,7 +8,7 @@
 #include "hmi_web/tags/known_tags.h"
 #include "runtime/modbus/map/register_rows.h"
 
-namespace stepwright::registers {
+namespace stepwright::tags {
 
 // A value that a client can reach, with what is known of it for people.
 struct TaggedRow {
@@ -16,7 +16,7 @@ struct TaggedRow {
   protocol::TagNote note;
 };
 
-std::vector<TaggedRow> tagged(std::vector<modbus::map::RegisterRow> rows, const tags::KnownTags& tags);
+std::vector<TaggedRow> tagged(std::vector<modbus::map::RegisterRow> rows, const KnownTags& tags);
 
 // A table a Modbus table, with the default map's ranges in words if it is there.
 std::string to_markdown(const std::vector<TaggedRow>& rows, const std::string& title, bool openplc);
@@ -26,4 +26,4 @@ std::string to_csv(const std::vector<TaggedRow>& rows);
 // A list of objects with the same keys.
 std::string to_json(const std::vector<TaggedRow>& rows);
 
-}  // namespace stepwright::registers
+}  // namespace stepwright::tags
