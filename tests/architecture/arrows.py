@@ -190,7 +190,7 @@ ARROWS = {
     "hmi_web/recipes": ["hmi_web/storage", "runtime/bytecode/reader", "runtime/ground/settings"],
     "hmi_web/drawing": ["runtime/ground/markup", "runtime/ground/result"],
     "hmi_web/screens": ["hmi_web/storage", "hmi_web/drawing", "runtime/bytecode/reader"],
-    "hmi_web/change": ["hmi_web/access", "runtime/host"],
+    "hmi_web/change": ["hmi_web/access", "hmi_web/recipes", "hmi_web/screens", "runtime/ground/log", "runtime/host"],
     "hmi_web/trends": ["hmi_web/storage"],
     "hmi_web/api": ["hmi_web/access", "hmi_web/alarms", "hmi_web/change", "hmi_web/recipes", "hmi_web/screens", "hmi_web/tags", "hmi_web/trends", "runtime/ground/csv", "runtime/service"],
     "hmi_web/notify": ["hmi_web/alarms", "hmi_web/api"],

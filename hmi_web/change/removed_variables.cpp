@@ -1,10 +1,10 @@
-#include "programs/hmi/removed_variables.h"
+#include "hmi_web/change/removed_variables.h"
 
 #include <utility>
 
 #include "runtime/bytecode/reader/resolve_name.h"
 
-namespace stepwright::hmi {
+namespace stepwright::change {
 namespace {
 
 constexpr std::size_t kMostNamed = 5;
@@ -62,4 +62,4 @@ void RemovedVariables::note_screens(const reader::ProgramInfo& before, const rea
   }
 }
 
-}  // namespace stepwright::hmi
+}  // namespace stepwright::change

@@ -1,7 +1,7 @@
 #pragma once
 
 // Tells the log which recipes and screens name variables that the running program does not have: a recipe
-// then cannot be loaded, and of a screen a part stays pale. Alarms say so themselves (recording.h).
+// then cannot be loaded, and of a screen a part stays pale. Alarms say so themselves.
 //
 //   RemovedVariables removed(&tags, drawn.get(), log);
 //   removed.turn(cell.program());                    // often
@@ -21,7 +21,7 @@
 #include "runtime/bytecode/reader/program_info.h"
 #include "runtime/ground/log/logger.h"
 
-namespace stepwright::hmi {
+namespace stepwright::change {
 
 class RemovedVariables {
  public:
@@ -44,4 +44,4 @@ class RemovedVariables {
   std::set<std::string> missing_;  // of recipes
 };
 
-}  // namespace stepwright::hmi
+}  // namespace stepwright::change

@@ -1,10 +1,10 @@
-#include "programs/hmi/written_values.h"
+#include "hmi_web/api/written_values.h"
 
 #include <utility>
 
 #include "runtime/ground/naming/ascii_names.h"
 
-namespace stepwright::hmi {
+namespace stepwright::api {
 namespace {
 
 // One may have been on its way when the value was taken; the next one was not.
@@ -25,4 +25,4 @@ std::optional<std::string> WrittenValues::of(std::string_view name, std::uint64_
   return found->second.text;
 }
 
-}  // namespace stepwright::hmi
+}  // namespace stepwright::api

@@ -15,7 +15,7 @@
 #include <string>
 #include <string_view>
 
-namespace stepwright::hmi {
+namespace stepwright::api {
 
 class WrittenValues {
  public:
@@ -32,4 +32,4 @@ class WrittenValues {
   std::map<std::string, Written, std::less<>> values_;  // by the name in upper case
 };
 
-}  // namespace stepwright::hmi
+}  // namespace stepwright::api
