@@ -4,7 +4,7 @@
 #include <charconv>
 #include <string_view>
 
-#include "runtime/ground/process/files.h"
+#include "runtime/ground/files/files.h"
 
 namespace stepwright::config {
 namespace {
@@ -61,7 +61,7 @@ void check_mail(const TomlTable& table, const NotifyConfig& config) {
 }
 
 std::string read_secret(const std::filesystem::path& file, result::Diagnostics& found) {
-  auto text = process::read_file(file.string(), kLongestSecret);
+  auto text = files::read_file(file.string(), kLongestSecret);
   if (!text) {
     found.insert(found.end(), text.error().begin(), text.error().end());
     return {};

@@ -12,8 +12,8 @@
 #include <utility>
 
 #include "runtime/ground/csv/csv_rows.h"
+#include "runtime/ground/files/files.h"
 #include "runtime/ground/naming/ascii_names.h"
-#include "runtime/ground/process/files.h"
 #include "runtime/ground/result/utf8_place.h"
 
 namespace stepwright::config {
@@ -210,7 +210,7 @@ class TagTable {
 
 result::Diagnostics read_tag_table(const std::filesystem::path& file, std::vector<TagConfig>& tags) {
   if (file.empty()) return {};
-  auto text = process::read_file(file.string());
+  auto text = files::read_file(file.string());
   if (!text) return text.error();
   if (const auto broken = result::place_of_no_utf8(file.string(), *text))
     return result::fail(kNoTable, *broken, "this is no UTF-8", result::kUtf8Hint).value();

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "cell/config/port_reader.h"
-#include "runtime/ground/process/files.h"
+#include "runtime/ground/files/files.h"
 #include "supervisor/fleet/mission/problem_reader.h"
 
 namespace stepwright::config {
@@ -41,7 +41,7 @@ result::Result<fleet::FleetTerminals> fleet_terminals(const CellConfig& cell, st
 }
 
 std::optional<std::size_t> fleet_size(const std::filesystem::path& problem) {
-  const auto text = process::read_file(problem.string());
+  const auto text = files::read_file(problem.string());
   if (!text) return std::nullopt;
   const auto read = fleet::read_mission_problem(*text, problem);
   return read ? std::optional(read->vehicles.size()) : std::nullopt;

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "runtime/ground/process/files.h"
+#include "runtime/ground/files/files.h"
 
 namespace stepwright::gateway {
 namespace {
@@ -46,7 +46,7 @@ result::Result<HandPlan> read_hand_plan(const std::filesystem::path& file) {
     return result::fail("C0566", {file.string(), 0, 0}, std::move(message),
                         "`stepwright translate --handshake` writes it");
   };
-  const auto text = process::read_file(file.string());
+  const auto text = files::read_file(file.string());
   if (!text) return fail("the table of the plan cannot be read: " + text.error().front().message);
   const json table = json::parse(*text, nullptr, false);
   if (!table.is_object() || !table.contains("actions") || !table["actions"].is_array())

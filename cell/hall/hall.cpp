@@ -3,7 +3,7 @@
 #include <numbers>
 #include <utility>
 
-#include "runtime/ground/process/files.h"
+#include "runtime/ground/files/files.h"
 #include "supervisor/ltl/scene/map_floor.h"
 #include "supervisor/ltl/scene/scene_reader.h"
 #include "supervisor/map/map_file.h"
@@ -30,7 +30,7 @@ result::Result<ltl::Floor> read_floor(const config::TuggerPlantConfig& tugger) {
     floor = ltl::floor_of(*map, tugger.map.string());
     if (tugger.scene.empty()) return floor;
   }
-  auto text = process::read_file(tugger.scene.string());
+  auto text = files::read_file(tugger.scene.string());
   if (!text) return result::forward(text);
   return ltl::read_scene(*text, tugger.scene.string(), std::move(floor),
                          tugger.map.empty() ? ltl::Border::InTheScene : ltl::Border::FromElsewhere);

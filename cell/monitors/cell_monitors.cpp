@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "ladder/graphic/identifier.h"
-#include "runtime/ground/process/files.h"
+#include "runtime/ground/files/files.h"
 #include "supervisor/ltl/automaton/build.h"
 #include "supervisor/ltl/monitor/monitor_block.h"
 #include "supervisor/ltl/syntax/formula_bytes.h"
@@ -57,7 +57,7 @@ class Maker {
   std::optional<CellMonitor> run() {
     std::string text = config_.formula;
     if (!config_.formula_file.empty()) {
-      auto read = process::read_file(config_.formula_file.string(), ltl::kMostFormulaBytes);
+      auto read = files::read_file(config_.formula_file.string(), ltl::kMostFormulaBytes);
       if (!read) return fail(std::move(read.error()));
       text = *std::move(read);
     }

@@ -6,7 +6,7 @@
 #include <cerrno>
 #include <nlohmann/json.hpp>
 
-#include "runtime/ground/process/files.h"
+#include "runtime/ground/files/files.h"
 
 namespace stepwright::processes {
 
@@ -78,11 +78,11 @@ std::string to_json(const CellRecord& record) {
 }
 
 result::Diagnostics write_record(const std::filesystem::path& file, const CellRecord& record) {
-  return process::write_file(file.string(), to_json(record));
+  return files::write_file(file.string(), to_json(record));
 }
 
 result::Result<CellRecord> read_record(const std::filesystem::path& file) {
-  const auto text = process::read_file(file.string());
+  const auto text = files::read_file(file.string());
   if (!text) return tl::unexpected(text.error());
   CellRecord record;
   try {

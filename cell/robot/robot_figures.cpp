@@ -3,7 +3,7 @@
 #include <string>
 #include <utility>
 
-#include "runtime/ground/process/files.h"
+#include "runtime/ground/files/files.h"
 #include "supervisor/motion/kinematics/chain.h"
 #include "supervisor/motion/robot/urdf_reader.h"
 
@@ -149,7 +149,7 @@ class RobotReading {
 
 result::Result<void> read_robot(const config::RobotCellPlantConfig& cell,
                                 assemblies::RobotCellParameters& parameters) {
-  auto text = process::read_file(cell.robot.string());
+  auto text = files::read_file(cell.robot.string());
   if (!text) return result::forward(text);
   auto robot = motion::read_urdf(*text, cell.robot.string());
   if (!robot) return result::forward(robot);

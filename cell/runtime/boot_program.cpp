@@ -7,9 +7,9 @@
 #include <system_error>
 #include <utility>
 
+#include "runtime/ground/files/durable_file.h"
 #include "runtime/host/busy.h"
 #include "runtime/host/limits.h"
-#include "runtime/record/durable_file.h"
 #include "runtime/service/digest.h"
 
 namespace stepwright::cell_runtime {
@@ -17,6 +17,7 @@ namespace {
 
 // A large program takes seconds to be prepared; this is for a machine in trouble.
 constexpr int kAnswerWithinMs = 120'000;
+constexpr files::Owner kProgramFile{"R0024"};
 // A disk that had no room may have some by then.
 constexpr std::chrono::seconds kTryAgain{5};
 
@@ -33,7 +34,7 @@ result::Diagnostics not_kept(const std::string& why) {
 result::Result<std::optional<FoundProgram>> find_boot_program(const config::BootSection& config) {
   for (const std::filesystem::path& each : {config.keep, config.program}) {
     if (each.empty()) continue;
-    auto content = record::read_whole(each, host::kMaxContainerBytes);
+    auto content = files::read_bytes(each, host::kMaxContainerBytes, kProgramFile);
     if (!content) return result::forward(content);
     if (*content) return FoundProgram{each, std::move(**content)};
   }
@@ -110,7 +111,7 @@ void BootProgram::keep_on() {
     if (quit_ && !next_) return;
     if (next_) unkept = std::exchange(next_, std::nullopt);
     lock.unlock();
-    const auto kept = record::replace_file(config_.keep, *unkept);
+    const auto kept = files::replace_file(config_.keep, *unkept, kProgramFile);
     lock.lock();
     if (next_) continue;  // a newer one decides
     decide(kept ? result::Diagnostics{} : not_kept(result::to_string(kept.error())));

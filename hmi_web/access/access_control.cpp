@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "hmi_web/access/durable_file.h"
+#include "hmi_web/storage/private_files.h"
+#include "runtime/ground/files/durable_file.h"
 
 namespace stepwright::access {
 namespace {
@@ -44,7 +45,8 @@ AccessControl::AccessControl(std::unique_ptr<UserStore> users, const AccessOptio
 result::Result<std::unique_ptr<AccessControl>> AccessControl::open(const std::filesystem::path& folder,
                                                                    const AccessOptions& options,
                                                                    const Clock& clock) {
-  if (auto made = make_private_folder(folder); !made) return result::forward(made);
+  if (auto made = files::make_private_folder(folder, storage::kPrivateFile); !made)
+    return result::forward(made);
   auto users = UserStore::open(folder / "users.json");
   if (!users) return result::forward(users);
   return std::unique_ptr<AccessControl>(new AccessControl(std::move(*users), options, clock));

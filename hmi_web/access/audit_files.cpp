@@ -7,8 +7,7 @@
 #include <fstream>
 #include <system_error>
 
-#include "hmi_web/access/codes.h"
-#include "hmi_web/access/durable_file.h"
+#include "hmi_web/storage/private_files.h"
 
 namespace stepwright::access {
 namespace {
@@ -24,7 +23,7 @@ class Pieces {
     std::error_code error;
     made.size_ = std::filesystem::file_size(file, error);
     if (error || !made.in_)
-      return result::fail(kFileFails, {file.string(), 0, 0}, "the audit trail cannot be read",
+      return result::fail(storage::kFileFails, {file.string(), 0, 0}, "the audit trail cannot be read",
                           "see that the file is there and belongs to this user");
     return made;
   }

@@ -6,6 +6,8 @@
 #include "hmi_web/access/audit_files.h"
 #include "hmi_web/access/audit_text.h"
 #include "hmi_web/access/codes.h"
+#include "hmi_web/storage/private_files.h"
+#include "runtime/ground/files/durable_file.h"
 
 namespace stepwright::access {
 namespace {
@@ -23,18 +25,19 @@ std::filesystem::path free_name_beside(const std::filesystem::path& file) {
 }
 
 tl::unexpected<result::Diagnostics> failed(const std::filesystem::path& file, const std::error_code& error) {
-  return result::fail(kFileFails, {file.string(), 0, 0}, "the audit trail: " + error.message());
+  return result::fail(storage::kFileFails, {file.string(), 0, 0}, "the audit trail: " + error.message());
 }
 
 }  // namespace
 
 result::Result<std::unique_ptr<AuditLog>> AuditLog::open(const std::filesystem::path& file, WallClock clock,
                                                          const AuditLimits& limits) {
-  if (auto made = make_private_folder(file.parent_path()); !made) return result::forward(made);
+  if (auto made = files::make_private_folder(file.parent_path(), storage::kPrivateFile); !made)
+    return result::forward(made);
   std::unique_ptr<AuditLog> log(new AuditLog(file, std::move(clock), limits));
   auto found = log->go_on();
   if (!found) return result::forward(found);
-  auto descriptor = open_for_append(file);
+  auto descriptor = files::open_for_append(file, storage::kPrivateFile);
   if (!descriptor) return result::forward(descriptor);
   log->descriptor_ = std::move(*descriptor);
   log->found_ = *found;
@@ -102,7 +105,8 @@ result::Result<void> AuditLog::append_at(const AuditEntry& entry,
     if (close_segment()) remove_oldest(time);
     line = chain_line(entry, sequence_ + 1, at, head_);
   }
-  if (auto written = append_durably(descriptor_, file_, line.text); !written) return written;
+  if (auto written = files::append(descriptor_, file_, line.text, storage::kPrivateFile); !written)
+    return written;
   ++sequence_;
   head_ = line.hash;
   bytes_ += line.text.size();
@@ -116,7 +120,7 @@ result::Result<void> AuditLog::close_segment() {
     return failed(closed, std::make_error_code(std::errc::file_exists));
   std::filesystem::rename(file_, closed, error);
   if (error) return failed(closed, error);
-  auto fresh = open_for_append(file_);
+  auto fresh = files::open_for_append(file_, storage::kPrivateFile);
   if (!fresh) {
     std::filesystem::rename(closed, file_, error);
     return result::forward(fresh);
@@ -124,7 +128,7 @@ result::Result<void> AuditLog::close_segment() {
   descriptor_ = std::move(*fresh);
   bytes_ = 0;
   first_ = sequence_ + 1;
-  return sync_folder_of(file_);
+  return files::sync_folder_of(file_, storage::kPrivateFile);
 }
 
 void AuditLog::remove_oldest(std::chrono::system_clock::time_point time) {
@@ -134,7 +138,7 @@ void AuditLog::remove_oldest(std::chrono::system_clock::time_point time) {
   std::size_t gone = 0;
   // The one that grows is the last.
   while (gone + 2 < segments.size() && all > limits_.most_bytes) {
-    if (!remove_durably(segments[gone].file)) break;
+    if (!files::remove_file(segments[gone].file, storage::kPrivateFile)) break;
     all -= segments[gone++].bytes;
   }
   if (gone == 0) return;

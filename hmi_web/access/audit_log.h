@@ -24,7 +24,7 @@
 #include <string>
 #include <thread>
 
-#include "hmi_web/access/durable_file.h"
+#include "runtime/ground/files/descriptor.h"
 #include "runtime/ground/result/result.h"
 
 namespace stepwright::access {
@@ -99,12 +99,12 @@ class AuditLog {
   const AuditLimits limits_;
   std::string found_;
   mutable std::mutex mutex_;
-  Descriptor descriptor_;       // this and below: guarded by mutex_
-  std::uint64_t bytes_ = 0;     // of the growing file
-  std::uint64_t first_ = 1;     // number of its first line
-  std::uint64_t sequence_ = 0;  // of the last line
-  std::string head_;            // its hash
-  std::mutex waiting_mutex_;    // never held while a disk is waited for
+  files::Descriptor descriptor_;  // this and below: guarded by mutex_
+  std::uint64_t bytes_ = 0;       // of the growing file
+  std::uint64_t first_ = 1;       // number of its first line
+  std::uint64_t sequence_ = 0;    // of the last line
+  std::string head_;              // its hash
+  std::mutex waiting_mutex_;      // never held while a disk is waited for
   std::condition_variable_any waits_, settled_;
   std::deque<Waiting> waiting_;  // this and below: guarded by waiting_mutex_
   std::uint64_t left_out_ = 0;   // that there was no room for

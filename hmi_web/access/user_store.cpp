@@ -5,13 +5,16 @@
 #include <utility>
 
 #include "hmi_web/access/codes.h"
-#include "hmi_web/access/durable_file.h"
 #include "hmi_web/access/secrets.h"
+#include "hmi_web/storage/private_files.h"
+#include "runtime/ground/files/durable_file.h"
 
 namespace stepwright::access {
 namespace {
 
 using nlohmann::json;
+
+constexpr std::size_t kMostUserBytes = std::size_t{16} << 20;
 
 bool is_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
@@ -75,11 +78,10 @@ result::Result<void> check_password(std::string_view password, std::string_view 
 
 result::Result<std::unique_ptr<UserStore>> UserStore::open(const std::filesystem::path& file) {
   std::vector<User> users;
-  std::error_code unknown;  // then it is read, and that says why not
-  if (std::filesystem::exists(file, unknown) || unknown) {
-    const auto text = read_whole(file);
-    if (!text) return tl::unexpected(text.error());
-    const json document = json::parse(*text, nullptr, /*allow_exceptions=*/false);
+  auto text = files::read_text(file, kMostUserBytes, storage::kPrivateFile);
+  if (!text) return result::forward(text);
+  if (*text) {
+    const json document = json::parse(**text, nullptr, /*allow_exceptions=*/false);
     if (!document.is_object() || !document.contains("users") || !document["users"].is_array())
       return damaged(file, "it is no list of users");
     for (const json& entry : document["users"]) {
@@ -160,7 +162,9 @@ result::Result<void> UserStore::commit(std::vector<User> users) {
   for (const User& user : users) {
     list.push_back({{"name", user.name}, {"role", to_string(user.role)}, {"password", user.password_hash}});
   }
-  if (auto written = replace_private_file(file_, json{{"users", std::move(list)}}.dump(1) + "\n"); !written)
+  if (auto written =
+          files::replace_file(file_, json{{"users", std::move(list)}}.dump(1) + "\n", storage::kPrivateFile);
+      !written)
     return written;
   users_ = std::move(users);
   return {};

@@ -5,8 +5,9 @@
 #include <optional>
 #include <utility>
 
-#include "hmi_web/access/durable_file.h"
 #include "hmi_web/api/cell_codes.h"
+#include "hmi_web/storage/private_files.h"
+#include "runtime/ground/files/durable_file.h"
 
 namespace stepwright::api {
 namespace {
@@ -24,6 +25,7 @@ system_clock::time_point time_of(std::int64_t seconds) {
 
 // A link that cannot tell what is forced is asked again after so many rounds: it may be another one by then.
 constexpr int kRoundsOfPause = 30;
+constexpr std::size_t kMostForceBytes = std::size_t{16} << 20;
 
 std::string to_json(const std::vector<StandingForce>& standing, const std::vector<ForcedPlace>& others) {
   json list = json::array();
@@ -79,11 +81,10 @@ result::Result<std::unique_ptr<ForceService>> ForceService::open(std::filesystem
                                                                  access::WallClock clock,
                                                                  OnChange on_change) {
   std::vector<StandingForce> standing;
-  std::error_code unknown;  // then it is read, and that says why not
-  if (std::filesystem::exists(file, unknown) || unknown) {
-    const auto text = access::read_whole(file);
-    if (!text) return tl::unexpected(text.error());
-    auto read = from_json(*text);
+  auto text = files::read_text(file, kMostForceBytes, storage::kPrivateFile);
+  if (!text) return result::forward(text);
+  if (*text) {
+    auto read = from_json(**text);
     if (!read) {
       return result::fail("H0022", {file.string(), 0, 0}, "the list of what is forced is damaged",
                           "release everything with `stepwright unforce --all`, then remove the file");
@@ -226,7 +227,8 @@ void ForceService::end_what_is_due() {
 }
 
 result::Result<void> ForceService::keep(std::vector<StandingForce> standing) {
-  if (auto written = access::replace_private_file(file_, to_json(standing, {})); !written) return written;
+  if (auto written = files::replace_file(file_, to_json(standing, {}), storage::kPrivateFile); !written)
+    return written;
   {
     const std::lock_guard lock(mutex_);
     standing_ = std::move(standing);

@@ -4,9 +4,10 @@
 #include <system_error>
 #include <utility>
 
-#include "hmi_web/access/durable_file.h"
 #include "hmi_web/change/codes.h"
 #include "hmi_web/change/version_file.h"
+#include "hmi_web/storage/private_files.h"
+#include "runtime/ground/files/durable_file.h"
 
 namespace stepwright::change {
 namespace {
@@ -30,7 +31,7 @@ result::Result<std::string> read_version(const fs::path& file) {
   std::error_code error;
   // A link would lead out of the folder, a pipe would never end.
   if (!fs::is_regular_file(fs::symlink_status(file, error))) return spoilt(file, "it is no plain file");
-  auto bytes = access::read_bounded(file, kLargestVersionFile);
+  auto bytes = files::read_bounded(file, kLargestVersionFile);
   return bytes ? result::Result<std::string>(*std::move(bytes)) : spoilt(file, "it cannot be read");
 }
 
@@ -42,7 +43,8 @@ void sort_newest_first(auto& kept) {
 }  // namespace
 
 result::Result<std::unique_ptr<VersionStore>> VersionStore::open(fs::path folder) {
-  if (auto made = access::make_private_folder(folder); !made) return result::forward(made);
+  if (auto made = files::make_private_folder(folder, storage::kPrivateFile); !made)
+    return result::forward(made);
   std::unique_ptr<VersionStore> store(new VersionStore(std::move(folder)));
   store->read_folder();
   for (const Version& version : store->list()) {
@@ -116,7 +118,7 @@ result::Result<std::vector<std::byte>> VersionStore::container(const std::string
 }
 
 result::Result<void> VersionStore::write(const Version& version, std::span<const std::byte> container) {
-  return access::replace_private_file(file_of(version.digest), to_file(version, container));
+  return files::replace_file(file_of(version.digest), to_file(version, container), storage::kPrivateFile);
 }
 
 result::Result<void> VersionStore::put(const Version& version, std::span<const std::byte> container) {
@@ -147,7 +149,8 @@ result::Result<void> VersionStore::remove(const std::string& digest) {
   const std::lock_guard lock(mutex_);
   const auto known = at(digest);
   if (known == kept_.end()) return unknown(digest);
-  if (auto removed = access::remove_durably(file_of(digest)); !removed) return result::forward(removed);
+  if (auto removed = files::remove_file(file_of(digest), storage::kPrivateFile); !removed)
+    return result::forward(removed);
   kept_.erase(known);
   return {};
 }
@@ -162,7 +165,8 @@ result::Result<void> VersionStore::trim(const std::string& keep, const std::stri
   for (std::size_t i = kept_.size(); i-- > 0 && too_much();) {
     const std::string& digest = kept_[i].version.digest;
     if (digest == keep || digest == keep_too) continue;
-    if (auto removed = access::remove_durably(file_of(digest)); !removed) return result::forward(removed);
+    if (auto removed = files::remove_file(file_of(digest), storage::kPrivateFile); !removed)
+      return result::forward(removed);
     kept_.erase(kept_.begin() + static_cast<std::ptrdiff_t>(i));
   }
   return {};

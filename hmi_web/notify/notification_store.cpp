@@ -3,7 +3,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "hmi_web/access/durable_file.h"
+#include "hmi_web/storage/private_files.h"
+#include "runtime/ground/files/durable_file.h"
 
 namespace stepwright::notify {
 namespace {
@@ -26,7 +27,7 @@ json to_json(const Notifications& alarms) {
 }
 
 std::map<std::string, Notifications> read_notifications(const std::filesystem::path& file) {
-  const auto text = access::read_bounded(file, kLargestFile);
+  const auto text = files::read_bounded(file, kLargestFile);
   if (!text || text->size() > kLargestFile) return {};
   try {
     std::map<std::string, Notifications> channels;
@@ -55,8 +56,8 @@ result::Result<void> NotificationStore::keep(const std::string& channel, Notific
   channels_[channel] = std::move(alarms);
   json whole = json::object();
   for (const auto& [name, told] : channels_) whole[name] = to_json(told);
-  return access::replace_private_file(file_,
-                                      whole.dump(1, ' ', false, json::error_handler_t::replace) + "\n");
+  return files::replace_file(file_, whole.dump(1, ' ', false, json::error_handler_t::replace) + "\n",
+                             storage::kPrivateFile);
 }
 
 }  // namespace stepwright::notify

@@ -4,10 +4,11 @@
 #include <system_error>
 #include <utility>
 
-#include "hmi_web/access/durable_file.h"
 #include "hmi_web/recipes/codes.h"
 #include "hmi_web/recipes/recipe_check.h"
 #include "hmi_web/recipes/recipe_text.h"
+#include "hmi_web/storage/private_files.h"
+#include "runtime/ground/files/durable_file.h"
 
 namespace stepwright::recipes {
 namespace {
@@ -29,7 +30,8 @@ auto unknown(const std::string& name) {
 }  // namespace
 
 result::Result<std::unique_ptr<RecipeStore>> RecipeStore::open(fs::path folder) {
-  if (auto made = access::make_private_folder(folder); !made) return result::forward(made);
+  if (auto made = files::make_private_folder(folder, storage::kPrivateFile); !made)
+    return result::forward(made);
   return std::unique_ptr<RecipeStore>(new RecipeStore(std::move(folder)));
 }
 
@@ -53,7 +55,7 @@ result::Result<Recipe> RecipeStore::read_file(const std::string& name) const {
   if (!fs::exists(status)) return unknown(name);
   // A link would lead out of the folder, a pipe would never end.
   if (!fs::is_regular_file(status)) return damaged(file, "it is no plain file");
-  const auto text = access::read_bounded(file, kLargestFile);
+  const auto text = files::read_bounded(file, kLargestFile);
   if (!text) return damaged(file, "it cannot be read");
   if (text->size() > kLargestFile)
     return damaged(file, "it is longer than " + std::to_string(kLargestFile) + " bytes");
@@ -94,13 +96,13 @@ result::Result<void> RecipeStore::save(const Recipe& recipe) {
                         "there are " + std::to_string(known.size()) + " recipes already",
                         "remove one that nobody needs");
   }
-  return access::replace_private_file(file_of(recipe.name), text);
+  return files::replace_file(file_of(recipe.name), text, storage::kPrivateFile);
 }
 
 result::Result<void> RecipeStore::remove(const std::string& name) {
   if (auto fits = check_name(name); !fits) return fits;
   const std::lock_guard lock(mutex_);
-  auto removed = access::remove_durably(file_of(name));
+  auto removed = files::remove_file(file_of(name), storage::kPrivateFile);
   if (!removed) return result::forward(removed);
   if (!*removed) return unknown(name);
   return {};

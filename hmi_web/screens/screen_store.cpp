@@ -5,9 +5,10 @@
 #include <system_error>
 #include <utility>
 
-#include "hmi_web/access/durable_file.h"
 #include "hmi_web/screens/codes.h"
 #include "hmi_web/screens/version_text.h"
+#include "hmi_web/storage/private_files.h"
+#include "runtime/ground/files/durable_file.h"
 #include "runtime/ground/naming/ascii_names.h"
 
 namespace stepwright::screens {
@@ -81,7 +82,8 @@ result::Result<void> check_name(std::string_view name) {
 }
 
 result::Result<std::unique_ptr<ScreenStore>> ScreenStore::open(fs::path folder) {
-  if (auto made = access::make_private_folder(folder); !made) return result::forward(made);
+  if (auto made = files::make_private_folder(folder, storage::kPrivateFile); !made)
+    return result::forward(made);
   std::unique_ptr<ScreenStore> store(new ScreenStore(std::move(folder)));
   store->look();
   return store;
@@ -107,7 +109,7 @@ void ScreenStore::look_at_starts() {
   roles.emplace_back();
   for (const std::string& role : roles) {
     move_start(role);
-    const auto text = access::read_bounded(folder_ / start_file(role), kLongestName);
+    const auto text = files::read_bounded(folder_ / start_file(role), kLongestName);
     if (text && is_name(*text)) starts_[role] = *text;
   }
 }
@@ -121,10 +123,11 @@ void ScreenStore::move_start(const std::string& role) {
   if (!fs::is_regular_file(fs::symlink_status(old, error))) return;
   const fs::path now = folder_ / start_file(role);
   if (!fs::exists(fs::symlink_status(now, error))) {
-    const auto text = access::read_bounded(old, kLongestName);
-    if (!text || !access::replace_private_file(now, *text)) return;  // the next start tries again
+    const auto text = files::read_bounded(old, kLongestName);
+    if (!text || !files::replace_file(now, *text, storage::kPrivateFile))
+      return;  // the next start tries again
   }
-  static_cast<void>(access::remove_durably(old));
+  static_cast<void>(files::remove_file(old, storage::kPrivateFile));
 }
 
 void ScreenStore::look_at_file(const fs::path& file) {
@@ -146,7 +149,7 @@ void ScreenStore::look_at_folder(const fs::path& folder) {
   for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
     const fs::path& file = at->path();
     if (file.extension() != ".json" || !fs::is_regular_file(at->symlink_status(error))) continue;
-    const auto text = access::read_bounded(file, kLargestHead);
+    const auto text = files::read_bounded(file, kLargestHead);
     auto version = version_from_json(text.value_or(""), file.string());
     if (version && file_of(name, version->number, ".json") != file)
       version = result::fail(kScreenDamaged, {file.string(), 1, 1}, "the file has another version's name");
@@ -216,13 +219,16 @@ result::Result<Version> ScreenStore::next(const std::string& name, std::uint32_t
 
 result::Result<Version> ScreenStore::write(const std::string& name, const Version& version,
                                            std::string_view svg) {
-  if (auto made = access::make_private_folder(folder_ / name); !made) return result::forward(made);
+  if (auto made = files::make_private_folder(folder_ / name, storage::kPrivateFile); !made)
+    return result::forward(made);
   if (!version.removed) {
-    if (auto done = access::replace_private_file(file_of(name, version.number, ".svg"), svg); !done)
+    if (auto done = files::replace_file(file_of(name, version.number, ".svg"), svg, storage::kPrivateFile);
+        !done)
       return result::forward(done);
   }
   // With it the version is there.
-  auto done = access::replace_private_file(file_of(name, version.number, ".json"), to_json(version));
+  auto done =
+      files::replace_file(file_of(name, version.number, ".json"), to_json(version), storage::kPrivateFile);
   if (!done) return result::forward(done);
   Screen& screen = screens_[name];
   screen.name = name;
@@ -238,8 +244,10 @@ void ScreenStore::forget_oldest(Screen& screen) {
         std::find_if(screen.versions.begin(), screen.versions.end(),
                      [&](const Version& each) { return each.number != 0 && each.number != now; });
     // The head first: a version without one is none.
-    static_cast<void>(access::remove_durably(file_of(screen.name, oldest->number, ".json")));
-    static_cast<void>(access::remove_durably(file_of(screen.name, oldest->number, ".svg")));
+    static_cast<void>(
+        files::remove_file(file_of(screen.name, oldest->number, ".json"), storage::kPrivateFile));
+    static_cast<void>(
+        files::remove_file(file_of(screen.name, oldest->number, ".svg"), storage::kPrivateFile));
     screen.versions.erase(oldest);
   }
 }
@@ -260,7 +268,7 @@ result::Result<Version> ScreenStore::save(const Save& save, Time now) {
   if (version->aside) {
     const Version newest = screens_.at(save.name).versions.back();
     const auto file = file_of(save.name, newest.number, ".svg");
-    if (is_same(newest, *version) && access::read_bounded(file, drawing::kLargestFile) == drawn->svg)
+    if (is_same(newest, *version) && files::read_bounded(file, drawing::kLargestFile) == drawn->svg)
       return newest;
   }
   return write(save.name, *version, drawn->svg);
@@ -297,14 +305,16 @@ result::Result<void> ScreenStore::set_start(const std::string& name, const std::
                         "viewer, operator, engineer, or nothing for everybody");
   const std::lock_guard lock(mutex_);
   if (name.empty()) {
-    if (auto done = access::remove_durably(folder_ / start_file(role)); !done) return result::forward(done);
+    if (auto done = files::remove_file(folder_ / start_file(role), storage::kPrivateFile); !done)
+      return result::forward(done);
     starts_.erase(role);
     return {};
   }
   const auto found = screens_.find(name);
   if (found == screens_.end() || found->second.current() == nullptr || found->second.current()->removed)
     return unknown(name);
-  if (auto done = access::replace_private_file(folder_ / start_file(role), name); !done) return done;
+  if (auto done = files::replace_file(folder_ / start_file(role), name, storage::kPrivateFile); !done)
+    return done;
   starts_[role] = name;
   return {};
 }

@@ -5,8 +5,9 @@
 #include <system_error>
 #include <utility>
 
-#include "hmi_web/access/durable_file.h"
+#include "hmi_web/storage/private_files.h"
 #include "hmi_web/trends/codes.h"
+#include "runtime/ground/files/durable_file.h"
 
 namespace stepwright::trends {
 namespace {
@@ -90,7 +91,7 @@ result::Result<std::unique_ptr<TrendStore>> TrendStore::open(std::filesystem::pa
   std::unique_ptr<TrendStore> store(new TrendStore(std::move(file)));
   std::error_code error;
   if (!std::filesystem::exists(store->file_, error)) return store;
-  const auto text = access::read_bounded(store->file_, kLargestFile);
+  const auto text = files::read_bounded(store->file_, kLargestFile);
   auto groups = text && text->size() <= kLargestFile ? groups_of(*text) : std::nullopt;
   if (groups) {
     store->groups_ = *std::move(groups);
@@ -103,7 +104,7 @@ result::Result<std::unique_ptr<TrendStore>> TrendStore::open(std::filesystem::pa
     error = std::make_error_code(std::errc::not_supported);
   }
   if (error)
-    return result::fail("H0021", {store->file_.string(), 0, 0},
+    return result::fail(storage::kFileFails, {store->file_.string(), 0, 0},
                         "the saved trends cannot be read, nor put aside: " + error.message());
   store->found_ = "the saved trends could not be read; their file is " + aside.string() + " now";
   return store;
@@ -117,8 +118,9 @@ std::vector<TrendGroup> TrendStore::list() const {
 result::Result<void> TrendStore::write(const std::vector<TrendGroup>& groups) const {
   json list = json::array();
   for (const TrendGroup& each : groups) list.push_back(to_json(each));
-  return access::replace_private_file(
-      file_, json{{"groups", std::move(list)}}.dump(1, ' ', false, json::error_handler_t::replace));
+  return files::replace_file(
+      file_, json{{"groups", std::move(list)}}.dump(1, ' ', false, json::error_handler_t::replace),
+      storage::kPrivateFile);
 }
 
 result::Result<std::optional<TrendGroup>> TrendStore::save(const TrendGroup& group) {

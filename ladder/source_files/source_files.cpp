@@ -12,7 +12,7 @@
 
 #include "ladder/exchange/plcopen_reader.h"
 #include "ladder/source/codes.h"
-#include "runtime/ground/process/files.h"
+#include "runtime/ground/files/files.h"
 #include "runtime/ground/result/utf8_place.h"
 
 namespace stepwright::sources {
@@ -51,7 +51,7 @@ driver::CompileInput SourceFiles::input() const {
 }
 
 void SourceFiles::add(const std::string& name, std::string text, result::Diagnostics& diagnostics) {
-  const bool xml = process::is_xml(name);
+  const bool xml = files::is_xml(name);
   if (!xml && text.starts_with(kByteOrderMark)) text.erase(0, kByteOrderMark.size());
   files.push_back({name, text});
   if (!xml) {
@@ -71,14 +71,14 @@ SourceFiles load(const std::vector<std::string>& paths, result::Diagnostics& dia
   SourceFiles sources;
   sources.options = options;
   for (const std::string& path : paths) {
-    auto text = process::read_file(path);
+    auto text = files::read_file(path);
     if (text) {
       sources.add(path, std::move(*text), diagnostics);
     } else {
       diagnostics.insert(diagnostics.end(), text.error().begin(), text.error().end());
     }
   }
-  if (!options.configuration.empty() && std::ranges::none_of(paths, process::is_xml))
+  if (!options.configuration.empty() && std::ranges::none_of(paths, files::is_xml))
     diagnostics.push_back({source::code::kExchangeUnsupported,
                            result::Severity::Error,
                            {},

@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "runtime/ground/files/files.h"
 #include "runtime/ground/process/command_line.h"
 #include "runtime/ground/process/diagnostics_json.h"
-#include "runtime/ground/process/files.h"
 #include "runtime/ground/process/interruption.h"
 #include "supervisor/motion/drawing/arm_svg.h"
 #include "supervisor/motion/problem/plan_arm.h"
@@ -25,7 +25,7 @@ ExitCode fail(const result::Diagnostics& diagnostics) {
 
 ExitCode write(const std::string& file, const std::string& text) {
   if (file.empty()) return ExitCode::Done;
-  const result::Diagnostics unwritten = process::write_file(file, text);
+  const result::Diagnostics unwritten = files::write_file(file, text);
   return unwritten.empty() ? ExitCode::Done : fail(unwritten);
 }
 
@@ -123,7 +123,7 @@ ExitCode exit_of(motion::ArmAnswer::Ending ending) {
 ExitCode run_arm(const ArmArguments& arguments) {
   for (const std::string& name : {arguments.json_file, arguments.svg_file}) {
     if (name.empty()) continue;
-    if (const auto unwritable = process::check_writable(name); !unwritable.empty()) return fail(unwritable);
+    if (const auto unwritable = files::check_writable(name); !unwritable.empty()) return fail(unwritable);
   }
   const auto model = motion::load_arm(files_of(arguments));
   if (!model) return fail(model.error());

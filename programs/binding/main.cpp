@@ -14,8 +14,8 @@
 #include "cell/missions/planning/table/planning_table.h"
 #include "cell/processes/known_cells.h"
 #include "cell/trial/trial.h"
+#include "runtime/ground/files/files.h"
 #include "runtime/ground/process/command_line.h"
-#include "runtime/ground/process/files.h"
 
 namespace {
 
@@ -80,7 +80,7 @@ result::Result<trial::TrialOptions> options_of(const Arguments& arguments) {
 
 int try_cell(const Arguments& arguments) {
   if (!arguments.json.empty()) {
-    if (const auto unwritable = process::check_writable(arguments.json); !unwritable.empty())
+    if (const auto unwritable = files::check_writable(arguments.json); !unwritable.empty())
       return process::fail(unwritable, ExitCode::BadInput);
   }
   const auto config = load(arguments);
@@ -94,7 +94,7 @@ int try_cell(const Arguments& arguments) {
   if (!report) return process::fail(report.error(), ExitCode::BadInput);
   if (arguments.json != "-") std::fputs(trial::to_text(*report).c_str(), stdout);
   if (!arguments.json.empty()) {
-    const auto unwritten = process::write_file(arguments.json, trial::to_json(*report) + "\n");
+    const auto unwritten = files::write_file(arguments.json, trial::to_json(*report) + "\n");
     if (!unwritten.empty()) return process::fail(unwritten, ExitCode::BadInput);
   }
   const bool wrong = result::has_errors(report->problems);

@@ -14,8 +14,8 @@
 
 #include "cell/campaign/campaign.h"
 #include "cell/processes/known_cells.h"
+#include "runtime/ground/files/files.h"
 #include "runtime/ground/process/command_line.h"
-#include "runtime/ground/process/files.h"
 #include "runtime/ground/process/interruption.h"
 #include "runtime/ground/process/temporary_folder.h"
 
@@ -72,7 +72,7 @@ bool failed(const CellRun& run) {
 
 int write(const Arguments& arguments, const Campaign& campaign) {
   if (arguments.json_file.empty()) return to_int(ExitCode::Done);
-  const auto refused = process::write_file(arguments.json_file, to_json(campaign) + "\n");
+  const auto refused = files::write_file(arguments.json_file, to_json(campaign) + "\n");
   return refused.empty() ? to_int(ExitCode::Done) : fail(refused, ExitCode::BadInput);
 }
 
@@ -104,7 +104,7 @@ int repeat(Arguments arguments, const CellBase& base) {
 
 int run(Arguments arguments) {
   if (!arguments.json_file.empty()) {
-    const auto refused = process::check_writable(arguments.json_file);
+    const auto refused = files::check_writable(arguments.json_file);
     if (!refused.empty()) return fail(refused, ExitCode::BadInput);
   }
   const auto file = processes::find_cell(arguments.cell);

@@ -4,10 +4,10 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
+#include "cell/check/check_cell.h"
 #include "cell/config/cell_options.h"
-#include "programs/check/check_command.h"
+#include "runtime/ground/files/files.h"
 #include "runtime/ground/process/command_line.h"
-#include "runtime/ground/process/files.h"
 #include "runtime/ground/result/counted.h"
 
 namespace stepwright::check {
@@ -27,7 +27,7 @@ int run(const config::CellOptions& options, const std::string& image, const std:
   if (report.sound() && warnings != 0)
     std::printf("%s: %s\n", report.file.c_str(), result::counted(warnings, "warning", "warnings").c_str());
   if (!json.empty()) {
-    const result::Diagnostics failed = process::write_file(json, to_json(report) + "\n");
+    const result::Diagnostics failed = files::write_file(json, to_json(report) + "\n");
     if (!failed.empty()) return process::fail(failed, result::ExitCode::BadInput);
   }
   return to_int(report.exit());

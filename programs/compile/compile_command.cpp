@@ -8,8 +8,8 @@
 #include "cell/monitors/cell_monitors.h"
 #include "ladder/source_files/source_files.h"
 #include "runtime/bytecode/reader/container_file.h"
+#include "runtime/ground/files/files.h"
 #include "runtime/ground/process/diagnostics_json.h"
-#include "runtime/ground/process/files.h"
 
 namespace stepwright::compile_program {
 
@@ -84,7 +84,7 @@ std::vector<std::byte> compile(const CompileArguments& arguments, sources::Sourc
 // An image replaces an image only: "-o" before a wrong word costs nobody a file.
 result::Diagnostics check_image(const std::string& path) {
   std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error) || process::is_stream(path)) return {};
+  if (!std::filesystem::is_regular_file(path, error) || files::is_stream(path)) return {};
   if (reader::is_container_or_empty(path)) return {};
   return result::fail("E0004", {path, 0, 0}, "the file is no compiled program: it is not replaced",
                       "name another file, or remove this one")
@@ -104,15 +104,15 @@ ExitCode run_compile(const CompileArguments& arguments) {
     diagnostics.insert(diagnostics.end(), more.begin(), more.end());
   };
   if (!image.empty() && !arguments.check)
-    append(process::write_file(arguments.image, {reinterpret_cast<const char*>(image.data()), image.size()}));
+    append(files::write_file(arguments.image, {reinterpret_cast<const char*>(image.data()), image.size()}));
   const std::chrono::duration<double, std::milli> wall = std::chrono::steady_clock::now() - start;
   const bool failed = result::has_errors(diagnostics);
   if (!arguments.json_file.empty()) {
     const nlohmann::json report = {{"diagnostics", process::diagnostics_json(diagnostics)},
                                    {"bytes", failed ? 0 : image.size()},
                                    {"wall_ms", wall.count()}};
-    append(process::write_file(arguments.json_file,
-                               report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n"));
+    append(files::write_file(arguments.json_file,
+                             report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n"));
   }
   sources::print(diagnostics, files.files);
   return result::has_errors(diagnostics) ? ExitCode::BadInput : ExitCode::Done;

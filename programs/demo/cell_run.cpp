@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "programs/demo/setup_token_printer.h"
-#include "runtime/ground/process/files.h"
+#include "runtime/ground/files/files.h"
 
 namespace stepwright::demo {
 namespace {
@@ -25,7 +25,7 @@ std::string content(const std::filesystem::path& file) {
 std::string why_unwritten(const std::filesystem::path& folder) {
   constexpr std::size_t kBytes = 64 << 10;
   const std::filesystem::path probe = folder / "report.probe";
-  const auto unwritten = process::write_file(probe.string(), std::string(kBytes, ' '));
+  const auto unwritten = files::write_file(probe.string(), std::string(kBytes, ' '));
   std::error_code ignored;
   std::filesystem::remove(probe, ignored);
   return unwritten.empty() ? std::string() : unwritten.front().message;

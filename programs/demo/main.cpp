@@ -15,8 +15,8 @@
 #include "programs/demo/cell_run.h"
 #include "programs/demo/controller_choice.h"
 #include "programs/demo/summary.h"
+#include "runtime/ground/files/files.h"
 #include "runtime/ground/process/command_line.h"
-#include "runtime/ground/process/files.h"
 #include "runtime/ground/process/stop_signal.h"
 
 namespace stepwright::demo {
@@ -126,7 +126,7 @@ result::Result<void> written(const result::Diagnostics& failed) {
 }
 
 result::Result<void> write_file(const std::filesystem::path& file, const std::string& text) {
-  return written(process::write_file(file.string(), text));
+  return written(files::write_file(file.string(), text));
 }
 
 constexpr const char* kSchedulePicture = "gantt.svg";
@@ -135,13 +135,13 @@ constexpr const char* kCostPicture = "cost.svg";
 // Before the run and not after it, which may take an hour.
 result::Result<void> check_outputs(const DemoOptions& options) {
   if (!options.json.empty()) {
-    if (auto json = written(process::check_writable(options.json)); !json) return json;
+    if (auto json = written(files::check_writable(options.json)); !json) return json;
   }
   if (options.pictures.empty()) return {};
   const std::filesystem::path folder = options.pictures;
   std::error_code ignored;  // a missing folder is noticed at the picture
   std::filesystem::create_directories(folder, ignored);
-  return written(process::check_writable((folder / kSchedulePicture).string()));
+  return written(files::check_writable((folder / kSchedulePicture).string()));
 }
 
 result::Result<void> write_pictures(const std::filesystem::path& folder, const run::RunRecord& record) {

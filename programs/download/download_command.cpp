@@ -18,9 +18,9 @@
 #include "cell/processes/cell_record.h"
 #include "programs/download/program_verdict.h"
 #include "runtime/bytecode/writer/document_section.h"
+#include "runtime/ground/files/files.h"
 #include "runtime/ground/process/command_line.h"
 #include "runtime/ground/process/diagnostics_json.h"
-#include "runtime/ground/process/files.h"
 #include "runtime/ground/result/exit_code.h"
 #include "runtime/service/connection.h"
 
@@ -95,7 +95,7 @@ nlohmann::json report(DownloadMode mode, const service::Reply& reply) {
 
 ExitCode write_report(const std::string& file, const nlohmann::json& json) {
   if (file.empty()) return ExitCode::Done;
-  const result::Diagnostics unwritten = process::write_file(file, json.dump(2) + "\n");
+  const result::Diagnostics unwritten = files::write_file(file, json.dump(2) + "\n");
   if (unwritten.empty()) return ExitCode::Done;
   static_cast<void>(process::fail(unwritten, ExitCode::RuntimeFault));
   return ExitCode::RuntimeFault;
@@ -177,7 +177,7 @@ ExitCode follow(service::Connection& connection, const config::CellConfig& confi
 }
 
 int download(const config::CellConfig& config, const Arguments& arguments) {
-  const auto image = process::read_file(arguments.image);
+  const auto image = files::read_file(arguments.image);
   if (!image) return refuse(arguments, image.error(), ExitCode::BadInput);
   // What is no program is left to the runtime, which says why.
   const auto bytes = std::as_bytes(std::span(*image));

@@ -2,8 +2,8 @@
 
 #include "runtime/bytecode/reader/loaded_program.h"
 #include "runtime/exec/exec_run.h"
+#include "runtime/ground/files/files.h"
 #include "runtime/ground/process/command_line.h"
-#include "runtime/ground/process/files.h"
 #include "runtime/ground/result/exit_code.h"
 #include "runtime/trace/csv_trace.h"
 #include "runtime/trace/names.h"
@@ -22,6 +22,7 @@ namespace {
 
 using stepwright::result::ExitCode;
 namespace exec = stepwright::exec;
+namespace files = stepwright::files;
 namespace process = stepwright::process;
 namespace reader = stepwright::reader;
 namespace result = stepwright::result;
@@ -91,7 +92,7 @@ int execute(const Arguments& arguments) {
 
   if (!arguments.json_file.empty()) {
     const std::string text = to_json(*report, arguments.engine).dump(2) + "\n";
-    if (const auto failed = process::write_file(arguments.json_file, text); !failed.empty()) {
+    if (const auto failed = files::write_file(arguments.json_file, text); !failed.empty()) {
       return process::fail(failed, ExitCode::BadInput);
     }
   } else {

@@ -7,7 +7,7 @@
 
 #include "cell/fleet/cell_fleet.h"
 #include "programs/fleet/fleet_text.h"
-#include "runtime/ground/process/files.h"
+#include "runtime/ground/files/files.h"
 #include "runtime/ground/process/interruption.h"
 #include "supervisor/fleet/mission/fleet_svg.h"
 #include "supervisor/fleet/mission/problem_reader.h"
@@ -158,14 +158,14 @@ double measure_retiming(const FleetPlan& plan) {
 
 bool write(const std::string& path, const std::string& text) {
   if (path.empty()) return true;
-  const auto unwritten = process::write_file(path, text);
+  const auto unwritten = files::write_file(path, text);
   print(unwritten);
   return unwritten.empty();
 }
 
 bool writable(const std::string& path) {
   if (path.empty()) return true;
-  const auto refused = process::check_writable(path);
+  const auto refused = files::check_writable(path);
   print(refused);
   return refused.empty();
 }
@@ -179,7 +179,7 @@ ExitCode exit_code(const FleetAnswer& answer) {
 }  // namespace
 
 ExitCode run_fleet(const FleetArguments& arguments) {
-  const auto text = process::read_file(arguments.problem);
+  const auto text = files::read_file(arguments.problem);
   if (!text) {
     print(text.error());
     return ExitCode::BadInput;

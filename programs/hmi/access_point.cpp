@@ -5,13 +5,14 @@
 #include <set>
 
 #include "hmi_web/access/audit_files.h"
-#include "hmi_web/access/durable_file.h"
 #include "hmi_web/api/openapi.h"
 #include "hmi_web/api/routes.h"
 #include "hmi_web/recipes/definition_file.h"
 #include "hmi_web/storage/codes.h"
+#include "hmi_web/storage/private_files.h"
+#include "runtime/ground/files/durable_file.h"
+#include "runtime/ground/files/files.h"
 #include "runtime/ground/process/command_line.h"
-#include "runtime/ground/process/files.h"
 #include "runtime/ground/result/counted.h"
 #include "runtime/ground/result/exit_code.h"
 
@@ -88,7 +89,8 @@ result::Result<void> AccessPoint::lock_folders(const config::HmiConfig& config) 
   std::set<std::filesystem::path> folders{config.access_dir, config.programs_dir, config.screens_dir};
   if (!config.recipes.empty()) folders.insert(config.recipes_dir);
   for (const std::filesystem::path& folder : folders) {
-    if (auto made = access::make_private_folder(folder); !made) return result::forward(made);
+    if (auto made = files::make_private_folder(folder, storage::kPrivateFile); !made)
+      return result::forward(made);
     auto lock = storage::FileLock::take(folder / "server");
     if (!lock && storage::is_in_use(lock.error()))
       return result::fail("H0004", {folder.string(), 0, 0}, "another page server keeps this folder",

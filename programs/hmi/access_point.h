@@ -29,9 +29,9 @@
 #include "hmi_web/api/recipe_service.h"
 #include "hmi_web/api/request_guard.h"
 #include "hmi_web/api/screen_service.h"
+#include "hmi_web/change/removed_variables.h"
 #include "hmi_web/storage/file_lock.h"
 #include "hmi_web/trends/trend_store.h"
-#include "programs/hmi/removed_variables.h"
 #include "runtime/ground/log/logger.h"
 #include "runtime/ground/result/result.h"
 
@@ -87,7 +87,7 @@ class AccessPoint {
   std::unique_ptr<api::OnlineChangeService> changes_;
   std::unique_ptr<screens::ScreenStore> drawn_;
   std::unique_ptr<api::ScreenService> screens_;
-  std::optional<RemovedVariables> removed_;
+  std::optional<change::RemovedVariables> removed_;
   std::unique_ptr<api::RouteTable> table_;
   std::unique_ptr<api::RequestGuard> guard_;
 };

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "hmi_web/api/cell_control.h"
+#include "hmi_web/api/written_values.h"
 #include "programs/hmi/dds_cell_source.h"
-#include "programs/hmi/written_values.h"
 
 namespace stepwright::hmi {
 
@@ -44,7 +44,7 @@ class DdsCellControl : public api::CellControl {
   std::uint64_t images() const { return source_.client().snapshot_traffic().received; }
 
   DdsCellSource& source_;
-  WrittenValues recent_;
+  api::WrittenValues recent_;
   const std::vector<protocol::TagNote> said_;
 };
 

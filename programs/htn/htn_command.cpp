@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "runtime/ground/process/files.h"
+#include "runtime/ground/files/files.h"
 #include "runtime/ground/process/interruption.h"
 #include "runtime/ground/result/counted.h"
 #include "supervisor/htn/plan/plan_json.h"
@@ -85,7 +85,7 @@ void print(const Answer& answer) {
 }
 
 ExitCode write(const std::string& file, const std::string& text) {
-  const result::Diagnostics unwritten = process::write_file(file, text);
+  const result::Diagnostics unwritten = files::write_file(file, text);
   return unwritten.empty() ? ExitCode::Done : fail(unwritten);
 }
 
@@ -103,11 +103,11 @@ bool is_valid(const lisp::Source& domain, const lisp::Source& problem, const htn
 ExitCode run_htn(const HtnArguments& arguments) {
   for (const std::string& file : {arguments.json_file, arguments.out_file}) {
     if (file.empty()) continue;
-    if (const auto unwritable = process::check_writable(file); !unwritable.empty()) return fail(unwritable);
+    if (const auto unwritable = files::check_writable(file); !unwritable.empty()) return fail(unwritable);
   }
-  const auto domain_text = process::read_file(arguments.domain);
+  const auto domain_text = files::read_file(arguments.domain);
   if (!domain_text) return fail(domain_text.error());
-  const auto problem_text = process::read_file(arguments.problem);
+  const auto problem_text = files::read_file(arguments.problem);
   if (!problem_text) return fail(problem_text.error());
   const lisp::Source domain{arguments.domain, *domain_text}, problem{arguments.problem, *problem_text};
   const auto read = htn::read_task(domain, problem, arguments.external);

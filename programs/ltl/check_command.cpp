@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "programs/ltl/formula_input.h"
-#include "runtime/ground/process/files.h"
+#include "runtime/ground/files/files.h"
 #include "runtime/ground/result/counted.h"
 #include "supervisor/ltl/trace/judge.h"
 
@@ -46,7 +46,7 @@ result::Result<Answer> judge(const CheckArguments& arguments) {
     if (!read) return result::forward(read);
     formula = *std::move(read);
   }
-  auto table = process::open_file(arguments.trace);
+  auto table = files::open_file(arguments.trace);
   if (!table) return result::forward(table);
   Answer answer{
       arguments.trace, watched ? watched->automaton.propositions : formula->tree.propositions, {}, {}};

@@ -4,8 +4,8 @@
 #include <array>
 #include <cstdio>
 
+#include "runtime/ground/files/files.h"
 #include "runtime/ground/process/command_line.h"
-#include "runtime/ground/process/files.h"
 #include "supervisor/ltl/syntax/formula_bytes.h"
 
 namespace stepwright::ltl_program {
@@ -17,7 +17,7 @@ using result::ExitCode;
 constexpr std::array kBounds = {"L0012", "L0013", "L0015", "L0026", "L0031", "L0032"};
 
 result::Result<Watched> read_automaton(const std::string& file) {
-  const auto text = process::read_file(file);
+  const auto text = files::read_file(file);
   if (!text) return tl::unexpected<result::Diagnostics>(text.error());
   auto read = ltl::read_hoa(*text, file);
   if (!read) return result::forward(read);
@@ -47,7 +47,7 @@ bool is_automaton(const std::string& argument) {
 result::Result<ltl::Formula> read_formula(const std::string& argument) {
   std::string text = argument;
   if (argument.ends_with(".ltl")) {
-    auto read = process::read_file(argument, ltl::kMostFormulaBytes);
+    auto read = files::read_file(argument, ltl::kMostFormulaBytes);
     if (!read) return result::forward(read);
     text = *std::move(read);
   }
@@ -88,7 +88,7 @@ ExitCode write(const std::string& file, const std::string& text) {
     std::fwrite(text.data(), 1, text.size(), stdout);
     return ExitCode::Done;
   }
-  const result::Diagnostics unwritten = process::write_file(file, text);
+  const result::Diagnostics unwritten = files::write_file(file, text);
   return unwritten.empty() ? ExitCode::Done : fail(unwritten);
 }
 

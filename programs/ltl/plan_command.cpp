@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "programs/ltl/formula_input.h"
-#include "runtime/ground/process/files.h"
+#include "runtime/ground/files/files.h"
 #include "supervisor/ltl/bound/point_bound.h"
 #include "supervisor/ltl/planner/plan_svg.h"
 #include "supervisor/ltl/planner/plan_train.h"
@@ -129,7 +129,7 @@ std::string json_of(const Problem& problem, const PlanAnswer& answer, const Plan
 // Of a run before this one, which the plan beside it does not belong to.
 void remove_picture(const std::string& file) {
   std::error_code failed;
-  if (file.empty() || process::is_stream(file) || !std::filesystem::remove(file, failed)) return;
+  if (file.empty() || files::is_stream(file) || !std::filesystem::remove(file, failed)) return;
   std::fprintf(stderr, "the picture of an earlier run was removed: %s\n", file.c_str());
 }
 
@@ -151,7 +151,7 @@ ExitCode failed(const result::Diagnostics& diagnostics, const PlanArguments& arg
 // Of the three files that a run names.
 result::Diagnostics one_for_two(const PlanArguments& arguments) {
   const auto same = [](const std::string& a, const std::string& b) {
-    if (a.empty() || b.empty() || process::is_stream(a) || process::is_stream(b)) return false;
+    if (a.empty() || b.empty() || files::is_stream(a) || files::is_stream(b)) return false;
     std::error_code unknown;
     return std::filesystem::weakly_canonical(a, unknown) == std::filesystem::weakly_canonical(b, unknown);
   };
@@ -175,9 +175,9 @@ ExitCode run_plan(const PlanArguments& arguments) {
   }
   for (const std::string& file : {arguments.json_file, arguments.svg_file}) {
     if (file.empty()) continue;
-    if (const auto unwritable = process::check_writable(file); !unwritable.empty()) return fail(unwritable);
+    if (const auto unwritable = files::check_writable(file); !unwritable.empty()) return fail(unwritable);
   }
-  const auto text = process::read_file(arguments.problem, kMostProblemBytes);
+  const auto text = files::read_file(arguments.problem, kMostProblemBytes);
   if (!text) return fail(text.error());
   const auto problem = ltl::read_planning_problem(*text, arguments.problem);
   if (!problem) return fail(problem.error());

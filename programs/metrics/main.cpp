@@ -8,8 +8,8 @@
 #include <string>
 
 #include "cell/config/cell_options.h"
+#include "runtime/ground/files/files.h"
 #include "runtime/ground/process/command_line.h"
-#include "runtime/ground/process/files.h"
 #include "runtime/ground/result/exit_code.h"
 #include "runtime/metrics/metrics_text.h"
 #include "runtime/service/connection.h"
@@ -40,7 +40,7 @@ int run_metrics(const config::CellConfig& config, const std::string& file) {
   const std::string text = metrics::metrics_text(runtimes);
   if (file.empty()) {
     std::fputs(text.c_str(), stdout);
-  } else if (const auto failed = process::write_file(file, text); !failed.empty()) {
+  } else if (const auto failed = files::write_file(file, text); !failed.empty()) {
     return fail(failed, ExitCode::BadInput);
   }
   return to_int(status ? ExitCode::Done : ExitCode::RuntimeFault);

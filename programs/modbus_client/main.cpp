@@ -21,9 +21,9 @@
 #include "cell/modbus_client/client_metrics.h"
 #include "cell/modbus_client/field_outputs.h"
 #include "cell/modbus_client/status_json.h"
+#include "runtime/ground/files/files.h"
 #include "runtime/ground/log/logger.h"
 #include "runtime/ground/process/command_line.h"
-#include "runtime/ground/process/files.h"
 #include "runtime/ground/process/notify_socket.h"
 #include "runtime/ground/process/reload_signal.h"
 #include "runtime/ground/process/stop_signal.h"
@@ -65,7 +65,7 @@ int tell_status(const config::CellConfig& config, const Options& options) {
                          ExitCode::RuntimeFault);
   }
   if (!options.json.empty()) {
-    const result::Diagnostics failed = process::write_file(options.json, json_text(status));
+    const result::Diagnostics failed = files::write_file(options.json, json_text(status));
     if (!failed.empty()) return process::fail(failed, ExitCode::BadInput);
   }
   std::fputs((options.metrics ? to_metrics(status) : to_lines(status)).c_str(), stdout);

@@ -3,8 +3,8 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "runtime/ground/files/files.h"
 #include "runtime/ground/process/command_line.h"
-#include "runtime/ground/process/files.h"
 #include "runtime/ground/result/exit_code.h"
 #include "runtime/trace/value_json.h"
 
@@ -22,7 +22,7 @@ result::Result<std::vector<trace::AskedName>> all_names(const std::vector<std::s
 
 int finish(const std::string& json_file, const nlohmann::json& report) {
   if (!json_file.empty()) {
-    const auto failed = process::write_file(json_file, report.dump(2) + "\n");
+    const auto failed = files::write_file(json_file, report.dump(2) + "\n");
     if (!failed.empty()) return process::fail(failed, result::ExitCode::BadInput);
   }
   return to_int(result::ExitCode::Done);

@@ -12,10 +12,10 @@
 #include <utility>
 
 #include "cell/config/cell_config.h"
-#include "programs/new/plcopen_project.h"
-#include "programs/new/project_cell.h"
+#include "cell/import/plcopen_project.h"
+#include "cell/import/project_cell.h"
 #include "programs/new/template_texts.h"
-#include "runtime/ground/process/files.h"
+#include "runtime/ground/files/files.h"
 
 namespace stepwright::new_cell {
 namespace {
@@ -33,7 +33,7 @@ std::span<const TemplateText> texts_of(const NewOptions& options) {
 }
 
 // Every {{placeholder}} of the text; what is filled in is not looked through again.
-std::string filled_in(std::string_view text, const Fillings& fillings) {
+std::string filled_in(std::string_view text, const cell_import::Fillings& fillings) {
   std::string made;
   std::size_t done = 0;
   for (std::size_t at = text.find("{{"); at != std::string_view::npos; at = text.find("{{", done)) {
@@ -41,7 +41,7 @@ std::string filled_in(std::string_view text, const Fillings& fillings) {
     if (end == std::string_view::npos) break;
     made.append(text, done, at - done);
     const std::string_view name = text.substr(at + 2, end - at - 2);
-    const auto found = std::ranges::find(fillings, name, &Fillings::value_type::first);
+    const auto found = std::ranges::find(fillings, name, &cell_import::Fillings::value_type::first);
     if (found != fillings.end()) made += found->second;
     done = end + 2;
   }
@@ -70,7 +70,7 @@ result::Result<void> check_free(const std::filesystem::path& folder) {
 }
 
 result::Result<void> write(const std::filesystem::path& file, const std::string& text) {
-  auto unwritten = process::write_file(file.string(), text);
+  auto unwritten = files::write_file(file.string(), text);
   if (!unwritten.empty()) return tl::unexpected(std::move(unwritten));
   return {};
 }
@@ -84,8 +84,8 @@ result::Diagnostics problems_of(const std::filesystem::path& folder) {
 }
 
 result::Result<void> write_project(const std::filesystem::path& folder, const std::string& name,
-                                   TakenProject& project) {
-  Fillings fillings = fillings_of(project);
+                                   cell_import::TakenProject& project) {
+  cell_import::Fillings fillings = cell_import::fillings_of(project);
   fillings.emplace_back("name", name);
   if (auto done = write(folder / "main.xml", project.xml); !done) return done;
   for (const TemplateText& each : plcopen_texts()) {
@@ -94,7 +94,7 @@ result::Result<void> write_project(const std::filesystem::path& folder, const st
   }
   const result::Diagnostics problems = problems_of(folder);
   project.problems.insert(project.problems.end(), problems.begin(), problems.end());
-  fillings.emplace_back("left", left_of(project));
+  fillings.emplace_back("left", cell_import::left_of(project));
   for (const TemplateText& each : plcopen_texts()) {
     if (each.name != kReadme) continue;
     if (auto done = write(folder / each.name, filled_in(each.text, fillings)); !done) return done;
@@ -103,18 +103,18 @@ result::Result<void> write_project(const std::filesystem::path& folder, const st
 }
 
 result::Result<void> write_all(const std::filesystem::path& folder, const NewOptions& options,
-                               const std::string& name, std::optional<TakenProject>& project) {
+                               const std::string& name, std::optional<cell_import::TakenProject>& project) {
   if (project) return write_project(folder, name, *project);
   for (const TemplateText& each : texts_of(options))
     if (auto done = write(folder / each.name, filled_in(each.text, {{"name", name}})); !done) return done;
   return {};
 }
 
-result::Result<std::optional<TakenProject>> project_of(const NewOptions& options) {
-  if (options.from.empty()) return std::optional<TakenProject>();
-  auto taken = read_project(options.from, {options.dialect, options.configuration});
+result::Result<std::optional<cell_import::TakenProject>> project_of(const NewOptions& options) {
+  if (options.from.empty()) return std::optional<cell_import::TakenProject>();
+  auto taken = cell_import::read_project(options.from, {options.dialect, options.configuration});
   if (!taken) return result::forward(taken);
-  return std::optional<TakenProject>(std::move(*taken));
+  return std::optional<cell_import::TakenProject>(std::move(*taken));
 }
 
 }  // namespace

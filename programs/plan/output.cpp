@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "runtime/ground/process/files.h"
+#include "runtime/ground/files/files.h"
 
 namespace stepwright::plan {
 
@@ -14,7 +14,7 @@ void print_diagnostics(const result::Diagnostics& diagnostics) {
 }
 
 bool write_file(const std::string& path, const std::string& text) {
-  const result::Diagnostics unwritten = process::write_file(path, text);
+  const result::Diagnostics unwritten = files::write_file(path, text);
   print_diagnostics(unwritten);
   return unwritten.empty();
 }
@@ -23,7 +23,7 @@ bool check_writable(const std::vector<std::string>& paths) {
   bool good = true;
   for (const std::string& path : paths) {
     if (path.empty()) continue;
-    const result::Diagnostics refused = process::check_writable(path);
+    const result::Diagnostics refused = files::check_writable(path);
     print_diagnostics(refused);
     good = good && refused.empty();
   }

@@ -8,7 +8,7 @@
 
 #include "programs/plan/output.h"
 #include "programs/plan/progress_line.h"
-#include "runtime/ground/process/files.h"
+#include "runtime/ground/files/files.h"
 #include "runtime/ground/process/interruption.h"
 #include "runtime/ground/result/counted.h"
 #include "supervisor/model/outcome_name.h"
@@ -72,7 +72,7 @@ bool is_valid(const pddl::Task& task, const model::Plan& plan) {
 // A plan that is found goes to its file at once, so that it is there whatever ends the process. A stream gets
 // the last one only.
 void write_when_found(const pddl::Task& task, const PlanArguments& arguments, pddl::Options& options) {
-  if (arguments.out_file.empty() || process::is_stream(arguments.out_file)) return;
+  if (arguments.out_file.empty() || files::is_stream(arguments.out_file)) return;
   options.on_improvement = [&task, &arguments](const model::Plan& plan) {
     if (is_valid(task, plan)) write_file(arguments.out_file, pddl::print_plan(plan));
   };

@@ -15,8 +15,8 @@
 #include "plant_models/components/model_plant.h"
 #include "plant_models/components/step_answer.h"
 #include "plant_models/core/names.h"
+#include "runtime/ground/files/files.h"
 #include "runtime/ground/process/command_line.h"
-#include "runtime/ground/process/files.h"
 #include "runtime/ground/process/temporary_folder.h"
 #include "runtime/host/plant_values.h"
 
@@ -162,7 +162,7 @@ json plant_json(const ModelPlant& plant, double speed) {
 
 ExitCode write(const std::string& file, const std::string& text) {
   if (file.empty()) return ExitCode::Done;
-  const result::Diagnostics unwritten = process::write_file(file, text);
+  const result::Diagnostics unwritten = files::write_file(file, text);
   return unwritten.empty() ? ExitCode::Done : fail(unwritten);
 }
 
@@ -238,7 +238,7 @@ ExitCode run_plant(const PlantArguments& arguments) {
   }
   for (const std::string& name : {arguments.csv_file, arguments.svg_file, arguments.json_file}) {
     if (name.empty()) continue;
-    if (const auto unwritable = process::check_writable(name); !unwritable.empty()) return fail(unwritable);
+    if (const auto unwritable = files::check_writable(name); !unwritable.empty()) return fail(unwritable);
   }
   auto plant = load(arguments);
   if (!plant) return fail(plant.error());

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "runtime/ground/files/files.h"
 #include "runtime/ground/process/command_line.h"
-#include "runtime/ground/process/files.h"
 #include "supervisor/tamp/intervals/cause/cause.h"
 #include "supervisor/tamp/intervals/cause/reached.h"
 #include "supervisor/tamp/intervals/cause/witness.h"
@@ -152,7 +152,7 @@ int fail(const result::Diagnostics& diagnostics) {
 
 ExitCode write(const std::string& file, const std::string& text) {
   if (file.empty()) return ExitCode::Done;
-  const result::Diagnostics unwritten = process::write_file(file, text);
+  const result::Diagnostics unwritten = files::write_file(file, text);
   if (unwritten.empty()) return ExitCode::Done;
   (void)fail(unwritten);
   return ExitCode::BadInput;
@@ -183,7 +183,7 @@ ExitCode exit_of(const Answered& answered) {
 ExitCode run_reach(const ReachArguments& arguments) {
   for (const std::string& name : {arguments.json_file, arguments.svg_file, arguments.st_file}) {
     if (name.empty()) continue;
-    if (const auto unwritable = process::check_writable(name); !unwritable.empty()) {
+    if (const auto unwritable = files::check_writable(name); !unwritable.empty()) {
       (void)fail(unwritable);
       return ExitCode::BadInput;
     }

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "cell/reference/key_reference.h"
+#include "runtime/ground/files/files.h"
 #include "runtime/ground/process/command_line.h"
-#include "runtime/ground/process/files.h"
 #include "runtime/ground/result/exit_code.h"
 
 int main(int argc, char** argv) {
@@ -25,7 +25,7 @@ int main(int argc, char** argv) {
   if (const auto exit = process::parse(app, argc, argv)) return *exit;
   const reference::KeyReference keys = reference::key_reference(*reference::find_described_file(file));
   const std::string text = json ? reference::json_of(keys) : reference::markdown_of(keys);
-  const result::Diagnostics unwritten = process::write_file("-", text);
+  const result::Diagnostics unwritten = files::write_file("-", text);
   return unwritten.empty() ? to_int(result::ExitCode::Done)
                            : process::fail(unwritten, result::ExitCode::BadInput);
 }

@@ -6,11 +6,11 @@
 #include <cstdio>
 
 #include "cell/config/cell_config.h"
+#include "cell/tags/register_table.h"
 #include "cell/tags/tag_notes.h"
-#include "programs/registers/register_table.h"
 #include "runtime/bytecode/reader/document_text.h"
+#include "runtime/ground/files/files.h"
 #include "runtime/ground/process/command_line.h"
-#include "runtime/ground/process/files.h"
 #include "runtime/ground/result/exit_code.h"
 #include "runtime/modbus/map/build_map.h"
 #include "runtime/service/connection.h"
@@ -44,7 +44,7 @@ result::Result<std::vector<std::byte>> program_of_runtime(const config::CellConf
 
 result::Result<std::vector<std::byte>> program_of(const Options& options, const config::CellConfig& config) {
   if (options.image.empty()) return program_of_runtime(config);
-  auto text = process::read_file(options.image);
+  auto text = files::read_file(options.image);
   if (!text) return result::forward(text);
   const auto bytes = std::as_bytes(std::span(*text));
   return std::vector<std::byte>(bytes.begin(), bytes.end());
@@ -66,14 +66,14 @@ int run(const Options& options) {
   if (!built.problems.empty()) return process::fail(built.problems, ExitCode::BadInput);
   const tags::KnownTags known(tags::tag_notes(config.tags),
                               {info->instances(), reader::document_text(*container)});
-  const auto rows = tagged(modbus::map::register_rows(*info, built.map), known);
+  const auto rows = tags::tagged(modbus::map::register_rows(*info, built.map), known);
   const std::string title = "Modbus registers of " + (options.image.empty() ? config.name : options.image);
-  const std::string text = options.format == "csv"    ? to_csv(rows)
-                           : options.format == "json" ? to_json(rows)
-                                                      : to_markdown(rows, title, wanted.openplc);
+  const std::string text = options.format == "csv"    ? tags::to_csv(rows)
+                           : options.format == "json" ? tags::to_json(rows)
+                                                      : tags::to_markdown(rows, title, wanted.openplc);
   if (options.out.empty()) {
     std::fputs(text.c_str(), stdout);
-  } else if (const auto failed = process::write_file(options.out, text); !failed.empty()) {
+  } else if (const auto failed = files::write_file(options.out, text); !failed.empty()) {
     return process::fail(failed, ExitCode::BadInput);
   }
   return to_int(ExitCode::Done);

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "runtime/ground/files/files.h"
 #include "runtime/ground/process/command_line.h"
 #include "runtime/ground/process/diagnostics_json.h"
-#include "runtime/ground/process/files.h"
 #include "runtime/ground/result/counted.h"
 #include "runtime/ground/result/exit_code.h"
 #include "runtime/replay/replay_run.h"
@@ -141,7 +141,7 @@ int execute(const Arguments& arguments) {
     const nlohmann::json json = {{"file", arguments.file},
                                  {"equal", exit_code(outcomes) != ExitCode::RuntimeFault},
                                  {"engines", std::move(engines_json)}};
-    const auto failed = process::write_file(arguments.json_file, json.dump(2) + "\n");
+    const auto failed = files::write_file(arguments.json_file, json.dump(2) + "\n");
     if (!failed.empty()) return process::fail(failed, ExitCode::BadInput);
   }
   return to_int(exit_code(outcomes));

@@ -11,8 +11,8 @@
 
 #include "ladder/driver/compile.h"
 #include "programs/scan_test/report.h"
+#include "runtime/ground/files/files.h"
 #include "runtime/ground/process/command_line.h"
-#include "runtime/ground/process/files.h"
 #include "runtime/ground/result/exit_code.h"
 #include "runtime/scan_test/measurement.h"
 #include "runtime/scan_test/rung_source.h"
@@ -42,7 +42,7 @@ result::Result<std::vector<std::byte>> program_of(const Arguments& arguments) {
     if (!output) return result::forward(output);
     return std::move(output->container);
   }
-  auto text = process::read_file(arguments.image);
+  auto text = files::read_file(arguments.image);
   if (!text) return result::forward(text);
   const auto bytes = std::as_bytes(std::span(*text));
   return std::vector<std::byte>(bytes.begin(), bytes.end());
@@ -76,7 +76,7 @@ int run(Arguments arguments) {
       {arguments.json_file, to_json(*measured).dump(2) + "\n"}, {arguments.svg_file, to_svg(*measured)}};
   for (const auto& [file, text] : files) {
     if (file.empty()) continue;
-    const result::Diagnostics problems = process::write_file(file, text);
+    const result::Diagnostics problems = files::write_file(file, text);
     if (result::has_errors(problems)) return process::fail(problems, ExitCode::BadInput);
   }
   return to_int(ExitCode::Done);

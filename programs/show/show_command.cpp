@@ -12,8 +12,8 @@
 #include "ladder/source/suggestion.h"
 #include "ladder/source_files/source_files.h"
 #include "ladder/source_files/source_options.h"
+#include "runtime/ground/files/files.h"
 #include "runtime/ground/process/command_line.h"
-#include "runtime/ground/process/files.h"
 #include "runtime/ground/result/exit_code.h"
 
 namespace stepwright::show {
@@ -67,7 +67,7 @@ ExitCode show(const Arguments& arguments) {
     std::fwrite(text.data(), 1, text.size(), stdout);
     return ExitCode::Done;
   }
-  const result::Diagnostics unwritten = process::write_file(arguments.output, text);
+  const result::Diagnostics unwritten = files::write_file(arguments.output, text);
   return unwritten.empty() ? ExitCode::Done : fail(unwritten, sources);
 }
 

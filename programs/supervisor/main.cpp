@@ -20,10 +20,10 @@
 #include "cell/missions/mission_kinds.h"
 #include "cell/missions/watched_tags.h"
 #include "runtime/dds/plan_channel.h"
+#include "runtime/ground/files/files.h"
 #include "runtime/ground/log/logger.h"
 #include "runtime/ground/log/refused_samples.h"
 #include "runtime/ground/process/command_line.h"
-#include "runtime/ground/process/files.h"
 #include "runtime/ground/process/notify_socket.h"
 #include "runtime/ground/process/reload_signal.h"
 #include "runtime/ground/result/exit_code.h"
@@ -139,7 +139,7 @@ int attend(const config::CellConfig& config, bool once, Shared& shared) {
   while (true) {
     const run::RunRecord record = mission->run();
     const run::Report report{record, final_status(**controller)};
-    const auto unwritten = process::write_file(config.report_path().string(), run::to_json(report));
+    const auto unwritten = files::write_file(config.report_path().string(), run::to_json(report));
     if (!unwritten.empty() && !once)
       shared.log.error("report", shared.of(config) + "there is no report: " + result::to_string(unwritten));
     std::printf("%s%s", shared.of(config).c_str(), run::report_table(record).c_str());

@@ -8,8 +8,8 @@
 #include <optional>
 #include <set>
 
+#include "runtime/ground/files/files.h"
 #include "runtime/ground/process/command_line.h"
-#include "runtime/ground/process/files.h"
 #include "runtime/ground/process/interruption.h"
 #include "runtime/ground/result/counted.h"
 #include "supervisor/htn/plan/validate.h"
@@ -89,7 +89,7 @@ struct TaskOfCell {
 };
 
 result::Result<TaskOfCell> read_task_of(const tamp::scene::CellFile& file) {
-  auto domain = process::read_file(file.domain.string()), problem = process::read_file(file.problem.string());
+  auto domain = files::read_file(file.domain.string()), problem = files::read_file(file.problem.string());
   if (!domain) return result::forward(domain);
   if (!problem) return result::forward(problem);
   TaskOfCell task{{file.domain.string(), *domain}, {file.problem.string(), *problem}, {}, {}};
@@ -137,7 +137,7 @@ bool is_valid(const tamp::scene::RobotCell& cell, const TampOutcome& outcome, co
 
 ExitCode write(const std::string& file, const std::string& text) {
   if (file.empty()) return ExitCode::Done;
-  const result::Diagnostics unwritten = process::write_file(file, text);
+  const result::Diagnostics unwritten = files::write_file(file, text);
   return unwritten.empty() ? ExitCode::Done : fail(unwritten);
 }
 
@@ -170,7 +170,7 @@ TampOutcome search(const tamp::scene::RobotCell& cell, const TaskOfCell& task, c
 ExitCode run_tamp(const TampArguments& arguments) {
   for (const std::string& file : {arguments.json_file, arguments.svg_file}) {
     if (file.empty()) continue;
-    if (const auto unwritable = process::check_writable(file); !unwritable.empty()) return fail(unwritable);
+    if (const auto unwritable = files::check_writable(file); !unwritable.empty()) return fail(unwritable);
   }
   auto file = tamp::scene::load_cell(arguments.problem);
   if (!file) return fail(file.error());

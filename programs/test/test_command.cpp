@@ -6,9 +6,9 @@
 #include <iostream>
 #include <utility>
 
+#include "cell/testing/report.h"
 #include "ladder/source_files/source_files.h"
-#include "programs/test/report.h"
-#include "runtime/ground/process/files.h"
+#include "runtime/ground/files/files.h"
 
 namespace stepwright::test_program {
 
@@ -39,19 +39,19 @@ std::vector<Chosen> choose(const std::vector<driver::TestSuite>& suites, const s
 }
 
 result::Diagnostics run_chosen(const std::vector<driver::TestSuite>& suites,
-                               const std::vector<Chosen>& chosen, const RunOptions& options,
-                               const sources::SourceFiles& files, TestReport& report) {
-  std::unique_ptr<SuiteRunner> runner;
+                               const std::vector<Chosen>& chosen, const cell_testing::RunOptions& options,
+                               const sources::SourceFiles& files, cell_testing::TestReport& report) {
+  std::unique_ptr<cell_testing::SuiteRunner> runner;
   std::size_t suite = suites.size();  // of the runner
   for (const Chosen& each : chosen) {
     if (each.suite != suite) {
-      auto made = SuiteRunner::make(suites[each.suite], options);
+      auto made = cell_testing::SuiteRunner::make(suites[each.suite], options);
       if (!made) return made.error();
       runner = std::move(*made);
       suite = each.suite;
     }
     report.tests.push_back(runner->run(each.test));
-    print_test(std::cout, report.tests.back(), report.tests.size(), chosen.size(), files.files);
+    cell_testing::print_test(std::cout, report.tests.back(), report.tests.size(), chosen.size(), files.files);
     // A failure is seen at once, whatever takes long behind it.
     if (!report.tests.back().passed()) std::cout.flush();
   }
@@ -59,7 +59,8 @@ result::Diagnostics run_chosen(const std::vector<driver::TestSuite>& suites,
 }
 
 // Compiles and runs; what kept it from that is returned.
-result::Diagnostics run_all(const TestArguments& arguments, sources::SourceFiles& files, TestReport& report) {
+result::Diagnostics run_all(const TestArguments& arguments, sources::SourceFiles& files,
+                            cell_testing::TestReport& report) {
   result::Diagnostics problems;
   files = sources::load(arguments.sources, problems, arguments.source_options);
   if (!problems.empty()) return problems;
@@ -83,18 +84,18 @@ result::Diagnostics run_all(const TestArguments& arguments, sources::SourceFiles
 
 ExitCode run_tests(const TestArguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
-  TestReport report;
+  cell_testing::TestReport report;
   report.engine = arguments.engine;
   sources::SourceFiles files;
   result::Diagnostics problems = run_all(arguments, files, report);
   report.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   report.diagnostics.insert(report.diagnostics.end(), problems.begin(), problems.end());
-  if (!report.tests.empty()) print_summary(std::cout, report);
+  if (!report.tests.empty()) cell_testing::print_summary(std::cout, report);
   std::cout.flush();
-  for (const auto& [path, text] :
-       {std::pair(arguments.json_file, &to_json), std::pair(arguments.junit_file, &to_junit)}) {
+  for (const auto& [path, text] : {std::pair(arguments.json_file, &cell_testing::to_json),
+                                   std::pair(arguments.junit_file, &cell_testing::to_junit)}) {
     if (path.empty()) continue;
-    const result::Diagnostics failed = process::write_file(path, text(report));
+    const result::Diagnostics failed = files::write_file(path, text(report));
     report.diagnostics.insert(report.diagnostics.end(), failed.begin(), failed.end());
   }
   sources::print(report.diagnostics, files.files);

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "cell/testing/suite_runner.h"
 #include "ladder/source_files/source_options.h"
-#include "programs/test/suite_runner.h"
 #include "runtime/ground/result/exit_code.h"
 
 namespace stepwright::test_program {
@@ -18,7 +18,7 @@ struct TestArguments {
   std::string json_file;
   std::string junit_file;
   std::string engine = "auto";
-  RunOptions options;
+  cell_testing::RunOptions options;
 };
 
 // One line for each test on stdout, failures with their source line; diagnostics of the sources on stderr.

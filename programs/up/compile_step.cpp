@@ -2,7 +2,7 @@
 
 #include <chrono>
 
-#include "runtime/ground/process/files.h"
+#include "runtime/ground/files/files.h"
 
 namespace stepwright::up {
 
@@ -41,7 +41,7 @@ std::filesystem::path fresh_image(const config::CellConfig& config) {
 }
 
 result::Diagnostics keep_program(const std::filesystem::path& file, const std::string& bytes) {
-  result::Diagnostics unwritten = process::write_file(file.string(), bytes);
+  result::Diagnostics unwritten = files::write_file(file.string(), bytes);
   for (result::Diagnostic& each : unwritten)
     each.message = "the sources compile, and their program cannot be kept: " + each.message;
   return unwritten;
@@ -52,7 +52,7 @@ namespace {
 // What was made of the sources, in place of what was made of them before; a disk that is full is in nobody's
 // way where that is the same. Sources that say something else win over a program that was downloaded since.
 result::Diagnostics take_in(const config::CellConfig& config, const std::string& made) {
-  const auto before = process::read_file(config.boot.program.string());
+  const auto before = files::read_file(config.boot.program.string());
   if (before && made == *before) return {};
   result::Diagnostics unwritten = keep_program(config.boot.program, made);
   std::error_code ignored;  // then the runtime says what it misses

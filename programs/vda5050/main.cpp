@@ -10,8 +10,8 @@
 
 #include "cell/config/cell_options.h"
 #include "programs/vda5050/publish_command.h"
+#include "runtime/ground/files/files.h"
 #include "runtime/ground/process/command_line.h"
-#include "runtime/ground/process/files.h"
 #include "supervisor/fleet/vda5050/check_message.h"
 
 namespace {
@@ -24,7 +24,7 @@ result::Diagnostics check_files(const std::string& topic_name, const std::vector
   for (const Topic topic : fleet::vda5050::kTopics) {
     if (topic_name != fleet::vda5050::to_string(topic)) continue;
     for (const std::string& file : files) {
-      const auto text = process::read_file(file);
+      const auto text = files::read_file(file);
       const auto found = text ? fleet::vda5050::check_message(topic, *text, file) : text.error();
       wrong.insert(wrong.end(), found.begin(), found.end());
     }

@@ -12,7 +12,7 @@
 
 #include "runtime/base/crc32c.h"
 #include "runtime/base/hash64.h"
-#include "runtime/record/durable_file.h"
+#include "runtime/ground/files/durable_file.h"
 #include "runtime/record/stored_values.h"
 
 namespace stepwright::record {
@@ -38,6 +38,7 @@ struct SlotHeader {
 };
 static_assert(sizeof(FileHeader) == 24 && sizeof(SlotHeader) == 32);
 
+constexpr files::Owner kStore{"R0024"};
 constexpr char kFileMagic[8] = {'S', 'W', 'R', 'E', 'T', 'A', 'I', 'N'};
 constexpr std::uint32_t kSlotMagic = 0x53525753;
 constexpr std::size_t kBlock = 4096;
@@ -132,13 +133,13 @@ std::filesystem::path free_name(const std::filesystem::path& path) {
 
 result::Result<void> RetainStore::check_place(const std::filesystem::path& path) {
   const auto refused = [&](const char* what) {
-    return result::fail("R0024", {path.string(), 0, 0},
+    return result::fail(kStore.code, {path.string(), 0, 0},
                         std::string(what) + ": it is neither replaced nor moved",
                         "[retain] file names a file for retained values alone");
   };
   const int file = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
   if (file < 0 && errno == ENOENT) return {};
-  if (file < 0) return file_error(path, "the store cannot be read", errno);
+  if (file < 0) return files::failed(kStore, path, "the store cannot be read", errno);
   struct stat info {};
   const bool known = fstat(file, &info) == 0;
   const bool plain = known && S_ISREG(info.st_mode);
@@ -150,7 +151,7 @@ result::Result<void> RetainStore::check_place(const std::filesystem::path& path)
 }
 
 result::Result<std::optional<StoredState>> RetainStore::read(const std::filesystem::path& path) {
-  auto content = read_whole(path, kMaxFileBytes);
+  auto content = files::read_bytes(path, kMaxFileBytes, kStore);
   if (!content) return result::forward(content);
   if (!*content) return std::nullopt;
   const std::span<const std::byte> file = **content;
@@ -229,7 +230,7 @@ result::Result<RetainStore> RetainStore::create(const std::filesystem::path& pat
     const std::size_t at = first_slot(names.size()) + (each % 2) * slot_stride(payload.size());
     std::memcpy(file.data() + at, slot.data(), slot.size());
   }
-  if (auto replaced = replace_file(path, file); !replaced) return result::forward(replaced);
+  if (auto replaced = files::replace_file(path, file, kStore); !replaced) return result::forward(replaced);
   RetainStore store;
   store.sequence_ = sequence + 1;
   if (auto opened = store.open(path, layout); !opened) return result::forward(opened);
@@ -247,7 +248,7 @@ result::Result<std::filesystem::path> RetainStore::set_aside(const std::filesyst
   if (auto place = check_place(path); !place) return result::forward(place);
   const std::filesystem::path aside = free_name(path);
   if (rename(path.c_str(), aside.c_str()) != 0)
-    return file_error(path, "the store cannot be moved aside", errno);
+    return files::failed(kStore, path, "the store cannot be moved aside", errno);
   return aside;
 }
 
@@ -259,7 +260,7 @@ result::Result<void> RetainStore::open(const std::filesystem::path& path, const 
   first_slot_ = first_slot(names.size());
   slot_stride_ = slot_stride(payload_bytes_);
   descriptor_ = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOFOLLOW);
-  if (descriptor_ < 0) return file_error(path, "the store cannot be opened", errno);
+  if (descriptor_ < 0) return files::failed(kStore, path, "the store cannot be opened", errno);
   return {};
 }
 
@@ -275,9 +276,9 @@ result::Result<void> RetainStore::write(std::span<const std::byte> payload) {
   fill_slot(buffer_, sequence_ + 1, digest_, payload);
   const std::size_t at = first_slot_ + ((sequence_ + 1) % 2) * slot_stride_;
   int error = is_there() ? 0 : ENOENT;
-  if (error == 0) error = write_at(descriptor_, buffer_, at);
+  if (error == 0) error = files::write_at(descriptor_, buffer_, at);
   if (error == 0 && fdatasync(descriptor_) != 0) error = errno;
-  if (error != 0) return file_error(path_, "retained values cannot be written", error);
+  if (error != 0) return files::failed(kStore, path_, "retained values cannot be written", error);
   ++sequence_;
   return {};
 }

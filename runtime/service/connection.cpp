@@ -12,15 +12,15 @@
 #include <random>
 #include <utility>
 
+#include "runtime/ground/files/descriptor.h"
 #include "runtime/host/limits.h"
 #include "runtime/service/codec.h"
 #include "runtime/service/digest.h"
-#include "runtime/service/internal/descriptor.h"
 
 namespace stepwright::service {
 namespace {
 
-using internal::Descriptor;
+using files::Descriptor;
 using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 

@@ -5,7 +5,7 @@
 #include <sstream>
 #include <utility>
 
-#include "runtime/ground/process/files.h"
+#include "runtime/ground/files/files.h"
 
 namespace stepwright::trace {
 
@@ -30,7 +30,7 @@ std::vector<std::string> split_names(std::string_view list) {
 }
 
 result::Result<std::vector<AskedName>> read_names(const std::string& file) {
-  auto text = process::read_file(file);
+  auto text = files::read_file(file);
   if (!text) return result::forward(text);
   std::vector<AskedName> names;
   std::istringstream lines(*text);

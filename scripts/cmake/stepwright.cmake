@@ -41,7 +41,7 @@ set(STEPWRIGHT_COMPILE_OPTIONS -Wall -Wextra -Wshadow -Wconversion -Wnon-virtual
 set(STEPWRIGHT_LIGHT_OPTIONS $<$<CONFIG:Release>:-Og>)
 set(STEPWRIGHT_LIGHT_FOLDERS
   "cell" "programs" "hmi_web/(access|alarms|api|client|protocol|recorder|server|storage)" "tests/support" "firmware/link"
-  "ladder/(driver|exchange|print|source_files)" "runtime/(dds|exec|metrics|remote|replay|scan_test|trace)" "runtime/ground/(log|mqtt|process|settings)" "supervisor/(executive|model|run|translate)"
+  "ladder/(driver|exchange|print|source_files)" "runtime/(dds|exec|metrics|remote|replay|scan_test|trace)" "runtime/ground/(files|log|mqtt|process|settings)" "supervisor/(executive|model|run|translate)"
   "supervisor/fleet/(executive|program|report|vda5050)" "supervisor/ltl/(drawing|hoa|mission|program)" "supervisor/tamp/(drawing|mission|pictures|program)"
   "tests/bench/(campaign|planner/generators)" "tests/fuzz")
 

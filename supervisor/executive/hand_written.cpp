@@ -7,7 +7,7 @@
 
 #include "ladder/exchange/plcopen_reader.h"
 #include "ladder/graphic/identifier.h"
-#include "runtime/ground/process/files.h"
+#include "runtime/ground/files/files.h"
 
 namespace stepwright::executive {
 namespace {
@@ -114,7 +114,7 @@ result::Result<HandWritten> HandWritten::load(const std::vector<std::filesystem:
   HandWritten programs;
   result::Diagnostics problems;
   for (const std::filesystem::path& file : files) {
-    const auto text = process::read_file(file.string());
+    const auto text = files::read_file(file.string());
     if (!text) {
       problems.insert(problems.end(), text.error().begin(), text.error().end());
       continue;

@@ -12,7 +12,7 @@
 #include "cell/missions/ltl/train_wires.h"
 #include "cell/missions/mission_kinds.h"
 #include "cell/monitors/cell_monitors.h"
-#include "runtime/ground/process/files.h"
+#include "runtime/ground/files/files.h"
 #include "supervisor/ltl/mission/train_mission.h"
 #include "supervisor/ltl/scene/problem_reader.h"
 
@@ -25,7 +25,7 @@ const LtlTable& ltl_table(const config::CellConfig& config) {
 
 result::Result<ltl::Problem> read_problem(const config::CellConfig& config) {
   const LtlTable& table = ltl_table(config);
-  const auto text = process::read_file(table.problem.string());
+  const auto text = files::read_file(table.problem.string());
   if (!text) return tl::unexpected(text.error());
   auto problem = ltl::read_planning_problem(*text, table.problem, train_of(config.plant));
   if (!problem) return problem;

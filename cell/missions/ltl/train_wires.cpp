@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cell/config/port_reader.h"
-#include "runtime/ground/process/files.h"
+#include "runtime/ground/files/files.h"
 #include "supervisor/ltl/scene/scene_reader.h"
 
 namespace stepwright::missions {
@@ -16,7 +16,7 @@ namespace {
 result::Result<std::vector<std::string>> simulated_places(const config::TuggerPlantConfig& tugger) {
   std::vector<std::string> names;
   if (tugger.scene.empty()) return names;  // of a map alone
-  auto text = process::read_file(tugger.scene.string());
+  auto text = files::read_file(tugger.scene.string());
   if (!text) return result::forward(text);
   const auto border = tugger.map.empty() ? ltl::Border::InTheScene : ltl::Border::FromElsewhere;
   auto floor = ltl::read_scene(*text, tugger.scene.string(), {}, border);

@@ -10,7 +10,7 @@
 #include "cell/missions/tamp/check_cell.h"
 #include "cell/missions/tamp/table/tamp_table.h"
 #include "cell/monitors/cell_monitors.h"
-#include "runtime/ground/process/files.h"
+#include "runtime/ground/files/files.h"
 #include "supervisor/tamp/scene/cell_file.h"
 
 namespace stepwright::missions {
@@ -61,7 +61,7 @@ result::Result<lisp::Source> domain_of(const TampTable& table, const tamp::scene
   if (path.extension() != ".pddl")
     return result::fail("G0408", table.where, "the problem's domain is no PDDL: orders need one",
                         "domain = \"stacking_arms.pddl\" in [tamp]");
-  auto text = process::read_file(path.string());
+  auto text = files::read_file(path.string());
   if (!text) return result::forward(text);
   return lisp::Source{path.string(), *std::move(text)};
 }

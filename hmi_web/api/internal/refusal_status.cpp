@@ -12,6 +12,7 @@
 #include "hmi_web/recipes/codes.h"
 #include "hmi_web/screens/codes.h"
 #include "hmi_web/storage/codes.h"
+#include "hmi_web/storage/private_files.h"
 #include "hmi_web/trends/codes.h"
 #include "runtime/host/change_codes.h"
 #include "runtime/service/answer_codes.h"
@@ -70,7 +71,7 @@ constexpr Status kStatuses[] = {
     {service::kNotAnsweredYet, kTimeout},
     {service::kNobodyAnswers, kUnavailable},
     {access::kNoMemoryToHash, kUnavailable},
-    {access::kFileFails, kUnavailable},
+    {storage::kFileFails, kUnavailable},
 };
 
 }  // namespace

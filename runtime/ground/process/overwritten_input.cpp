@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "runtime/ground/process/files.h"
+#include "runtime/ground/files/files.h"
 
 namespace stepwright::process {
 namespace {
@@ -28,7 +28,7 @@ struct Files {
 // What a stream leads to is added to.
 bool is_plain(const std::string& path) {
   std::error_code error;
-  return !is_stream(path) && fs::is_regular_file(path, error);
+  return !files::is_stream(path) && fs::is_regular_file(path, error);
 }
 
 void collect(const CLI::App& app, Files& files) {

@@ -7,10 +7,12 @@
 #include <filesystem>
 #include <string>
 
+#include "runtime/ground/files/descriptor.h"
 #include "runtime/ground/result/result.h"
-#include "runtime/service/internal/descriptor.h"
 
 namespace stepwright::service::internal {
+
+using files::Descriptor;
 
 class Listener {
  public:

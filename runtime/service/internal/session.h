@@ -12,10 +12,12 @@
 #include <string>
 #include <vector>
 
+#include "runtime/ground/files/descriptor.h"
 #include "runtime/service/codec.h"
-#include "runtime/service/internal/descriptor.h"
 
 namespace stepwright::service::internal {
+
+using files::Descriptor;
 
 class Session {
  public:

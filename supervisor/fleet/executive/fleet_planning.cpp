@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "runtime/ground/process/files.h"
+#include "runtime/ground/files/files.h"
 #include "supervisor/fleet/executive/standing.h"
 #include "supervisor/fleet/mission/problem_reader.h"
 #include "supervisor/map/row_span.h"
@@ -41,7 +41,7 @@ FleetPlanning::FleetPlanning(FleetPlanningOptions options, MissionProblem proble
     : options_(std::move(options)), problem_(std::move(problem)), floor_(std::move(floor)) {}
 
 result::Result<FleetPlanning> FleetPlanning::open(const FleetPlanningOptions& options) {
-  auto text = process::read_file(options.problem.string());
+  auto text = files::read_file(options.problem.string());
   if (!text) return result::forward(text);
   auto problem = read_mission_problem(*text, options.problem);
   if (!problem) return result::forward(problem);

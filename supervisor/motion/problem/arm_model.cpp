@@ -1,6 +1,6 @@
 #include "supervisor/motion/problem/arm_model.h"
 
-#include "runtime/ground/process/files.h"
+#include "runtime/ground/files/files.h"
 #include "supervisor/motion/robot/codes.h"
 #include "supervisor/motion/robot/srdf_reader.h"
 #include "supervisor/motion/robot/urdf_reader.h"
@@ -10,7 +10,7 @@ namespace stepwright::motion {
 namespace {
 
 result::Result<Robot> load_urdf(const std::filesystem::path& file) {
-  const auto text = process::read_file(file.string());
+  const auto text = files::read_file(file.string());
   if (!text) return tl::unexpected(text.error());
   return read_urdf(*text, file.string());
 }
@@ -33,7 +33,7 @@ result::Result<ArmModel> load_arm(const ArmFiles& files) {
   ArmModel model;
   model.robot = std::move(*robot);
   if (!files.srdf.empty()) {
-    const auto text = process::read_file(files.srdf.string());
+    const auto text = files::read_file(files.srdf.string());
     if (!text) return tl::unexpected(text.error());
     auto semantics = read_srdf(*text, files.srdf.string(), model.robot);
     if (!semantics) return result::forward(semantics);

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <utility>
 
-#include "runtime/ground/process/files.h"
+#include "runtime/ground/files/files.h"
 #include "runtime/ground/result/closest.h"
 #include "supervisor/motion/moveit/moveit_scene.h"
 #include "supervisor/motion/scene/scene_file.h"
@@ -19,7 +19,7 @@ namespace {
 // The scene is left in the state of its file: the request says what is other at the start.
 result::Result<void> load_moveit(const ArmModel& model, const std::filesystem::path& file,
                                  ArmProblem& problem, MoveItScene& read) {
-  const auto text = process::read_file(file.string(), kMostYamlBytes + 1);
+  const auto text = files::read_file(file.string(), kMostYamlBytes + 1);
   if (!text) return tl::unexpected(text.error());
   auto scene = read_moveit_scene(*text, file.string(), &model.meshes);
   if (!scene) return result::forward(scene);
@@ -145,7 +145,7 @@ result::Result<ArmProblem> load_problem(const ArmModel& model, const std::filesy
   if (auto read = ours ? load_toml(model, scene, problem) : load_moveit(model, scene, problem, of_moveit);
       !read)
     return result::forward(read);
-  const auto text = process::read_file(request.string(), kMostYamlBytes + 1);
+  const auto text = files::read_file(request.string(), kMostYamlBytes + 1);
   if (!text) return tl::unexpected(text.error());
   auto asked = read_moveit_request(*text, request.string());
   if (!asked) return result::forward(asked);

@@ -16,8 +16,8 @@
 #include <string>
 #include <thread>
 
+#include "runtime/ground/files/files.h"
 #include "runtime/ground/process/command_line.h"
-#include "runtime/ground/process/files.h"
 #include "runtime/ground/process/interruption.h"
 #include "tests/bench/campaign/arms.h"
 #include "tests/bench/campaign/campaign.h"
@@ -52,7 +52,7 @@ int finish(const Arguments& arguments, const std::string& table, const std::stri
            bool interrupted) {
   std::fputs(table.c_str(), stdout);
   if (!arguments.json_file.empty()) {
-    const auto failed = process::write_file(arguments.json_file, json + "\n");
+    const auto failed = files::write_file(arguments.json_file, json + "\n");
     if (!failed.empty()) return fail(failed, ExitCode::BadInput);
   }
   if (interrupted) std::fprintf(stderr, "interrupted: these are the runs that were done\n");
@@ -91,7 +91,7 @@ int run_bench(const Arguments& arguments) {
 
 int run(const Arguments& arguments) {
   if (!arguments.json_file.empty()) {
-    const auto refused = process::check_writable(arguments.json_file);
+    const auto refused = files::check_writable(arguments.json_file);
     if (!refused.empty()) return fail(refused, ExitCode::BadInput);
   }
   if (arguments.cell == "conveyor") return run_cell(arguments, line_campaign);

@@ -10,7 +10,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "runtime/ground/process/files.h"
+#include "runtime/ground/files/files.h"
 #include "runtime/ground/result/exit_code.h"
 #include "tests/bench/planner/report/curve_svg.h"
 #include "tests/bench/planner/report/table.h"
@@ -36,7 +36,7 @@ ExitCode code_of(const result::Diagnostics& problems) {
 
 int write_report(const Settings& settings, const json& report) {
   if (settings.json_file.empty()) return to_int(ExitCode::Done);
-  const auto failed = process::write_file(settings.json_file, report.dump(2) + "\n");
+  const auto failed = files::write_file(settings.json_file, report.dump(2) + "\n");
   return failed.empty() ? to_int(ExitCode::Done) : fail(failed, ExitCode::BadInput);
 }
 
@@ -45,7 +45,7 @@ result::Diagnostics check_outputs(const Settings& settings) {
   result::Diagnostics problems;
   const auto check = [&](bool wanted, const std::string& file) {
     if (!wanted) return;
-    for (result::Diagnostic& refused : process::check_writable(file)) problems.push_back(std::move(refused));
+    for (result::Diagnostic& refused : files::check_writable(file)) problems.push_back(std::move(refused));
   };
   check(!settings.json_file.empty(), settings.json_file);
   check(settings.update_best, settings.best_file);

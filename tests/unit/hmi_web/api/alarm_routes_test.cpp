@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "hmi_web/access/durable_file.h"
+#include "runtime/ground/files/files.h"
 #include "tests/unit/hmi_web/api/request_guard_fixture.h"
 
 namespace stepwright::api {
@@ -19,7 +19,7 @@ class AlarmRoutesTest : public testing::Test {
   }
   std::vector<json> trail() {
     std::vector<json> entries;
-    std::istringstream lines(*access::read_whole(fixture_.audit->file()));
+    std::istringstream lines(files::read_file(fixture_.audit->file()).value());
     for (std::string line; std::getline(lines, line);) entries.push_back(json::parse(line));
     return entries;
   }

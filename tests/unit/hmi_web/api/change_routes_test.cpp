@@ -5,8 +5,8 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "hmi_web/access/durable_file.h"
 #include "ladder/driver/compile.h"
+#include "runtime/ground/files/files.h"
 #include "tests/unit/hmi_web/api/request_guard_fixture.h"
 
 namespace stepwright::api {
@@ -65,7 +65,7 @@ class ChangeRoutesTest : public testing::Test {
   }
   json state() { return json::parse(ask("GET", "/api/change").text); }
   std::vector<json> trail() {
-    std::istringstream lines(*access::read_whole(fixture_.audit->file()));
+    std::istringstream lines(files::read_file(fixture_.audit->file()).value());
     std::vector<json> entries;
     for (std::string line; std::getline(lines, line);) entries.push_back(json::parse(line));
     return entries;

@@ -3,7 +3,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "hmi_web/access/durable_file.h"
+#include "runtime/ground/files/durable_file.h"
+#include "runtime/ground/files/files.h"
 #include "tests/unit/hmi_web/api/request_guard_fixture.h"
 
 namespace stepwright::api {
@@ -30,7 +31,7 @@ class RecipeRoutesTest : public testing::Test {
     return json::parse(answer.text);
   }
   json last_of_trail() {
-    std::istringstream lines(*access::read_whole(fixture_.audit->file()));
+    std::istringstream lines(files::read_file(fixture_.audit->file()).value());
     std::string last;
     for (std::string line; std::getline(lines, line);) last = line;
     return json::parse(last);
@@ -116,7 +117,7 @@ TEST_F(RecipeRoutesTest, WhenSidesAreCompared_ThenEachTagHasItsState) {
 }
 
 TEST_F(RecipeRoutesTest, WhenAFileIsDamaged_ThenTheListSaysSo) {
-  ASSERT_TRUE(access::replace_private_file(fixture_.folder / "recipes/Bad.json", "{"));
+  ASSERT_TRUE(files::replace_file(fixture_.folder / "recipes/Bad.json", "{", {"H0021"}));
   ASSERT_TRUE(fixture_.store->save({"Old", "", "", {}, {{"mixer.level", "500"}}}));
   const json list = get("/api/recipes")["recipes"];
   ASSERT_EQ(list.size(), 2u);

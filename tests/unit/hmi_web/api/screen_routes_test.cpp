@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "hmi_web/access/durable_file.h"
 #include "ladder/driver/compile.h"
+#include "runtime/ground/files/files.h"
 #include "tests/unit/hmi_web/api/request_guard_fixture.h"
 
 namespace stepwright::api {
@@ -51,7 +51,7 @@ class ScreenRoutesTest : public testing::Test {
     return count;
   }
   json last_of_trail() {
-    std::istringstream lines(*access::read_whole(fixture_.audit->file()));
+    std::istringstream lines(files::read_file(fixture_.audit->file()).value());
     std::string last;
     for (std::string line; std::getline(lines, line);) last = line;
     return json::parse(last);

@@ -7,7 +7,6 @@
 #include <fstream>
 #include <string>
 
-#include "hmi_web/access/durable_file.h"
 #include "hmi_web/access/secrets.h"
 #include "hmi_web/change/version_file.h"
 #include "tests/support/temporary_folder.h"

@@ -5,7 +5,7 @@
 #include <cstring>
 #include <fstream>
 
-#include "runtime/record/durable_file.h"
+#include "runtime/ground/files/durable_file.h"
 #include "tests/unit/runtime/record/retained_machine.h"
 
 namespace stepwright::record {
@@ -34,7 +34,7 @@ Bytes pair_of(std::int64_t value) {
 }
 
 Bytes content(const std::filesystem::path& path) {
-  return read_whole(path, 1u << 20).value().value();
+  return files::read_bytes(path, 1u << 20, {"R0024"}).value().value();
 }
 
 void put(const std::filesystem::path& path, const Bytes& bytes) {

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "plant_models/assemblies/robot_cell.h"
-#include "runtime/ground/process/files.h"
+#include "runtime/ground/files/files.h"
 #include "runtime/ground/result/value_or_throw.h"
 #include "tests/support/arms_program/arms_rig.h"
 #include "tests/support/tamp_cells/paper_cells.h"
@@ -17,7 +17,7 @@ ArmsPlanning open(const std::string& goal, double following_rad) {
   ArmsPlanningOptions options;
   options.cell = paper_cell();
   const std::string domain = STEPWRIGHT_SOURCE_DIR "/tests/cells/robot_cell/stacking_arms.pddl";
-  options.domain = {domain, result::value_or_throw(process::read_file(domain))};
+  options.domain = {domain, result::value_or_throw(files::read_file(domain))};
   options.orders = {
       result::value_or_throw(read_order(options.cell, goal, goal, "test")),
       result::value_or_throw(read_order(options.cell, "across", "(in cup1 red-region)", "test"))};
