@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
 #include <set>
 #include <utility>
 
@@ -13,6 +12,7 @@
 #include "ladder/lowering/sfc_to_ladder.h"
 #include "ladder/lowering/step_timers.h"
 #include "programs/translate/handshake_table.h"
+#include "runtime/ground/files/files.h"
 #include "runtime/ground/result/counted.h"
 #include "supervisor/pddl/plan/describe_run.h"
 #include "supervisor/pddl/plan/partial_order.h"
@@ -165,17 +165,8 @@ Result<Output> translate_files(const Arguments& arguments) {
 }
 
 Result<void> write_document(const std::filesystem::path& file, const std::string& document) {
-  const std::filesystem::path unfinished = file.string() + ".part";
-  std::ofstream stream(unfinished, std::ios::binary);
-  stream << document;
-  stream.close();
-  std::error_code error;
-  if (stream) std::filesystem::rename(unfinished, file, error);
-  if (stream && !error) return {};
-  std::error_code ignored;
-  std::filesystem::remove(unfinished, ignored);
-  return result::fail("T0020", {file.string(), 0, 0}, "the file cannot be written",
-                      "check that its folder exists and can be written to");
+  return files::write_file(file.string(), document,
+                           {"T0020", "check that its folder exists and can be written to"});
 }
 
 }  // namespace stepwright::translate_command

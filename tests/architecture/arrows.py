@@ -149,7 +149,7 @@ ARROWS = {
     "supervisor/geometry": [],
     "supervisor/vehicle": ["supervisor/geometry", "ladder/graphic"],
     "supervisor/map": ["supervisor/geometry", "runtime/ground/result"],
-    "supervisor/fleet/lattice": ["supervisor/map"],
+    "supervisor/fleet/lattice": ["supervisor/map", "runtime/ground/files"],
     "supervisor/fleet/envelope": ["supervisor/map"],
     "supervisor/fleet/network": ["runtime/base"],
     "supervisor/fleet/schedule": ["supervisor/fleet/network", "supervisor/fleet/envelope"],

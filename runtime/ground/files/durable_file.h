@@ -18,19 +18,10 @@
 #include <vector>
 
 #include "runtime/ground/files/descriptor.h"
+#include "runtime/ground/files/owner.h"
 #include "runtime/ground/result/result.h"
 
 namespace stepwright::files {
-
-// Whose a file is: its own code for whatever fails, and what to do about it.
-struct Owner {
-  const char* code;
-  const char* hint = "";
-};
-
-// The owner's code with the path, what does not work and what the system says (an errno).
-tl::unexpected<result::Diagnostics> failed(const Owner& owner, const std::filesystem::path& path,
-                                           const char* what, int error);
 
 // Writes beside the path (".new"), waits for the disk, moves it there, waits for the folder.
 [[nodiscard]] result::Result<void> replace_file(const std::filesystem::path& path,

@@ -51,6 +51,14 @@ fs::path behind_links(const std::string& path) {
   return error ? fs::path(path) : real;
 }
 
+// The system's error, and 0 if all of it is there.
+int write_whole(const std::string& path, std::string_view bytes) {
+  if (is_stream(path)) return write_to_stream(path, bytes) ? 0 : errno;
+  // A command can be run again: it does not wait for the disk.
+  return internal::replace(behind_links(path), std::as_bytes(std::span(bytes)),
+                           {.beside = ".part", .durable = false});
+}
+
 }  // namespace
 
 bool is_stream(const std::string& path) {
@@ -101,14 +109,15 @@ result::Result<std::string> read_file(const std::string& path, std::uintmax_t mo
 
 result::Diagnostics write_file(const std::string& given, std::string_view bytes) {
   const std::string path = place_of(given);
-  if (is_stream(path)) {
-    if (write_to_stream(path, bytes)) return {};
-    return unwritten(path, errno);
-  }
-  // A command can be run again: it does not wait for the disk.
-  const int reason = internal::replace(behind_links(path), std::as_bytes(std::span(bytes)),
-                                       {.beside = ".part", .durable = false});
-  return reason == 0 ? result::Diagnostics{} : unwritten(path, reason);
+  const int error = write_whole(path, bytes);
+  return error == 0 ? result::Diagnostics{} : unwritten(path, error);
+}
+
+result::Result<void> write_file(const std::string& given, std::string_view bytes, const Owner& owner) {
+  const std::string path = place_of(given);
+  const int error = write_whole(path, bytes);
+  if (error != 0) return failed(owner, path, "the file cannot be written", error);
+  return {};
 }
 
 result::Diagnostics check_writable(const std::string& given) {

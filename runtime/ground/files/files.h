@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 
+#include "runtime/ground/files/owner.h"
 #include "runtime/ground/result/result.h"
 
 namespace stepwright::files {
@@ -30,6 +31,9 @@ bool is_stream(const std::string& path);
 // Written beside its place and moved there, so that nobody meets half a file. A device or a pipe is written
 // to as it is, and a link stays a link. Returns E0002 or nothing.
 [[nodiscard]] result::Diagnostics write_file(const std::string& path, std::string_view bytes);
+// The same with the code and the hint of the file's owner.
+[[nodiscard]] result::Result<void> write_file(const std::string& path, std::string_view bytes,
+                                              const Owner& owner);
 
 // Whether `write_file` may succeed, so that a long command fails before its work and not after it. Returns
 // E0002 or nothing.

@@ -7,6 +7,7 @@
 #include <span>
 #include <system_error>
 
+#include "runtime/ground/files/files.h"
 #include "supervisor/fleet/lattice/heuristic_table.h"
 
 // The file, little-endian: "SWHT", version (u32), range in vertices (u32), 0 (u32), range and margin of the
@@ -105,18 +106,7 @@ Result<void> HeuristicTable::write(const PrimitiveSet& primitives, const TableOp
   for (const std::uint16_t cost : costs_) put(body, cost, 2);
   std::string header = identity(primitives, options, range_);
   put(header, digest_of(body));
-  std::filesystem::path unfinished = file;
-  unfinished += ".part";
-  std::ofstream stream(unfinished, std::ios::binary);
-  stream << header << body;
-  stream.close();
-  std::error_code error;
-  if (stream) std::filesystem::rename(unfinished, file, error);
-  if (!stream || error) {
-    std::filesystem::remove(unfinished, error);
-    return result::fail("F0404", {file.string(), 0, 0}, "the table cannot be written");
-  }
-  return {};
+  return files::write_file(file.string(), header + body, {"F0404"});
 }
 
 HeuristicTable::Loaded HeuristicTable::load_or_build(const PrimitiveSet& primitives,

@@ -1,8 +1,10 @@
 #include "runtime/ground/files/durable_file.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -106,6 +108,28 @@ TEST(DurableFile, WhenAppended_ThenItGrowsAndAFailureIsTold) {
   ASSERT_FALSE(refused);
   expect_mine(refused.error(), file);
   EXPECT_EQ(content(file), "a\nb\n");
+}
+
+// As on a disk that is full: the first bytes of the text are taken, and the rest is not.
+TEST(DurableFile, WhenOnlyHalfOfATextFits_ThenNothingOfItStays) {
+  const support::TemporaryFolder folder;
+  const fs::path file = folder / "trail";
+  const auto opened = open_for_append(file, kMine);
+  ASSERT_TRUE(opened);
+  ASSERT_TRUE(append(*opened, file, "a\n", kMine));
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit few{4, before.rlim_max};
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &few), 0);
+  const auto appended = append(*opened, file, "long\n", kMine);
+  const auto replaced = replace_file(folder / "state", "long\n", kMine);
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+  ASSERT_FALSE(appended);
+  ASSERT_FALSE(replaced);
+  EXPECT_EQ(content(file), "a\n");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 1);
 }
 
 }  // namespace

@@ -65,6 +65,19 @@ TEST(Files, WhenAFileCannotBeWritten_ThenE0002SaysWhyBeforeAndAfter) {
   EXPECT_TRUE(fs::is_empty(folder.path()));
 }
 
+TEST(Files, WhenAFileHasAnOwner_ThenItsCodeAndHintSayWhyItCannotBeWritten) {
+  const support::TemporaryFolder folder;
+  const Owner owner{"X9999", "look at the folder"};
+  ASSERT_TRUE(write_file(folder / "table", "new", owner));
+  EXPECT_EQ(read_file(folder / "table").value(), "new");
+  const auto refused = write_file(folder / "none/table", "new", owner);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().front().code, owner.code);
+  EXPECT_EQ(refused.error().front().hint, owner.hint);
+  EXPECT_EQ(refused.error().front().where.file, folder / "none/table");
+  EXPECT_TRUE(refused.error().front().message.ends_with("No such file or directory"));
+}
+
 TEST(Files, WhenADeviceIsFull_ThenE0002) {
   const result::Diagnostics refused = write_file("/dev/full", "text");
   ASSERT_EQ(refused.size(), 1u);
