@@ -258,7 +258,8 @@ CellAlarms::Read CellAlarms::reader_of(const std::string& name, const server::Pr
   if (name == kRuntimeFault) {
     return [flag](const RecordedScan& scan) -> std::optional<double> {
       if (!scan.observation->runtime_alive) return std::nullopt;
-      return flag(scan.observation->report && scan.observation->report->state == "fault");
+      const auto& status = scan.observation->status;
+      return flag(status && status->state == host::RuntimeState::Fault);
     };
   }
   if (name == kSupervisorAlive)

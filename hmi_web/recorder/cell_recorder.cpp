@@ -200,7 +200,7 @@ bool CellRecorder::has_gap(const server::Observation& seen, std::int64_t steady_
   if (missing_ || seen.images == 0 || came_ns_ == 0) return false;
   std::int64_t apart_ns = steady_ns - came_ns_;
   if (time_ns) {
-    const double pace = !options_.real_time && seen.report ? seen.report->figures.realtime_factor : 1.0;
+    const double pace = !options_.real_time && seen.status ? seen.status->realtime_factor : 1.0;
     const double scan_ns = static_cast<double>(*time_ns - seen_until_ns_) / std::max(1.0, pace);
     apart_ns = std::max(apart_ns, static_cast<std::int64_t>(scan_ns));
   }

@@ -21,16 +21,9 @@
 
 #include "hmi_web/protocol/cell_state.h"
 #include "hmi_web/server/program_layout.h"
+#include "runtime/host/messages.h"
 
 namespace stepwright::server {
-
-struct RuntimeReport {
-  std::string state;  // "empty", "stopped", "running", "fault"
-  std::string detail;
-  bool waiting = false;  // at a barrier, for the supervisor
-  std::uint64_t trace_hash = 0;
-  protocol::ScanFigures figures;
-};
 
 // One consistent copy of the image, taken between two scans.
 struct ImageSnapshot {
@@ -62,7 +55,7 @@ struct Observation {
   bool runtime_alive = false;
   bool runtime_unlinked = false;  // it runs on this machine, and nothing carries it here
   bool supervisor_alive = false;
-  std::optional<RuntimeReport> report;
+  std::optional<host::RuntimeStatus> status;
   // Both of one program, the one that `layout` describes; without a layout the image cannot be read.
   std::optional<ImageSnapshot> snapshot;
   // How many images have come here so far, and how many were sent and never came; 0: the source cannot tell.

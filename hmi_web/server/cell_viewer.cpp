@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "hmi_web/server/image_value.h"
+#include "runtime/host/state_name.h"
 
 namespace stepwright::server {
 namespace {
@@ -41,12 +42,14 @@ std::vector<protocol::UnreadDevice> tags_of(const std::vector<UnreadInputs>& unr
   return devices;
 }
 
-void add_report(const RuntimeReport& report, protocol::CellState& state) {
-  state.runtime_state = report.state;
-  state.runtime_detail = report.detail;
-  state.waiting = report.waiting;
-  state.trace_hash = hexadecimal(report.trace_hash);
-  state.figures = report.figures;
+// What the page shows all the time; the rest stands in its report of the scan.
+void add_status(const host::RuntimeStatus& status, protocol::CellState& state) {
+  state.runtime_state = host::name_of(status.state);
+  state.runtime_detail = status.detail;
+  state.waiting = status.waiting_for_supervisor;
+  state.trace_hash = hexadecimal(status.trace_hash);
+  state.figures = {status.overruns, status.scan_p50_us, status.scan_p99_us, status.scan_max_us,
+                   status.realtime_factor};
 }
 
 }  // namespace
@@ -88,7 +91,7 @@ CellView CellViewer::view(const Observation& observation) {
   state.runtime_unlinked = observation.runtime_unlinked;
   state.supervisor_alive = observation.supervisor_alive;
   state.points.resize(points_.size());
-  if (observation.report) add_report(*observation.report, state);
+  if (observation.status) add_status(*observation.status, state);
   if (layout_) {
     state.program_digest = layout_->program.digest;
     state.tags.resize(layout_->tags.size());

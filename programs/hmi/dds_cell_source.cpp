@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "cell/config/dds_options.h"
-#include "cell/hmi/runtime_report.h"
 #include "cell/hmi/sensor_tare.h"
 #include "cell/hmi/unread_inputs.h"
 #include "runtime/bytecode/reader/document_text.h"
@@ -49,7 +48,7 @@ server::Observation DdsCellSource::observe() {
     tare_ = tare_of(tare_source_);
   }
   seen.tare = tare_;
-  if (const auto status = runtime_->status()) seen.report = report_of(*status);
+  seen.status = runtime_->status();
   auto snapshot = runtime_->snapshot();
   // Behind the image: what was lost before it came is counted by then.
   const dds::TopicTraffic images = runtime_->snapshot_traffic();

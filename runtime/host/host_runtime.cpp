@@ -6,9 +6,9 @@
 #include <system_error>
 #include <utility>
 
-#include "runtime/ground/result/counted.h"
 #include "runtime/host/busy.h"
 #include "runtime/host/named_values.h"
+#include "runtime/host/status_detail.h"
 #include "runtime/host/task_status.h"
 
 namespace stepwright::host {
@@ -254,7 +254,6 @@ RuntimeStatus HostRuntime::status() const {
   if (figures.program != nullptr) status.program_digest = figures.program->digest();
   status.scan = figures.scan;
   status.time_ns = figures.time_ns;
-  status.last_event = figures.last_event;
   status.overruns = figures.overruns;
   status.scan_p50_us = static_cast<double>(figures.scan_p50_ns) / kNsPerUs;
   status.scan_p99_us = static_cast<double>(figures.scan_p99_ns) / kNsPerUs;
@@ -265,11 +264,8 @@ RuntimeStatus HostRuntime::status() const {
   status.changes = figures.changes;
   status.last_change_pause_us = static_cast<double>(figures.last_change_pause_ns) / kNsPerUs;
   if (still_holds(newest_, figures)) status.detail = newest_.detail;
-  const auto note = [&](const std::string& text) {
-    if (!status.detail.empty()) status.detail += "; ";
-    status.detail += text;
-  };
-  if (!refused_.empty()) note(refused_);
+  const auto note = [&](const std::string& text) { add_detail(status, text); };
+  note(refused_);
   const auto warn = [&](const std::string& text) {
     note(text);
     ++status.process.warnings;
@@ -285,12 +281,10 @@ RuntimeStatus HostRuntime::status() const {
     note("inputs were held in " + std::to_string(held) +
          " reads: the plant writes faster than they are read");
   status.process.traps = traps_;
-  status.process.lost_events = figures.lost_events;
-  if (figures.lost_events > 0)
-    note(result::counted(figures.lost_events, "event was", "events were") + " lost");
+  add_events(status, figures.events);
   if (figures.program != nullptr) {
     const TaskPlan& plan = figures.program->tasks();
-    if (!plan.unknown.empty()) note(plan.unknown);
+    note(plan.unknown);
     for (std::uint32_t i = 0; i < plan.tasks.size(); ++i) {
       const scan::TaskTiming timing = figures.program->timing(i);
       status.tasks.push_back(task_status(plan.tasks[i], timing));

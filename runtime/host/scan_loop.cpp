@@ -220,7 +220,7 @@ void ScanLoop::emit(EventKind kind, const bytecode::Trap& trap, std::string_view
 void ScanLoop::note(EventKind kind, const bytecode::Trap& trap, std::string_view reason,
                     const PreparedProgram* other) {
   EventNote event;
-  event.sequence = ++now_.last_event;
+  event.sequence = now_.events.next();
   event.scan = now_.scan;
   event.time_ns = now_.time_ns;
   event.kind = kind;
@@ -237,7 +237,7 @@ void ScanLoop::note(EventKind kind, const bytecode::Trap& trap, std::string_view
   } else {
     publish();
   }
-  if (!program_->events().push(event, program_->image().bytes(), truths_)) ++now_.lost_events;
+  now_.events.handed_over(program_->events().push(event, program_->image().bytes(), truths_));
 }
 
 // The other tasks of the program neither take nor give values while it lives.

@@ -23,6 +23,7 @@
 #include "runtime/host/change_trial.h"
 #include "runtime/host/clock_gate.h"
 #include "runtime/host/command.h"
+#include "runtime/host/event_count.h"
 #include "runtime/host/fault_schedule.h"
 #include "runtime/host/host_config.h"
 #include "runtime/host/notifier.h"
@@ -45,8 +46,7 @@ struct ScanFigures {
   bool waiting_for_supervisor = false;
   std::uint64_t scan = 0;
   std::int64_t time_ns = 0;
-  std::uint64_t last_event = 0;
-  std::uint64_t lost_events = 0;  // the service did not take them in time (real clock only)
+  EventCount events;
   std::uint64_t overruns = 0;
   std::uint64_t trace_hash = 0;
   std::int64_t scan_p50_ns = 0;

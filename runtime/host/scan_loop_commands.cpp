@@ -106,7 +106,7 @@ Completion ScanLoop::apply(const Command& command) {
       stopped_at_ = command.order;
       return done(stop(command.text.view()));
     case CommandKind::Acknowledge:
-      if (command.event >= now_.last_event) gate_.release(reading());
+      if (command.event >= now_.events.last) gate_.release(reading());
       return done(Outcome::Done);
     case CommandKind::Force:
       return done(force(command.bits, command.duration_ns));

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "runtime/host/clock_gate.h"
+#include "runtime/host/event_count.h"
 #include "runtime/host/real_time.h"
 #include "runtime/host/snapshot_memory.h"
 #include "runtime/remote/controller_link.h"
@@ -113,6 +114,7 @@ class LineLoop {
   std::vector<std::byte> image_;  // as it was read last
   std::uint64_t image_scan_ = 0;  // after this scan
   host::RuntimeStatus now_;
+  host::EventCount events_;
   image::ForceTable forces_;  // of program_; ends by the clock on the wall
   std::string detail_;        // of the newest event that has one
   std::string line_problem_;

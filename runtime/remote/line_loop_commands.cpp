@@ -71,7 +71,7 @@ Completion LineLoop::apply(const RemoteCommand& asked) {
   const Completion done{command.ticket, Outcome::Done, {}};
   switch (command.kind) {
     case CommandKind::Acknowledge:
-      if (command.event >= now_.last_event) gate_.release(reading());
+      if (command.event >= events_.last) gate_.release(reading());
       return done;
     case CommandKind::SupervisorAlive:
       gate_.supervisor_is_there();

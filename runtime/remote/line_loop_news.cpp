@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "runtime/ground/result/counted.h"
+#include "runtime/host/status_detail.h"
 #include "runtime/remote/line_loop.h"
 
 namespace stepwright::remote {
@@ -28,7 +29,7 @@ LineLoop::Done LineLoop::take_events(const ControllerStatus& status) {
     known_event_ = status.event;
     return {};
   }
-  now_.process.lost_events += status.event - known_event_ - 1;
+  events_.lost += status.event - known_event_ - 1;
   known_event_ = status.event;
   if (auto read = read_event_image(); !read) return read;
   const std::uint64_t scan = std::exchange(now_.scan, status.event_scan);
@@ -85,7 +86,7 @@ LineLoop::Done LineLoop::refresh_image() {
 void LineLoop::emit(host::EventKind kind, std::string detail, scan::SafeCause cause) {
   if (kind == host::EventKind::StepChange) gate_.stand(reading());
   host::StepEvent event;
-  event.sequence = ++now_.last_event;
+  event.sequence = events_.next();
   event.scan = now_.scan;
   event.time_ns = now_.time_ns;
   event.kind = kind;
@@ -96,7 +97,7 @@ void LineLoop::emit(host::EventKind kind, std::string detail, scan::SafeCause ca
   event.plant = plant_.named_truths();
   detail_ = event.detail;
   publish();  // who sees the event must find a status that is at least as new
-  if (!queues_.add(std::move(event))) ++now_.process.lost_events;
+  events_.handed_over(queues_.add(std::move(event)));
 }
 
 void LineLoop::publish_if_due() {
@@ -115,16 +116,12 @@ void LineLoop::publish() {
   host::RuntimeStatus& status = figures.status;
   status.program_digest = program_ == nullptr ? std::string() : program_->digest();
   status.detail = detail_;
-  const auto note = [&](const std::string& text) {
-    if (!status.detail.empty()) status.detail += "; ";
-    status.detail += text;
-  };
-  if (!line_problem_.empty()) note(line_problem_);
+  const auto note = [&](const std::string& text) { host::add_detail(status, text); };
+  note(line_problem_);
   if (link_.repeated() > 0)
     note(result::counted(link_.repeated(), "request was", "requests were") + " repeated");
   if (losses_ > 0) note("the line was lost " + result::counted(losses_, "time", "times"));
-  if (now_.process.lost_events > 0)
-    note(result::counted(now_.process.lost_events, "event was", "events were") + " lost");
+  host::add_events(status, events_);
   const auto truths = plant_.truths();
   status.plant = plant_.named_truths();
   for (image::Force force : forces_.forces()) {

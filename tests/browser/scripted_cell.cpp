@@ -101,11 +101,13 @@ server::Observation ScriptedCell::observe() {
   seen.layout = layout_;
   seen.snapshot = snapshot(time_s);
   seen.plan = script_.plan_document(time_s);
-  server::RuntimeReport report;
-  report.state = "running";
-  report.trace_hash = 0x9e3779b97f4a7c15u ^ seen.snapshot->scan;
-  report.figures = {0, 3.9, 7.4, 61.8, speed_};
-  seen.report = report;
+  host::RuntimeStatus& status = seen.status.emplace();
+  status.state = host::RuntimeState::Running;
+  status.trace_hash = 0x9e3779b97f4a7c15u ^ seen.snapshot->scan;
+  status.scan_p50_us = 3.9;
+  status.scan_p99_us = 7.4;
+  status.scan_max_us = 61.8;
+  status.realtime_factor = speed_;
   return seen;
 }
 

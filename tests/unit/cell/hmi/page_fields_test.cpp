@@ -10,7 +10,6 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "cell/hmi/runtime_report.h"
 #include "cell/hmi/scan_report.h"
 #include "hmi_web/protocol/live_state.h"
 #include "hmi_web/protocol/messages.h"
@@ -102,7 +101,7 @@ json scan_of(const FollowedRuntime& runtime) {
 
 json state_of(const FollowedRuntime& runtime) {
   server::Observation seen;
-  seen.report = report_of(*runtime.status);
+  seen.status = runtime.status;
   protocol::CellState state = server::CellViewer(std::vector<server::PointSources>{}).view(seen).state;
   state.unread = {{"valves", protocol::Unread::Lost, {0}}};
   protocol::LiveState live;
@@ -198,7 +197,7 @@ TEST(PageFields, WhenThePlantIsDescribed_ThenThePageKnowsExactlyItsMembers) {
 TEST(PageFields, WhenOnlyDifferencesAreWritten_ThenThePageKnowsExactlyTheirMembers) {
   const FollowedRuntime runtime = followed();
   server::Observation seen;
-  seen.report = report_of(*runtime.status);
+  seen.status = runtime.status;
   protocol::LiveState live;
   protocol::CellState state = server::CellViewer(std::vector<server::PointSources>{}).view(seen).state;
   live.take(state, 1, true);
