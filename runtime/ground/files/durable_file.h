@@ -4,8 +4,7 @@
 // what was reported as written is there after a power cut. Only their owner reads them (mode 0600).
 //
 //   constexpr files::Owner kBoot{"R0024"};
-//   if (auto written = replace_file(folder / "boot.swb", bytes, kBoot); !written) ...   // the old one is
-//   there
+//   auto written = replace_file(folder / "boot.swb", bytes, kBoot);  // not written: the old one is there
 //
 // Threads: any, one for a file; waits for the disk, and so is not for a scan thread.
 
