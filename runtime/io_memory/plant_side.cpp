@@ -46,6 +46,10 @@ Owner PlantSide::owner() {
   return static_cast<Owner>(area_->header().owner.load(std::memory_order_acquire));
 }
 
+bool PlantSide::settled() const {
+  return area_->header().settled.load(std::memory_order_acquire) != 0;
+}
+
 std::int64_t PlantSide::holder_silence_ns() {
   return monotonic_ns() -
          static_cast<std::int64_t>(area_->header().heartbeat_ns.load(std::memory_order_acquire));

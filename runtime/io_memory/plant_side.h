@@ -44,6 +44,8 @@ class PlantSide {
   // The newest outputs; none before the first.
   std::optional<OutputStamp> read_outputs(std::span<std::byte> outputs);
   Owner owner();
+  // No ramp of safe outputs is on its way.
+  bool settled() const;
   // How long the holder of the lease has not been heard of, in ns. Of use while the owner is Runtime or
   // Guard.
   std::int64_t holder_silence_ns();

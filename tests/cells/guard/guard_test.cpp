@@ -151,7 +151,7 @@ TEST(Guard, WhenTheRuntimeEndsInGoodOrder_ThenItIsCalm) {
   TestProcess runtime = cell.start_runtime();
   const std::uint64_t generation = cell.stamp.generation;
   EXPECT_TRUE(cell.client->call(service::Stop{"test"}, kPatience));
-  ASSERT_TRUE(cell.wait([&] { return cell.word() == -10; }));
+  ASSERT_TRUE(cell.wait([&] { return cell.word() == -10 && cell.plant->settled(); }));
   runtime.send(SIGTERM);
   EXPECT_EQ(runtime.wait(), 0);
   std::this_thread::sleep_for(200ms);
