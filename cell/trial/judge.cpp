@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include "cell/trial/level_change.h"
 #include "cell/trial/swapped_tags.h"
@@ -14,7 +15,6 @@
 namespace stepwright::trial {
 namespace {
 
-using result::Diagnostics;
 using translate::ActionBinding;
 using translate::Binding;
 
@@ -34,6 +34,20 @@ std::string range_of(std::vector<double> values) {
   return number(low) == number(high) ? mean : mean + " (" + number(low) + " to " + number(high) + ")";
 }
 
+// "(level t1)" as "level" and "t1".
+std::vector<std::string> parts_of(const std::string& atom) {
+  std::vector<std::string> parts;
+  std::string part;
+  for (const char c : atom + " ") {
+    if (c != '(' && c != ')' && c != ' ') {
+      part += c;
+    } else if (!part.empty()) {
+      parts.push_back(std::exchange(part, {}));
+    }
+  }
+  return parts;
+}
+
 class Judge {
  public:
   Judge(const Binding& binding, std::span<const ActionRun> runs)
@@ -45,8 +59,8 @@ class Judge {
         claimed_(translate::changed_atoms(planned_)),
         until_(translate::instantiate(entry_.completion.atom, assignment_)) {}
 
-  Diagnostics take() {
-    if (runs_.front().end == RunEnd::NotBound) return runs_.front().problems;  // the same of every seed
+  Findings take() {
+    if (runs_.front().end == RunEnd::NotBound) return not_bound();
     for (const RunEnd end : {RunEnd::NotBegun, RunEnd::NotReached, RunEnd::Refused, RunEnd::HoldLost,
                              RunEnd::TimedOut, RunEnd::WrongWay, RunEnd::Trapped}) {
       std::vector<const ActionRun*> ended;
@@ -64,9 +78,29 @@ class Judge {
  private:
   using Runs = std::vector<const ActionRun*>;
 
-  void add(const char* code, std::string message, std::string hint,
+  void add(const char* code, std::string subject, std::string message, std::string hint,
            result::Severity severity = result::Severity::Error) {
-    found_.push_back({code, severity, entry_.where, std::move(message), std::move(hint)});
+    found_.push_back(
+        {{code, severity, entry_.where, std::move(message), std::move(hint)}, std::move(subject)});
+  }
+
+  // The same of every seed.
+  Findings not_bound() const {
+    Findings found;
+    for (const result::Diagnostic& each : runs_.front().problems) found.push_back({each, each.message});
+    return found;
+  }
+
+  // "(level t1)" of (fill t1) as (level ?t), in that direction: a subject.
+  std::string in_entry(const char* direction, const std::string& atom) const {
+    std::string text = direction;
+    for (const std::string& part : parts_of(atom)) {
+      const auto parameter =
+          std::ranges::find_if(assignment_, [&](const auto& each) { return each.second == part; });
+      const bool head = text == direction;
+      text += " " + (head ? part : parameter == assignment_.end() ? std::string("?") : parameter->first);
+    }
+    return text;
   }
 
   std::string times(const Runs& runs) const {
@@ -83,14 +117,16 @@ class Judge {
     const ActionRun& first = *runs.front();
     switch (end) {
       case RunEnd::NotBegun:
-        return add(kNotBegunCode, "the plant does not begin where the problem's :init says: " + first.detail,
+        return add(kNotBegunCode, "",
+                   "the plant does not begin where the problem's :init says: " + first.detail,
                    swapped_tags(binding_, first) + "change :init, or the start values of the plant");
       case RunEnd::NotReached:
-        return add("B0021",
+        return add("B0021", "",
                    who_ + " was not tried" + times(runs) + ": on the way there, " + first.detail + " fails",
                    "what is wrong with that action is said of itself", result::Severity::Warning);
       case RunEnd::Refused:
-        return add("B0022", who_ + " may not start" + times(runs) + ": sensors do not show " + unmet(first),
+        return add("B0022", "",
+                   who_ + " may not start" + times(runs) + ": sensors do not show " + unmet(first),
                    "an effect of an action before it, or the tolerance of a sensor, is not as the plant is");
       case RunEnd::HoldLost:
         return hold_lost(runs);
@@ -99,7 +135,7 @@ class Judge {
       case RunEnd::TimedOut:
         return timed_out(runs);
       default:
-        return add("B0031", "the program or the plant fails while " + who_ + " runs" + times(runs),
+        return add("B0031", "", "the program or the plant fails while " + who_ + " runs" + times(runs),
                    "`stepwright plant` runs the plant without a program");
     }
   }
@@ -149,12 +185,12 @@ class Judge {
     const ActionRun& first = *runs.front();
     const std::string missing = lost(first.before);
     if (!missing.empty() && missing == lost(first.after)) {
-      return add("B0023",
+      return add("B0023", "begins without",
                  fmt::format("{} is to hold {}, which it begins without{}", who_, missing, times(runs)),
                  "an action before it does not bring that about; or hold what is there");
     }
     const std::string gone = lost(first.after);
-    add("B0023",
+    add("B0023", "loses",
         fmt::format("{} loses {} after {} s{}", who_, gone.empty() ? "what it must hold" : gone,
                     number(first.active_s), times(runs)),
         "hold only what stays while its outputs are on");
@@ -181,7 +217,7 @@ class Judge {
     const double claimed = planned_.after.fluents.at(until_) - planned_.before.fluents.at(until_);
     const double change = value_of(first.after, until_) - value_of(first.before, until_);
     const double rate = change / std::max(first.active_s, 1e-3);
-    add("B0025",
+    add("B0025", in_entry(change > 0.0 ? "increase" : "decrease", until_),
         fmt::format("{} {} {} by the domain, and the plant {} it: {} units a second{}", who_,
                     claimed > 0.0 ? "raises" : "lowers", label(until_), change > 0.0 ? "raises" : "lowers",
                     number(rate), times(runs)),
@@ -195,7 +231,7 @@ class Judge {
     const std::string instead = others.empty() ? "" : "; what changes is " + others;
     if (entry_.completion.kind == translate::CompletionKind::Fact) {
       if (others.empty()) return no_change(runs, first);
-      return add("B0027",
+      return add("B0027", "until",
                  fmt::format("{} ends with {}, which no sensor shows within {} s{}{}", who_, until_,
                              number(first.given_s), times(runs), instead),
                  "another fact in 'until', other outputs, or the switch of that fact is another one");
@@ -206,7 +242,7 @@ class Judge {
     if (change * claimed < 0.0) return wrong_way(runs);
     const double way = way_left(first, until_);
     const double rate = change / std::max(first.active_s, 1e-3);
-    add("B0026",
+    add("B0026", "",
         fmt::format("{} moves {} by {} of {} in {} s{}: too slow, or it ends before", who_, label(until_),
                     number(change), number(way), number(first.active_s), times(runs)),
         fmt::format("timeout_s = {} at {} units a second, if it gets there at all",
@@ -217,7 +253,7 @@ class Judge {
     std::string outputs;
     for (const std::string& output : entry_.outputs) outputs += (outputs.empty() ? "" : ", ") + output;
     const std::string others = changes(first, until_);
-    add("B0024",
+    add("B0024", others.empty() ? "nothing changes" : "others change",
         fmt::format("{} changes nothing of {} in {} s with {} on{}", who_, label(until_),
                     number(first.active_s), outputs.empty() ? "no output" : outputs, times(runs)),
         others.empty()
@@ -229,7 +265,7 @@ class Judge {
     const Spread spread = spread_of(runs_);
     const double timeout_s = std::chrono::duration<double>(entry_.timeout).count();
     if (spread.longest_s > timeout_s && !began_elsewhere(binding_, *runs.front())) {
-      add("B0026",
+      add("B0026", "",
           fmt::format("{} takes {} s (longest of {}), and counts as failed after {} s", who_,
                       number(spread.longest_s), spread.runs, number(timeout_s)),
           "timeout_s = " + number(std::ceil(kRoom * spread.longest_s)));
@@ -254,13 +290,13 @@ class Judge {
     if (other.empty()) return;
     const bool wanted = value_of(other.front()->expected, atom) > 0.5;
     if (is_claimed) {
-      return add("B0027",
+      return add("B0027", in_entry(wanted ? "true" : "false", atom),
                  fmt::format("after {} the domain says that {} is {}, and its sensor does not show that{}",
                              who_, atom, wanted ? "true" : "false", times(other)),
                  wanted ? "(not " + atom + ") in the effect, or nothing of it; or another tag for the fact"
                         : atom + " in the effect, or nothing of it; or inverted = true for the fact");
     }
-    add("B0029",
+    add("B0029", in_entry(wanted ? "false" : "true", atom),
         fmt::format("{} makes {} {}, of which the domain says nothing{}", who_, atom,
                     wanted ? "false" : "true", times(other)),
         wanted ? "(not " + atom + ") in the effect" : atom + " in the effect");
@@ -279,20 +315,20 @@ class Judge {
       change.push_back(after.back() - value_of(run->before, atom));
     }
     if (!claimed_.contains(atom)) {
-      return add("B0029",
+      return add("B0029", in_entry(moved > 0.0 ? "increase" : "decrease", atom),
                  fmt::format("{} changes {} by {}, of which the domain says nothing", who_, label(atom),
                              range_of(change)),
                  fmt::format("({} {} {}) in the effect", moved > 0.0 ? "increase" : "decrease", atom,
                              number(std::abs(moved))));
     }
     if (std::abs(moved) <= tolerance) {
-      return add("B0024",
+      return add("B0024", in_entry("leave", atom),
                  fmt::format("{} changes {} by {} in the domain, and the plant leaves it", who_, label(atom),
                              number(claimed)),
                  "leave it out of the effect, or look at the sensor's tag");
     }
     if (moved * claimed < 0.0) {
-      return add("B0025",
+      return add("B0025", in_entry(moved > 0.0 ? "increase" : "decrease", atom),
                  fmt::format("{} changes {} by {} in the domain, and the plant by {}", who_, label(atom),
                              number(claimed), range_of(change)),
                  fmt::format("({} {} ...) in the effect", moved > 0.0 ? "increase" : "decrease", atom));
@@ -303,14 +339,14 @@ class Judge {
   void judge_end_level(const std::string& atom, const LevelChange& level, const std::vector<double>& after,
                        const std::vector<double>& change) {
     if (atom != until_) {
-      return add("B0028",
+      return add("B0028", in_entry("amount", atom),
                  fmt::format("{} changes {} by {} in the domain, and the plant by {}", who_, label(atom),
                              number(level.claimed), range_of(change)),
                  "amounts of the effect in the plant's own proportion, or a wider tolerance");
     }
     const double beyond = level.off * std::copysign(1.0, level.claimed);
     const double pre_act = std::max(0.0, entry_.completion.pre_act + beyond);
-    add("B0028",
+    add("B0028", "end",
         fmt::format("{} ends with {} at {} instead of {}", who_, label(atom), range_of(after),
                     number(planned_.after.fluents.at(atom))),
         beyond > 0.0 || entry_.completion.pre_act > 0.0
@@ -327,13 +363,13 @@ class Judge {
   std::string who_;
   std::set<std::string> claimed_;
   std::string until_;
-  Diagnostics found_;
+  Findings found_;
 };
 
 }  // namespace
 
-Diagnostics judge_runs(const Binding& binding, std::span<const ActionRun> runs) {
-  return runs.empty() ? Diagnostics() : Judge(binding, runs).take();
+Findings judge_runs(const Binding& binding, std::span<const ActionRun> runs) {
+  return runs.empty() ? Findings() : Judge(binding, runs).take();
 }
 
 Spread spread_of(std::span<const ActionRun> runs) {

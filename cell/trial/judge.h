@@ -32,13 +32,22 @@ namespace stepwright::trial {
 // The codes of what no action is to blame for.
 inline constexpr const char* kNotBegunCode = "B0020";
 
+// A difference, and what of the entry it is about: the same for each of its actions, so that (level t1) of
+// one and (level t2) of another are one problem of the binding.
+struct Finding : result::Diagnostic {
+  std::string subject;
+
+  bool is_of_kind(const Finding& other) const { return code == other.code && subject == other.subject; }
+};
+using Findings = std::vector<Finding>;
+
 // Of one ground action from one start, with any seeds; the hint of each is what to write.
-result::Diagnostics judge_runs(const translate::Binding& binding, std::span<const ActionRun> runs);
+Findings judge_runs(const translate::Binding& binding, std::span<const ActionRun> runs);
 
 // Of all actions of one entry of the binding: its `duration`. Only runs count that ended and
 // began where the plan says.
-result::Diagnostics judge_duration(const translate::Binding& binding, const translate::ActionBinding& entry,
-                                   std::span<const ActionRun> runs);
+Findings judge_duration(const translate::Binding& binding, const translate::ActionBinding& entry,
+                        std::span<const ActionRun> runs);
 
 // Mean and spread (standard deviation) of the time for which the outputs were on, over the runs that ended.
 struct Spread {

@@ -72,8 +72,7 @@ std::optional<translate::Pattern> measure_of(const ActionBinding& entry) {
 
 }  // namespace
 
-result::Diagnostics judge_duration(const Binding& binding, const ActionBinding& entry,
-                                   std::span<const ActionRun> runs) {
+Findings judge_duration(const Binding& binding, const ActionBinding& entry, std::span<const ActionRun> runs) {
   const auto of = measure_of(entry);
   // Runs of one action from several starts may have other amounts to move.
   std::map<std::pair<std::string, double>, std::vector<ActionRun>> by_amount;
@@ -105,7 +104,7 @@ result::Diagnostics judge_duration(const Binding& binding, const ActionBinding& 
   if (of && line.per_unit_s == 0.0 && entry.duration.of && points.front().first > 0.0) {
     line = {entry.duration.fixed_s, std::max(0.0, mean - entry.duration.fixed_s) / points.front().first};
   }
-  return {{"B0030", result::Severity::Error, entry.where, std::move(message), written(line, of)}};
+  return {{{"B0030", result::Severity::Error, entry.where, std::move(message), written(line, of)}, {}}};
 }
 
 }  // namespace stepwright::trial

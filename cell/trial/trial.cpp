@@ -76,11 +76,9 @@ class Trial {
   result::Result<void> try_action(const pddl::GroundActionInfo& info) {
     const ActionBinding* const entry = entry_of(info.action);
     if (entry == nullptr) {
-      report_.problems.push_back({"B0009",
-                                  result::Severity::Error,
-                                  {cell_.binding.file, 0, 0},
-                                  "no entry of the binding matches " + model::to_string(info.action),
-                                  {}});
+      const std::string message = "no entry of the binding matches " + model::to_string(info.action);
+      found_.push_back(
+          {{"B0009", result::Severity::Error, {cell_.binding.file, 0, 0}, message, {}}, std::string()});
       return {};
     }
     if (options_.most > 0 && tried_of_[entry] >= options_.most) return {};
@@ -105,7 +103,7 @@ class Trial {
                                const std::vector<Start>& starts) {
     ActionTrial trial{.action = action, .where = entry.where, .starts = starts.size()};
     std::vector<ActionRun> runs;
-    result::Diagnostics found;
+    Findings found;
     for (const Start& start : starts) {
       auto of_start = run_seeds(start, action);
       if (!of_start) return result::forward(of_start);
@@ -117,7 +115,7 @@ class Trial {
       trial.nominal_s = nominal_s(runs, entry);
       trial.duration = spread_of(runs);
       trial.problems = found.size();
-      std::ranges::move(found, std::back_inserter(report_.problems));
+      std::ranges::move(found, std::back_inserter(found_));
       std::ranges::move(runs, std::back_inserter(runs_of_[&entry]));
     }
     report_.actions.push_back(std::move(trial));
@@ -150,31 +148,28 @@ class Trial {
   }
 
   // What shows from another start as well is said once.
-  static void add_new(result::Diagnostics more, result::Diagnostics& found) {
-    for (result::Diagnostic& each : more) {
-      const bool known = std::ranges::any_of(found, [&](const result::Diagnostic& other) {
-        return other.code == each.code && kind_of(other) == kind_of(each);
-      });
+  static void add_new(Findings more, Findings& found) {
+    for (Finding& each : more) {
+      const bool known =
+          std::ranges::any_of(found, [&](const Finding& other) { return other.is_of_kind(each); });
       if (!known) found.push_back(std::move(each));
     }
   }
 
   void judge_durations() {
     for (const ActionBinding& entry : cell_.binding.actions) {
-      for (result::Diagnostic& each : judge_duration(cell_.binding, entry, runs_of_[&entry]))
-        report_.problems.push_back(std::move(each));
+      std::ranges::move(judge_duration(cell_.binding, entry, runs_of_[&entry]), std::back_inserter(found_));
     }
   }
 
   // One of each kind at a place; how many more actions have it is said with it.
   void merge_problems() {
-    result::Diagnostics merged;
+    Findings merged;
     std::vector<std::size_t> more;
-    for (result::Diagnostic& each : report_.problems) {
-      const auto same = std::ranges::find_if(merged, [&](const result::Diagnostic& other) {
+    for (Finding& each : found_) {
+      const auto same = std::ranges::find_if(merged, [&](const Finding& other) {
         const bool at_start = each.code == kNotBegunCode && other.code == each.code;
-        return at_start || (other.code == each.code && other.where.line == each.where.line &&
-                            kind_of(other) == kind_of(each));
+        return at_start || (other.is_of_kind(each) && other.where.line == each.where.line);
       });
       if (same != merged.end()) {
         ++more[static_cast<std::size_t>(same - merged.begin())];
@@ -190,12 +185,7 @@ class Trial {
     }
     std::ranges::stable_sort(merged,
                              [](const auto& a, const auto& b) { return a.where.line < b.where.line; });
-    report_.problems = std::move(merged);
-  }
-
-  // What the hint is about: two levels of one action are two problems.
-  static std::string kind_of(const result::Diagnostic& problem) {
-    return problem.hint.substr(0, problem.hint.find_first_of("0123456789"));
+    std::ranges::move(merged, std::back_inserter(report_.problems));
   }
 
   const TrialCell& cell_;
@@ -203,6 +193,7 @@ class Trial {
   const Told& told_;
   Starts starts_;
   TrialReport report_;
+  Findings found_;  // not yet merged
   bool samples_only_ = false;
   std::map<const ActionBinding*, Sample> samples_;
   std::map<const ActionBinding*, std::size_t> tried_of_;

@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "hmi_web/access/secrets.h"
+#include "hmi_web/api/internal/problems_json.h"
 #include "hmi_web/api/internal/service_row.h"
 #include "hmi_web/api/online_change_service.h"
 #include "hmi_web/api/routes.h"
@@ -88,26 +89,20 @@ const char* word_of(result::Severity severity) {
                                                  : "note";
 }
 
-// With the file: there may be several.
-json problems_json(const result::Diagnostics& problems) {
+json judged(const result::Diagnostics& problems) {
   json list = json::array();
   for (const result::Diagnostic& each : problems) {
     if (list.size() == kMostShown) break;
-    json entry = {{"code", each.code}, {"message", each.message}, {"severity", word_of(each.severity)}};
-    if (!each.hint.empty()) entry["hint"] = each.hint;
-    if (!each.where.file.empty() && each.where.line > 0) {
-      entry["file"] = each.where.file;
-      entry["line"] = each.where.line;
-      entry["column"] = each.where.column;
-    }
+    json entry = problem_json(each);
+    entry["severity"] = word_of(each.severity);
     list.push_back(std::move(entry));
   }
   return list;
 }
 
-Answer refused_with_places(const result::Diagnostics& problems) {
+Answer refused_with_severities(const result::Diagnostics& problems) {
   Answer answer = refused(problems);
-  answer.text = told({{"problems", problems_json(problems)}}).text;
+  answer.text = told({{"problems", judged(problems)}}).text;
   return answer;
 }
 
@@ -131,22 +126,21 @@ json rows(const std::vector<change::StepDifference>& list) {
 
 json comparison_json(const Comparison& seen) {
   const change::ProgramDiff& diff = seen.diff;
-  return {{"running", seen.running},
-          {"program", seen.program},
-          {"carried", diff.carried},
-          {"lists",
-           {{"added", rows(diff.added)},
-            {"removed", rows(diff.removed)},
-            {"retyped", rows(diff.retyped)},
-            {"shortened", rows(diff.shortened)},
-            {"references", rows(diff.references)},
-            {"moved", rows(diff.moved)},
-            {"tasks", rows(diff.tasks)}}},
-          {"steps", {{"added", rows(diff.steps_added)}, {"removed", rows(diff.steps_removed)}}},
-          {"refusals",
-           {{"now", problems_json(seen.now)},
-            {"keep", problems_json(diff.keep)},
-            {"restart", problems_json(diff.restart_charts)}}}};
+  return {
+      {"running", seen.running},
+      {"program", seen.program},
+      {"carried", diff.carried},
+      {"lists",
+       {{"added", rows(diff.added)},
+        {"removed", rows(diff.removed)},
+        {"retyped", rows(diff.retyped)},
+        {"shortened", rows(diff.shortened)},
+        {"references", rows(diff.references)},
+        {"moved", rows(diff.moved)},
+        {"tasks", rows(diff.tasks)}}},
+      {"steps", {{"added", rows(diff.steps_added)}, {"removed", rows(diff.steps_removed)}}},
+      {"refusals",
+       {{"now", judged(seen.now)}, {"keep", judged(diff.keep)}, {"restart", judged(diff.restart_charts)}}}};
 }
 
 const char* word_of(Trial::State state) {
@@ -226,14 +220,14 @@ Answer taken(OnlineChangeService& service, const Call& call) {
     candidate = service.take_container(call.body.text("name"), *std::move(bytes));
   }
   if (!candidate) {
-    Answer answer = refused_with_places(candidate.error());
+    Answer answer = refused_with_severities(candidate.error());
     answer.target = call.body.text("name");
     return answer;
   }
   Answer answer = told({{"program", candidate->digest},
                         {"name", candidate->name},
                         {"bytes", candidate->bytes},
-                        {"warnings", problems_json(candidate->warnings)}});
+                        {"warnings", judged(candidate->warnings)}});
   answer.target = candidate->name;
   answer.after = candidate->digest;
   return answer;
@@ -241,7 +235,7 @@ Answer taken(OnlineChangeService& service, const Call& call) {
 
 Answer compared(OnlineChangeService& service, const Call& call) {
   const auto seen = service.compare(call.parameter("program"));
-  return seen ? told(comparison_json(*seen)) : refused_with_places(seen.error());
+  return seen ? told(comparison_json(*seen)) : refused_with_severities(seen.error());
 }
 
 Answer changed(OnlineChangeService& service, const Call& call) {

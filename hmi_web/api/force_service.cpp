@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "hmi_web/api/cell_codes.h"
+#include "hmi_web/api/internal/shared_places.h"
 #include "hmi_web/storage/private_files.h"
 #include "runtime/ground/files/durable_file.h"
 
@@ -27,7 +28,7 @@ system_clock::time_point time_of(std::int64_t seconds) {
 constexpr int kRoundsOfPause = 30;
 constexpr std::size_t kMostForceBytes = std::size_t{16} << 20;
 
-std::string to_json(const std::vector<StandingForce>& standing, const std::vector<ForcedPlace>& others) {
+json to_json(const std::vector<StandingForce>& standing, const std::vector<ForcedPlace>& others) {
   json list = json::array();
   for (const ForcedPlace& each : others) {
     list.push_back({{"name", each.name},
@@ -48,7 +49,11 @@ std::string to_json(const std::vector<StandingForce>& standing, const std::vecto
                     {"since_s", seconds_of(each.since)},
                     {"until_s", seconds_of(each.until)}});
   }
-  return json{{"forces", std::move(list)}}.dump(-1, ' ', false, json::error_handler_t::replace);
+  return {{"forces", std::move(list)}};
+}
+
+std::string text_of(const json& document) {
+  return document.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
 std::optional<std::vector<StandingForce>> from_json(const std::string& text) {
@@ -227,7 +232,8 @@ void ForceService::end_what_is_due() {
 }
 
 result::Result<void> ForceService::keep(std::vector<StandingForce> standing) {
-  if (auto written = files::replace_file(file_, to_json(standing, {}), storage::kPrivateFile); !written)
+  if (auto written = files::replace_file(file_, text_of(to_json(standing, {})), storage::kPrivateFile);
+      !written)
     return written;
   {
     const std::lock_guard lock(mutex_);
@@ -250,8 +256,17 @@ std::vector<StandingForce> ForceService::standing() const {
 }
 
 std::string ForceService::json() const {
-  const std::lock_guard lock(mutex_);
-  return to_json(standing_, others_);
+  nlohmann::json document;
+  {
+    const std::lock_guard lock(mutex_);
+    document = to_json(standing_, others_);
+  }
+  const auto program = control_.program();
+  for (nlohmann::json& each : document["forces"]) {
+    each["also"] = program ? shared_places(*program, each["name"].get_ref<const std::string&>())
+                           : std::vector<std::string>();
+  }
+  return text_of(document);
 }
 
 std::vector<std::string> ForceService::names() const {

@@ -141,8 +141,8 @@ Result<Values> RecipeService::checked_by_program(Values values) const {
   for (auto& [name, value] : values) {
     const std::string& tag = name;
     if (is_forced(tag, value))
-      problems.push_back(
-          {kTagForced, result::Severity::Error, {}, tag + ": it is forced", "release it first"});
+      problems.push_back({kTagForced, result::Severity::Error, recipes::value_place(tag),
+                          tag + ": it is forced", "release it first"});
     auto spelt = cell_.spell(tag, value);
     if (spelt) {
       value = std::move(*spelt);
@@ -151,6 +151,7 @@ Result<Values> RecipeService::checked_by_program(Values values) const {
     if (nobody_answers(spelt.error())) return result::forward(spelt);
     for (auto& problem : spelt.error()) {
       problem.message.insert(0, tag + ": ");
+      problem.where = recipes::value_place(tag);
       problems.push_back(std::move(problem));
     }
   }

@@ -1,13 +1,17 @@
 #include "hmi_web/api/screen_service.h"
 
 #include <algorithm>
-#include <charconv>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <string_view>
 
 #include "hmi_web/screens/codes.h"
 #include "hmi_web/screens/part_check.h"
+#include "runtime/bytecode/reader/parse_value.h"
+#include "runtime/bytecode/reader/read_value.h"
 
 namespace stepwright::api {
 namespace {
@@ -24,12 +28,17 @@ bool may_see(const screens::Version& version, Role role) {
 }
 
 // 12.5, or T#12.5s as 12.5.
-std::optional<double> number_of(std::string_view text) {
-  if (text.starts_with("T#") && text.ends_with("s")) text = text.substr(2, text.size() - 3);
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
-  return value;
+std::optional<double> quantity_of(std::string_view literal) {
+  for (const auto type : {bytecode::ElementaryType::Lreal, bytecode::ElementaryType::Time}) {
+    reader::Variable variable;
+    variable.type = type;
+    const auto bits = reader::parse_value(variable, literal);
+    if (!bits) continue;
+    const auto image = std::bit_cast<std::array<std::byte, sizeof *bits>>(*bits);
+    const double quantity = reader::read_quantity(variable, image);
+    return std::isfinite(quantity) ? std::optional(quantity) : std::nullopt;
+  }
+  return std::nullopt;
 }
 
 std::string short_number(double value) {
@@ -69,7 +78,7 @@ Result<Target> target_of(const Part& part, const std::string& value) {
       return not_of(part, value, known);
     }
     default: {
-      const auto number = number_of(value);
+      const auto number = quantity_of(value);
       if (number && *number >= part.least.value_or(0) && *number <= part.most.value_or(0))
         return Target{variable, value};
       return not_of(part, value,

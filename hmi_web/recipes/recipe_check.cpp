@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <cstring>
 #include <iterator>
-#include <variant>
 
 #include "runtime/bytecode/reader/parse_string.h"
 #include "runtime/bytecode/reader/parse_value.h"
@@ -20,18 +19,9 @@ namespace {
 using bytecode::ElementaryType;
 
 constexpr std::size_t kMostEdits = 3;
-constexpr double kNanosecondsPerSecond = 1e9;
 
 bool is_letter_or_digit(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
-}
-
-double number_of(const RecipeTag& tag, const reader::Value& value) {
-  if (const auto* number = std::get_if<double>(&value)) return *number;
-  if (const auto* number = std::get_if<std::uint64_t>(&value)) return static_cast<double>(*number);
-  if (const auto* number = std::get_if<std::int64_t>(&value))
-    return static_cast<double>(*number) / (tag.type == ElementaryType::Time ? kNanosecondsPerSecond : 1.0);
-  return 0;
 }
 
 std::string short_number(double value) {
@@ -70,7 +60,7 @@ bool is_word(std::string_view literal) {
 }
 
 tl::unexpected<result::Diagnostics> wrong(const RecipeTag& tag, const result::Diagnostic& problem) {
-  return result::fail("H0076", {}, tag.name + ": " + problem.message, problem.hint);
+  return result::fail("H0076", value_place(tag.name), tag.name + ": " + problem.message, problem.hint);
 }
 
 // How long it may be the program knows.
@@ -96,7 +86,8 @@ result::Result<void> check_name(std::string_view name) {
 
 result::Result<std::string> check_value(const RecipeTag& tag, std::string_view literal) {
   if (literal.size() > kLongestLiteral)
-    return result::fail("H0076", {}, tag.name + ": the value is too long", "at most 64 bytes");
+    return result::fail("H0076", value_place(tag.name), tag.name + ": the value is too long",
+                        "at most 64 bytes");
   reader::Variable variable;
   variable.type = tag.type;
   variable.enumerators = tag.names;
@@ -107,11 +98,12 @@ result::Result<std::string> check_value(const RecipeTag& tag, std::string_view l
   if (!bits) return wrong(tag, bits.error().front());
   std::array<std::byte, sizeof *bits> image{};
   std::memcpy(image.data(), &*bits, sizeof *bits);
-  const double number = number_of(tag, reader::read_value(variable, image));
+  const double number = reader::read_quantity(variable, image);
   std::string spelt = reader::read_text(variable, image);
   // Written so that what is no number is out of every range.
   if (has_range(tag.type) && !(number >= tag.least && number <= tag.most))
-    return result::fail("H0077", {}, tag.name + ": " + spelt + " is out of range", range_of(tag));
+    return result::fail("H0077", value_place(tag.name), tag.name + ": " + spelt + " is out of range",
+                        range_of(tag));
   return spelt;
 }
 
@@ -121,9 +113,7 @@ result::Result<Values> check(const std::vector<RecipeTag>& tags, const Values& v
   for (const RecipeTag& tag : tags) {
     const auto found = values.find(tag.name);
     if (found == values.end()) {
-      problems.push_back({"H0074",
-                          result::Severity::Error,
-                          {},
+      problems.push_back({"H0074", result::Severity::Error, value_place(tag.name),
                           tag.name + ": the recipe has no value for it",
                           "save the recipe with a value for every tag"});
       continue;
@@ -139,6 +129,10 @@ result::Result<Values> check(const std::vector<RecipeTag>& tags, const Values& v
   }
   if (!problems.empty()) return tl::unexpected<result::Diagnostics>(std::move(problems));
   return spelt;
+}
+
+result::Location value_place(const std::string& tag) {
+  return {"values." + tag, 0, 0};
 }
 
 std::string text_of(const Values& values) {

@@ -27,6 +27,10 @@ namespace stepwright::recipes {
 // One value of one tag, spelt the same way.
 [[nodiscard]] result::Result<std::string> check_value(const RecipeTag& tag, std::string_view literal);
 
+// Where the value of a tag stands in a recipe: the place of what is wrong with it, as file
+// "values.mixer.level".
+result::Location value_place(const std::string& tag);
+
 // "mixer.level = 20.0, mixer.stir = T#1m30s": for people and for the audit trail.
 std::string text_of(const Values& values);
 

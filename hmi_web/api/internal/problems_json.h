@@ -10,18 +10,21 @@
 
 namespace stepwright::api {
 
-// A list of objects with code, message and, where it is known, hint, line and column.
+// An object with code, message and, where they are known, hint, file, line and column.
+inline nlohmann::json problem_json(const result::Diagnostic& problem) {
+  nlohmann::json entry = {{"code", problem.code}, {"message", problem.message}};
+  if (!problem.hint.empty()) entry["hint"] = problem.hint;
+  if (!problem.where.file.empty()) entry["file"] = problem.where.file;
+  if (problem.where.line > 0) {
+    entry["line"] = problem.where.line;
+    entry["column"] = problem.where.column;
+  }
+  return entry;
+}
+
 inline nlohmann::json problems_json(const result::Diagnostics& problems) {
   nlohmann::json list = nlohmann::json::array();
-  for (const result::Diagnostic& problem : problems) {
-    nlohmann::json entry = {{"code", problem.code}, {"message", problem.message}};
-    if (!problem.hint.empty()) entry["hint"] = problem.hint;
-    if (problem.where.line > 0) {
-      entry["line"] = problem.where.line;
-      entry["column"] = problem.where.column;
-    }
-    list.push_back(std::move(entry));
-  }
+  for (const result::Diagnostic& problem : problems) list.push_back(problem_json(problem));
   return list;
 }
 

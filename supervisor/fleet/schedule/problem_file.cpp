@@ -21,13 +21,8 @@ using std::chrono::milliseconds;
 constexpr std::size_t kMostCorners = 64;
 constexpr double kFarthest_m = 1e6;
 
-// Ends the reading at the first problem; never leaves this file.
-struct Rejected {
-  const char* code;
-  std::string key;
-  std::string what;
-  std::string hint;
-};
+// Thrown to end the reading at the first problem; never leaves this file.
+using Rejected = KeyProblem;
 
 [[noreturn]] void reject(const char* code, const std::string& key, const std::string& what,
                          const std::string& hint = {}) {
@@ -136,23 +131,29 @@ EnvelopePolygon polygon_of(const json& value, const std::string& key, bool last)
   return polygon;
 }
 
-TrajectoryEnvelope envelope_of(const json& value, const std::string& key) {
-  only(value, key, {"name", "polygons"});
-  TrajectoryEnvelope envelope{.vehicle = text_of(value, key, "name"), .polygons = {}};
-  const json& polygons = list(value, key, "polygons");
-  if (polygons.empty()) reject("F0602", key + ".polygons", "is empty");
-  for (std::size_t k = 0; k < polygons.size(); ++k) {
-    const std::string here = item(key + ".polygons", k);
-    envelope.polygons.push_back(polygon_of(polygons[k], here, k + 1 == polygons.size()));
+std::vector<EnvelopePolygon> polygons_of(const json& list, const std::string& key) {
+  if (!list.is_array()) reject("F0602", key, "is no list");
+  if (list.empty()) reject("F0602", key, "is empty");
+  std::vector<EnvelopePolygon> polygons;
+  for (std::size_t k = 0; k < list.size(); ++k) {
+    const std::string here = item(key, k);
+    polygons.push_back(polygon_of(list[k], here, k + 1 == list.size()));
     if (k == 0) continue;
-    const EnvelopePolygon& before = envelope.polygons[k - 1];
-    if (!geometry::overlaps(before.area, envelope.polygons[k].area)) {
+    const EnvelopePolygon& before = polygons[k - 1];
+    if (!geometry::overlaps(before.area, polygons[k].area)) {
       reject("F0603", here, "does not overlap the polygon before it");
     }
-    if (before.overlap.least > envelope.polygons[k].stay.most) {
+    if (before.overlap.least > polygons[k].stay.most) {
       reject("F0604", here + ".stay_ms", "is shorter than the overlap with the polygon before it");
     }
   }
+  return polygons;
+}
+
+TrajectoryEnvelope envelope_of(const json& value, const std::string& key) {
+  only(value, key, {"name", "polygons"});
+  TrajectoryEnvelope envelope{.vehicle = text_of(value, key, "name"), .polygons = {}};
+  envelope.polygons = polygons_of(member(value, key, "polygons"), key + ".polygons");
   return envelope;
 }
 
@@ -217,6 +218,15 @@ json to_json(const TimepointRef& t, const SchedulingProblem& problem) {
 }
 
 }  // namespace
+
+tl::expected<std::vector<EnvelopePolygon>, KeyProblem> read_polygons(const json& polygons,
+                                                                     const std::string& key) {
+  try {
+    return polygons_of(polygons, key);
+  } catch (const Rejected& rejected) {
+    return tl::unexpected<KeyProblem>(rejected);
+  }
+}
 
 result::Result<SchedulingProblem> read_problem(std::string_view text, const std::string& file) {
   try {

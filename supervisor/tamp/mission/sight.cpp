@@ -15,6 +15,8 @@ constexpr double kLevel_m = 0.015;  // of a surface
 struct Cluster {
   int kind = 0;
   std::vector<scene::Pose> poses;
+  std::size_t first = 0, last = 0;  // reports that have it
+  bool in_newest = false;           // both of them
 
   scene::Pose mean() const {
     scene::Pose sum;
@@ -35,20 +37,31 @@ double far(const scene::Pose& a, const scene::Pose& b) {
   return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m, a.z_m - b.z_m);
 }
 
-// More than half of the reports have it; or two, where a thing was believed to be.
+// Of a thing that was moved while it was looked at: what the two newest reports have in its place.
+bool took_place_of(const Cluster& now, const Cluster& before) {
+  return now.kind == before.kind && now.in_newest && now.first > before.last;
+}
+
+// More than half of the reports have it; or two, where a thing was believed to be. None where something was
+// and is no more.
 std::vector<Cluster> clusters_of(const std::vector<Report>& reports, const std::vector<scene::Pose>& before) {
   std::vector<Cluster> clusters;
-  for (const Report& report : reports)
-    for (const Seen& each : report) {
+  for (std::size_t number = 0; number < reports.size(); ++number)
+    for (const Seen& each : reports[number]) {
       const auto same = [&](const Cluster& cluster) {
         return cluster.kind == each.kind && far(cluster.poses.front(), each.pose) < kSame_m;
       };
-      const auto found = std::ranges::find_if(clusters, same);
-      if (found == clusters.end())
-        clusters.push_back({each.kind, {each.pose}});
-      else
-        found->poses.push_back(each.pose);
+      auto found = std::ranges::find_if(clusters, same);
+      if (found == clusters.end()) found = clusters.insert(found, {each.kind, {}, number, number});
+      found->in_newest =
+          number + 1 == reports.size() && found->last + 2 >= reports.size() && !found->poses.empty();
+      found->last = number;
+      found->poses.push_back(each.pose);
     }
+  const std::vector<Cluster> all = clusters;
+  std::erase_if(clusters, [&](const Cluster& each) {
+    return std::ranges::any_of(all, [&](const Cluster& other) { return took_place_of(other, each); });
+  });
   std::erase_if(clusters, [&](const Cluster& each) {
     const auto was_there = [&](const scene::Pose& pose) { return far(each.mean(), pose) < kSame_m; };
     return 2 * each.poses.size() <= reports.size() &&

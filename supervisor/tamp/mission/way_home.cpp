@@ -11,6 +11,7 @@
 #include "supervisor/tamp/predicates/certify.h"
 #include "supervisor/tamp/predicates/samples.h"
 #include "supervisor/tamp/predicates/workspace.h"
+#include "supervisor/tamp/schedule/arm_capsules.h"
 
 namespace stepwright::tamp::mission {
 namespace {
@@ -23,6 +24,9 @@ using scene::ActionSpec;
 constexpr std::size_t kMostPlaces = 60;  // of a region that are tried
 constexpr std::size_t kMostWays = 3;     // of the arm, of each place
 constexpr int kTurns = 8;
+// Of two arms. A plan that brings them nearer than 30 mm is refused (arms_program.h).
+constexpr double kApart_m = 0.04;
+constexpr double kNearer_m = 0.001;  // than they are, which does not count
 
 class HomeFinder {
  public:
@@ -143,13 +147,35 @@ class HomeFinder {
     }
     const ActionSpec away{ActionKind::MoveAway, static_cast<int>(arm), std::max(0, here.near)};
     const motion::JointPath line = here.line;
-    // Straight up first, less far where that meets something.
-    for (std::size_t rows = line.size(); rows > 1; rows = (rows + 1) / 2) {
-      state_.arms[arm].line.assign(line.begin(), line.begin() + static_cast<std::ptrdiff_t>(rows));
-      if (settle(away, {})) return true;
-    }
-    state_.arms[arm].line.clear();
+    // Straight up first, less far where that meets something or brings the arms too near to each other.
+    const std::size_t apart = rows_apart(arm, line);
+    for (std::size_t rows = line.size(); rows > 1; rows = (rows + 1) / 2)
+      if (rows <= apart && leave_along(away, line, rows)) return true;
+    if (leave_along(away, line, 0)) return true;
+    for (std::size_t rows = line.size(); rows > 1; rows = (rows + 1) / 2)
+      if (rows > apart && leave_along(away, line, rows)) return true;
+    return false;
+  }
+
+  // So many rows of the line first.
+  bool leave_along(const ActionSpec& away, const motion::JointPath& line, std::size_t rows) {
+    state_.arms[at(away.arm)].line.assign(line.begin(), line.begin() + static_cast<std::ptrdiff_t>(rows));
     return settle(away, {});
+  }
+
+  // Rows of the line up to which the arm stays as far from the others as the interlock wants, or as it is.
+  std::size_t rows_apart(std::size_t arm, const motion::JointPath& line) const {
+    if (line.size() < 2) return line.size();
+    std::vector<schedule::ArmCapsules> empty;
+    for (std::size_t k = 0; k < cell_.arms.size(); ++k) empty.push_back(schedule::arm_capsules(cell_, k));
+    const std::vector<schedule::Capsule> others = schedule::others_at(empty, cell_, state_, arm);
+    const schedule::ArmCapsules own = schedule::with_held(empty[arm], cell_, state_, arm);
+    const auto room_m = [&](const motion::Configuration& row) {
+      return schedule::distance_of(schedule::capsules_at(own, row), others);
+    };
+    const double least_m = std::min(kApart_m, room_m(line.front()) - kNearer_m);
+    const auto near = std::ranges::find_if(line, [&](const auto& row) { return room_m(row) < least_m; });
+    return static_cast<std::size_t>(near - line.begin());
   }
 
   const scene::RobotCell& cell_;

@@ -284,6 +284,27 @@ std::vector<Capsule> capsules_at(const ArmCapsules& arm, std::span<const double>
   return all;
 }
 
+ArmCapsules with_held(ArmCapsules empty, const scene::RobotCell& cell, const scene::GeometricState& state,
+                      std::size_t arm) {
+  const int thing = state.arms[arm].holds;
+  if (thing < 0) return empty;
+  const auto held = static_cast<std::size_t>(thing);
+  empty.capsules.push_back(held_capsule(cell, arm, held, state.things[held].hand_rad));
+  return empty;
+}
+
+std::vector<Capsule> others_at(std::span<const ArmCapsules> empty, const scene::RobotCell& cell,
+                               const scene::GeometricState& state, std::size_t arm) {
+  std::vector<Capsule> all;
+  for (std::size_t other = 0; other < empty.size(); ++other) {
+    if (other == arm) continue;
+    const std::vector<Capsule> there =
+        capsules_at(with_held(empty[other], cell, state, other), state.arms[other].at);
+    all.insert(all.end(), there.begin(), there.end());
+  }
+  return all;
+}
+
 double distance_of(const Capsule& a, const Capsule& b) {
   // Each line as its middle and half of its way, places on it from -1 to 1.
   const Vector3 da = 0.5 * (a.to - a.from), db = 0.5 * (b.to - b.from);

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "supervisor/motion/spatial/transform.h"
+#include "supervisor/tamp/scene/geometric_state.h"
 #include "supervisor/tamp/scene/robot_cell.h"
 
 namespace stepwright::tamp::schedule {
@@ -38,6 +39,13 @@ Capsule held_capsule(const scene::RobotCell& cell, std::size_t arm, std::size_t 
 
 // Where they are; the joint of each is of no meaning any more.
 std::vector<Capsule> capsules_at(const ArmCapsules& arm, std::span<const double> joints);
+
+// `empty` with what the arm holds in that state.
+ArmCapsules with_held(ArmCapsules empty, const scene::RobotCell& cell, const scene::GeometricState& state,
+                      std::size_t arm);
+// Where all arms but that one are in that state, with what they hold; `empty`: of each arm.
+std::vector<Capsule> others_at(std::span<const ArmCapsules> empty, const scene::RobotCell& cell,
+                               const scene::GeometricState& state, std::size_t arm);
 
 // Least distance; below zero where two overlap.
 double distance_of(const Capsule& a, const Capsule& b);

@@ -163,8 +163,8 @@ class Scheduler {
                                                   cell_.arms[arm].coordinates, values_of(cell_, state_),
                                                   &cell_.spheres, around.held);
     if (!exact) return wrong("G0201", text(number), exact.error());
-    ArmCapsules capsules = with_held(arm);
-    const std::vector<Capsule> rest = resting(arm);
+    ArmCapsules capsules = with_held(bare_[arm], cell_, state_, arm);
+    const std::vector<Capsule> rest = others_at(bare_, cell_, state_, arm);
     if (planned.phase == scene::Phase::Transfer && !rest.empty())
       points =
           kept_clear(cell_, state_, arm, capsules, rest, *exact, points, {options_.clear_m, options_.seed});
@@ -226,23 +226,6 @@ class Scheduler {
     const int thing = state_.arms[arm].holds;
     if (thing < 0) return std::nullopt;
     return held_capsule(cell_, arm, index(thing), state_.things[index(thing)].hand_rad);
-  }
-
-  ArmCapsules with_held(std::size_t arm) const {
-    ArmCapsules all = bare_[arm];
-    if (const auto held = held_by(arm)) all.capsules.push_back(*held);
-    return all;
-  }
-
-  // Where the others are meanwhile, with what they hold.
-  std::vector<Capsule> resting(std::size_t arm) const {
-    std::vector<Capsule> all;
-    for (std::size_t other = 0; other < cell_.arms.size(); ++other) {
-      if (other == arm) continue;
-      const std::vector<Capsule> there = capsules_at(with_held(other), state_.arms[other].at);
-      all.insert(all.end(), there.begin(), there.end());
-    }
-    return all;
   }
 
   // As fast as limits allow, or slower where the interlock would take it for an accident.

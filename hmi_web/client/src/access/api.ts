@@ -6,6 +6,7 @@ export interface Problem {
   code: string;
   message: string;
   hint?: string;
+  file?: string; // what it is about: a file, "goal", or a value of a recipe ("values.NAME")
   line?: number; // of the text that it is about
   column?: number;
 }

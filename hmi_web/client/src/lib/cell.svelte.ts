@@ -74,7 +74,7 @@ export class Cell {
   pictures = $state.raw<unknown>(null);
   // What is forced in the runtime, whoever has forced it.
   forces = $state.raw<StandingForce[]>([]);
-  readonly forced: ForcedNames = $derived.by(() => new ForcedNames(this.forces, this.program?.tags));
+  readonly forced: ForcedNames = $derived.by(() => new ForcedNames(this.forces));
   readonly unread: UnreadTags = $derived.by(() => new UnreadTags(this.live.unread, (index) => this.forced.has(this.program?.tags[index]?.name ?? '')));
   // Points of the plant, by their ids, that show what is forced.
   readonly forcedPoints: ReadonlySet<string> = $derived.by(() => {

@@ -389,6 +389,7 @@ export interface StandingForce {
   reason: string;
   since_s: number | null;
   until_s: number | null;
+  also: string[]; // variables that share its place
 }
 
 export interface ForcesMessage {

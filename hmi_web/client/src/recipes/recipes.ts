@@ -1,6 +1,6 @@
 // Recipes as the server's API tells of them (hmi_web/doc/recipes.md).
 
-import type { Problem } from '../access/api';
+import { sentences, type Problem } from '../access/api';
 import { isString } from '../lib/string_value';
 import { t } from './texts';
 
@@ -47,8 +47,8 @@ export function sortProblems(problems: Problem[], tags: RecipeTag[]): { fields: 
   const fields: Record<string, string> = {};
   const rest: Problem[] = [];
   for (const problem of problems) {
-    const tag = tags.find(({ name }) => problem.message.startsWith(`${name}: `));
-    if (tag) fields[tag.name] = problem.message.slice(tag.name.length + 2) + (problem.hint ? `: ${problem.hint}` : '');
+    const tag = tags.find(({ name }) => problem.file === `values.${name}`);
+    if (tag) fields[tag.name] = sentences([{ ...problem, message: problem.message.replace(`${tag.name}: `, '') }]);
     else rest.push(problem);
   }
   return { fields, rest };

@@ -106,25 +106,13 @@ void read_path(const JsonItem& list, const VehicleModel& model, MissionVehicle& 
   vehicle.path = std::move(drawn.path);
 }
 
-// By the reader of the scheduler's problems, whose keys are those of a file with this vehicle alone.
+// By the reader of the scheduler's problems.
 void read_envelope(const JsonItem& item, MissionVehicle& vehicle, JsonComplaints& complaints) {
-  const nlohmann::json alone = {
-      {"vehicles", {{{"name", vehicle.name}, {"polygons", item.value().at("polygons")}}}}};
-  auto read = read_problem(alone.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace), "");
-  if (read) {
-    vehicle.envelope = std::move(read->envelopes.front());
-    return;
-  }
-  for (const result::Diagnostic& wrong : read.error()) {
-    const std::string kPrefix = "vehicles[0]";
-    const std::size_t colon = wrong.message.find(": ");
-    if (colon == std::string::npos || !wrong.message.starts_with(kPrefix)) {
-      complaints.add(wrong.code, item.key_of("polygons"), wrong.message, wrong.hint);
-      continue;
-    }
-    complaints.add(wrong.code, item.key() + wrong.message.substr(kPrefix.size(), colon - kPrefix.size()),
-                   wrong.message.substr(colon + 2), wrong.hint);
-  }
+  auto read = read_polygons(item.value().at("polygons"), item.key_of("polygons"));
+  if (read)
+    vehicle.envelope = {.vehicle = vehicle.name, .polygons = *std::move(read)};
+  else
+    complaints.add(read.error().code, read.error().key, read.error().what, read.error().hint);
 }
 
 MissionVehicle read_vehicle(const JsonItem& item, MissionProblem& problem, const Names& models,

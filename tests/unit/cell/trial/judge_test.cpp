@@ -55,7 +55,7 @@ ActionRun run_of(double amount, double active_s) {
   return run;
 }
 
-std::vector<std::string> codes(const result::Diagnostics& problems) {
+std::vector<std::string> codes(const Findings& problems) {
   std::vector<std::string> codes;
   for (const result::Diagnostic& each : problems) codes.push_back(each.code);
   return codes;
@@ -71,7 +71,7 @@ TEST(JudgeRuns, WhenAllIsAsClaimed_ThenNothingIsSaid) {
 TEST(JudgeRuns, WhenALevelEndsTooFar_ThenPreActGrowsByAsMuch) {
   ActionRun run = run_of(10, 11);
   run.after["(level t1)"] = 11.0;
-  const result::Diagnostics problems = judge_runs(binding(), std::vector{run});
+  const Findings problems = judge_runs(binding(), std::vector{run});
   ASSERT_EQ(codes(problems), Codes{"B0028"});
   EXPECT_EQ(problems.front().hint, "until = { fluent = \"(level ?t)\", pre_act = 1.2 }");
 }
@@ -79,7 +79,7 @@ TEST(JudgeRuns, WhenALevelEndsTooFar_ThenPreActGrowsByAsMuch) {
 TEST(JudgeRuns, WhenAnotherLevelChanges_ThenTheDomainIsSilentOfIt) {
   ActionRun run = run_of(10, 11);
   run.after["(level t2)"] = -2.0;
-  const result::Diagnostics problems = judge_runs(binding(), std::vector{run});
+  const Findings problems = judge_runs(binding(), std::vector{run});
   ASSERT_EQ(codes(problems), Codes{"B0029"});
   EXPECT_EQ(problems.front().hint, "(decrease (level t2) 2) in the effect");
 }
@@ -96,13 +96,13 @@ TEST(JudgeRuns, WhenAClaimedFactIsNotShown_ThenItIsNamedInSoManyRuns) {
   wrong.expected["(full t1)"] = 1.0;
   ActionRun right = wrong;
   right.after["(full t1)"] = 1.0;
-  const result::Diagnostics problems = judge_runs(binding(), std::vector{wrong, right});
+  const Findings problems = judge_runs(binding(), std::vector{wrong, right});
   ASSERT_EQ(codes(problems), Codes{"B0027"});
   EXPECT_NE(problems.front().message.find("in 1 of 2 runs"), std::string::npos);
 }
 
 TEST(JudgeRuns, WhenItTakesLongerThanItsTimeout_ThenOneWithRoomIsProposed) {
-  const result::Diagnostics problems = judge_runs(binding(), std::vector{run_of(10, 40)});
+  const Findings problems = judge_runs(binding(), std::vector{run_of(10, 40)});
   ASSERT_EQ(codes(problems), Codes{"B0026"});
   EXPECT_EQ(problems.front().hint, "timeout_s = 60");
 }
@@ -119,7 +119,7 @@ TEST(JudgeRuns, WhenAnotherLevelRisesInItsPlace_ThenItsTagIsProposed) {
   run.end = RunEnd::TimedOut;
   run.after = run.before;
   run.after["(level t2)"] = 10.0;
-  const result::Diagnostics problems = judge_runs(binding(), std::vector{run});
+  const Findings problems = judge_runs(binding(), std::vector{run});
   ASSERT_EQ(codes(problems), Codes{"B0024"});
   EXPECT_NE(problems.front().hint.find("tag = \"M\" for 'L', if the tags of the two are swapped"),
             std::string::npos)
@@ -133,7 +133,7 @@ TEST(JudgeRuns, WhenEachOfTwoSensorsBeginsWhereTheOtherOneShould_ThenTheirTagsAr
   run.end = RunEnd::NotBegun;
   run.expected = {{"(level t1)", 5.0}, {"(level t2)", 30.0}};
   run.after = {{"(level t1)", 30.1}, {"(level t2)", 4.9}};
-  const result::Diagnostics problems = judge_runs(binding(), std::vector{run});
+  const Findings problems = judge_runs(binding(), std::vector{run});
   ASSERT_EQ(codes(problems), Codes{"B0020"});
   EXPECT_EQ(problems.front().hint.rfind("each shows what the other one should: tag = \"M\" for 'L'", 0), 0u)
       << problems.front().hint;
@@ -216,7 +216,7 @@ TEST(JudgeRuns, WhenALevelBeganElsewhere_ThenItsChangeIsCompared) {
   run.after["(level t2)"] = -10.0;  // as an effect that assigns the level
   EXPECT_EQ(codes(judge_runs(binding(), std::vector{run})), Codes{});
   run.after["(level t2)"] = -18.0;
-  const result::Diagnostics problems = judge_runs(binding(), std::vector{run});
+  const Findings problems = judge_runs(binding(), std::vector{run});
   ASSERT_EQ(codes(problems), Codes{"B0028"});
   EXPECT_NE(problems.front().message.find("by -10 in the domain, and the plant by -13"), std::string::npos)
       << problems.front().message;
@@ -249,7 +249,7 @@ TEST(JudgeRuns, WhenItBeganElsewhereAndIsTooSlow_ThenTheWayIsThatFromThere) {
   run.end = RunEnd::TimedOut;
   run.before["(level t1)"] = -10.0;
   run.after["(level t1)"] = 0.0;
-  const result::Diagnostics problems = judge_runs(binding(), std::vector{run});
+  const Findings problems = judge_runs(binding(), std::vector{run});
   ASSERT_EQ(codes(problems), Codes{"B0026"});
   EXPECT_NE(problems.front().message.find("by 10 of 20 in 100 s"), std::string::npos);
   EXPECT_EQ(problems.front().hint.rfind("timeout_s = 300 at 0.1 units a second", 0), 0u);
@@ -267,7 +267,7 @@ TEST(JudgeRuns, WhenALevelFallsInsteadOfRising_ThenTheSignIsWrong) {
   ActionRun run = run_of(10, 3);
   run.end = RunEnd::WrongWay;
   run.after["(level t1)"] = -2.5;
-  const result::Diagnostics problems = judge_runs(binding(), std::vector{run});
+  const Findings problems = judge_runs(binding(), std::vector{run});
   ASSERT_EQ(codes(problems), Codes{"B0025"});
   EXPECT_NE(problems.front().message.find("the plant lowers it"), std::string::npos);
 }
@@ -275,7 +275,7 @@ TEST(JudgeRuns, WhenALevelFallsInsteadOfRising_ThenTheSignIsWrong) {
 TEST(JudgeDuration, WhenItIsFarOff_ThenTheLineThroughTheMeasuredTimesIsProposed) {
   const translate::Binding bound = binding();
   const std::vector<ActionRun> runs = {run_of(10, 32), run_of(20, 62), run_of(20, 62)};
-  const result::Diagnostics problems = judge_duration(bound, bound.actions.front(), runs);
+  const Findings problems = judge_duration(bound, bound.actions.front(), runs);
   ASSERT_EQ(codes(problems), Codes{"B0030"});
   EXPECT_EQ(problems.front().hint, "duration = { fixed_s = 2, per_unit_s = 3, of = \"(level ?t)\" }");
 }

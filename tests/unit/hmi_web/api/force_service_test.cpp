@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <memory>
 #include <nlohmann/json.hpp>
 
+#include "ladder/driver/compile.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/hmi_web/api/fake_cell.h"
 
@@ -227,6 +229,36 @@ TEST_F(ForceServiceTest, WhenTheListIsDamaged_ThenItIsNotTakenForAnEmptyOne) {
     ASSERT_FALSE(service) << text;
     EXPECT_EQ(service.error().front().code, "H0022");
   }
+}
+
+TEST_F(ForceServiceTest, WhenAPlaceIsForced_ThenAllThatLiesThereIsListedWithIt) {
+  const auto made = driver::compile(
+      {.texts = {{"main.st",
+                  "PROGRAM P VAR free : BOOL; list : ARRAY[0..1] OF INT; END_VAR\n"
+                  "VAR b1 AT %QX0.0 : BOOL; b2 AT %QX0.1 : BOOL; both AT %QB0 : BYTE; next AT %QW1 : WORD;\n"
+                  "s1 AT %IX0.0 : BOOL; END_VAR END_PROGRAM\n"
+                  "CONFIGURATION C RESOURCE R ON PLC TASK T(INTERVAL := T#10ms);\n"
+                  "PROGRAM Main WITH T : P; END_RESOURCE END_CONFIGURATION"}}});
+  ASSERT_TRUE(made) << result::to_string(made.error());
+  const auto also = [&](const std::string& name) {
+    EXPECT_TRUE(service_->force({name, "TRUE", 2min, "ada", "test"}));
+    std::string names;
+    const json forces = json::parse(service_->json())["forces"];
+    for (const json& entry : forces) {
+      for (const json& each : entry["also"]) names += each.get<std::string>() + " ";
+    }
+    EXPECT_TRUE(service_->unforce(name));
+    return names;
+  };
+  EXPECT_EQ(also("%QX0.0"), "") << "no program runs";
+  cell_.run(std::make_shared<reader::ProgramInfo>(*reader::ProgramInfo::read(made->container)));
+  EXPECT_EQ(also("%QX0.0"), "Main.b1 Main.both ");
+  EXPECT_EQ(also("%qb0"), "Main.b1 Main.b2 Main.both ");
+  EXPECT_EQ(also("%QD0"), "Main.b1 Main.b2 Main.both Main.next ");
+  EXPECT_EQ(also("main.B2"), "Main.both ") << "a variable that lies over another";
+  EXPECT_EQ(also("Main.free"), "");
+  EXPECT_EQ(also("Main.list"), "");
+  EXPECT_EQ(also("Main.gone"), "");
 }
 
 }  // namespace

@@ -63,7 +63,7 @@ test('Cell_WhenADeviceDoesNotAnswer_ThenItsTagsHaveNoValueUntilItDoesOrTheyAreFo
   assert.equal(cell.tags[0], 10, 'what the program works with');
   assert.deepEqual(cell.unread.of(2), { device: 'tank', why: 'lost' });
   assert.equal(cell.unread.of(1), null);
-  cell.take({ type: 'forces', revision: 1, forces: [{ name: 'MAIN.LEVEL', value: '10', user: 'a', reason: '', since_s: 0, until_s: 0 }] });
+  cell.take({ type: 'forces', revision: 1, forces: [{ name: 'MAIN.LEVEL', value: '10', user: 'a', reason: '', since_s: 0, until_s: 0, also: [] }] });
   assert.equal(cell.value(0), 10, 'what is forced has a value');
   cell.take({ type: 'delta', seq: 6, unread: [] });
   assert.equal(cell.value(2), 30);

@@ -8,11 +8,11 @@ import { test } from 'node:test';
 import { load } from './load_modules.mjs';
 
 globalThis.window = { setTimeout, clearTimeout, location: { reload: () => {} } };
-const { Cell, ForcedNames, isTrue, placeOf, neighbours, RowLimit, tagValue } = await load(process.env.CLIENT, [
+const { Cell, ForcedNames, isTrue, neighbours, RowLimit, tagValue } = await load(process.env.CLIENT, [
   'lib/cell.svelte', 'lib/forces', 'lib/format', 'lib/keep_focus', 'lib/row_limit.svelte', 'lib/value',
 ]);
 
-const force = (name) => ({ name, value: '1', user: '', reason: '', since_s: null, until_s: null });
+const force = (name, also = []) => ({ name, value: '1', user: '', reason: '', since_s: null, until_s: null, also });
 
 test('Forced_WhenNamesAreCompared_ThenCaseDoesNotMatterAndPartsCount', () => {
   const forced = new ForcedNames([force('Main.Level'), force('Main.list[3]'), force('Main.drive')]);
@@ -21,21 +21,9 @@ test('Forced_WhenNamesAreCompared_ThenCaseDoesNotMatterAndPartsCount', () => {
   assert.ok(!new ForcedNames([]).has('Main.Level'));
 });
 
-test('Forced_WhenAPlaceIsForced_ThenAllThatLiesThereIs', () => {
-  const tags = [['B1', '%QX0.0'], ['B2', '%QX0.1'], ['both', '%QB0'], ['next', '%QW1'], ['in', '%IX0.0'], ['free', '']].map(([name, address]) => ({ name, type: 'BOOL', address }));
-  const marked = (...names) => {
-    const forced = new ForcedNames(names.map(force), tags);
-    return tags.map(({ name }) => name).filter((name) => forced.has(name));
-  };
-  assert.deepEqual(marked('%QX0.0'), ['B1', 'both']);
-  assert.deepEqual(marked('%qb0'), ['B1', 'B2', 'both']);
-  assert.deepEqual(marked('%QD0'), ['B1', 'B2', 'both', 'next']);
-  assert.deepEqual(marked('b2'), ['B2', 'both'], 'a variable that lies over another');
-  assert.deepEqual(marked('free'), ['free']);
-  assert.deepEqual(marked(), []);
-  assert.deepEqual(placeOf('%IW2'), { area: 'I', from: 32, to: 48 });
-  assert.deepEqual(placeOf('%I1.7'), placeOf('%IX1.7'));
-  for (const none of ['', 'B1', '%MX0.0', '%QX0.0.1', '%Q']) assert.equal(placeOf(none), null, none);
+test('Forced_WhenOthersLieAtItsPlace_ThenTheyAreForcedToo', () => {
+  const forced = new ForcedNames([force('%QX0.0', ['B1', 'both'])]);
+  assert.deepEqual(['b1', 'BOTH', 'both.x', 'B2', '%qx0.0'].filter((name) => forced.has(name)), ['b1', 'BOTH', 'both.x', '%qx0.0']);
 });
 
 test('Forced_WhenTheServerTellsOfForces_ThenTheCellKnowsTheVariables', () => {

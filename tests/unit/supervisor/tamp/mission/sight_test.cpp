@@ -59,6 +59,28 @@ TEST(ArmsSight, WhenAThingIsNotInMostReports_ThenNothingIsBelievedOfIt) {
   EXPECT_TRUE(agree(cell, reports, starts(cell)).things[1]) << "two have it where it stood";
 }
 
+TEST(ArmsSight, WhenAThingIsMovedWhileItIsLookedAt_ThenItIsNotBelievedWhereItWas) {
+  const scene::RobotCell cell = two_cups();
+  scene::Pose moved = cell.things[1].start;
+  moved.y_m += 0.035;
+  for (const std::size_t since : {1U, 2U, 3U}) {
+    std::vector<Report> reports(5, Report{{kCup, cell.things[0].start}});
+    for (std::size_t k = 0; k < reports.size(); ++k)
+      reports[k].push_back({kCup, k < since ? cell.things[1].start : moved});
+    const Sight sight = agree(cell, reports, starts(cell));
+    ASSERT_TRUE(sight.things[0]);
+    EXPECT_EQ(sight.things[1].has_value(), since < 3) << "most reports have it by then";
+    if (sight.things[1].has_value()) {
+      EXPECT_DOUBLE_EQ(sight.things[1]->y_m, moved.y_m);
+    }
+    EXPECT_TRUE(sight.strangers.empty());
+  }
+  std::vector<Report> reports(5, Report{{kCup, cell.things[0].start}, {kCup, cell.things[1].start}});
+  reports[4].back().pose = moved;
+  EXPECT_DOUBLE_EQ(agree(cell, reports, starts(cell)).things[1]->y_m, cell.things[1].start.y_m)
+      << "one report alone may be of what is not there";
+}
+
 TEST(ArmsSight, WhenThereIsMoreThanTheCellHas_ThenItIsAStranger) {
   const scene::RobotCell& cell = testing::paper_cell();
   const std::vector<Report> reports(
