@@ -9,12 +9,6 @@
 #include "supervisor/translate/sensor_program.h"
 
 namespace stepwright::executive {
-namespace {
-
-using std::chrono::milliseconds;
-
-}  // namespace
-
 Executive::Executive(const PlanningService& planning, run::Controller& controller, ExecutiveOptions options,
                      Observer observer)
     : Mission(controller, {options.cell, options.barrier, options.operator_starts}, std::move(observer)),
@@ -183,50 +177,34 @@ bool Executive::observe(bool locate) {
   if (record_.phase == run::Phase::Planning) set_phase(run::Phase::Observing, "reading the sensors");
   while (!abort_) {
     if (!await_runtime()) return false;
-    bool lost = false;
-    if (observe_once(*observer, lost)) return true;
-    if (!lost) return false;
+    if (!install(*observer, Kind::Observer)) {
+      if (record_.phase == run::Phase::Safe) return false;
+      continue;
+    }
+    const Rest rest = observe_once(*observer);
+    if (rest != Rest::Lost) return rest == Rest::Reached && !give_up_leap();
   }
   return give_up_aborted();
 }
 
-// False with `lost` if the runtime went away meanwhile; false without it if the run is over.
-bool Executive::observe_once(const PreparedPlan& observer, bool& lost) {
-  if (!install(observer, Kind::Observer)) {
-    lost = record_.phase != run::Phase::Safe;
-    return false;
-  }
-  while (true) {
-    if (abort_) return give_up_aborted();
-    const auto event = controller_.wait_event(milliseconds(200));
-    if (!event) {
-      lost = runtime_lost();
-      if (lost) return false;
-      continue;
-    }
-    if (event->kind == host::EventKind::RolledBack) {
-      return give_up("the program that reads the sensors trapped: " + event->detail);
-    }
-    if (event->program_digest == digest_) {
-      clock_.see(event->incarnation, event->time_ns);
-      if (event->kind == host::EventKind::Trap || event->kind == host::EventKind::Stopped) {
-        return give_up("the runtime stopped while the sensors were read: " + event->detail);
-      }
-      const translate::Progress progress =
-          translate::progress(observer.translation, reader_->active_steps(event->image));
-      if (!progress.failed_steps.empty()) {
-        return give_up("the plant cannot be brought to a known place (" +
-                       observer.translation.steps[progress.failed_steps.front()].name + ")");
-      }
-      if (progress.finished) {
-        means_ = reader_->values(event->image);
-        observed_event_ = event->sequence;
-        // Not acknowledged: the clock stands still while the plan is made.
-        return !give_up_leap();
-      }
-    }
-    (void)controller_.acknowledge(event->sequence);  // a lost runtime shows in the next round
-  }
+// The clock stands still at the event with which all is known, while the plan is made.
+Executive::Rest Executive::observe_once(const PreparedPlan& observer) {
+  std::string failed;
+  const Rest rest = await_rest({.stopped = "the runtime stopped while the sensors were read",
+                                .rolled_back = "the program that reads the sensors trapped",
+                                .goes_on = false,  // what it has missed has to be read anew
+                                .see = [&](std::span<const std::byte> image) -> std::optional<Rest> {
+                                  const auto progress =
+                                      translate::progress(observer.translation, reader_->active_steps(image));
+                                  if (!progress.failed_steps.empty())
+                                    failed = observer.translation.steps[progress.failed_steps.front()].name;
+                                  if (failed.empty() && !progress.finished) return std::nullopt;
+                                  if (failed.empty()) means_ = reader_->values(image);
+                                  return Rest::Reached;
+                                }});
+  if (failed.empty()) return rest;
+  give_up("the plant cannot be brought to a known place (" + failed + ")");
+  return Rest::Ended;
 }
 
 // True, and the run is over, if a sensor has leapt while the plant was observed, or since the plan before:

@@ -114,7 +114,7 @@ class Executive final : public run::Mission {
   bool resume();
   bool stay_over(Journal&& journal);
   bool observe(bool locate);
-  bool observe_once(const PreparedPlan& observer, bool& lost);
+  Rest observe_once(const PreparedPlan& observer);
   bool give_up_leap();
   bool launch();
   // Supervisor: this one has just begun, where another one has left its journal.
@@ -173,7 +173,6 @@ class Executive final : public run::Mission {
   static run::Cause held_by_operator();
   std::optional<run::Cause> wish() override;
   bool stay_held();
-  void note_while_held(const host::StepEvent& event);
 
   // executive_install.cpp: bringing a program to run.
   enum class Kind : std::uint8_t { Observer, Plan };
@@ -230,8 +229,6 @@ class Executive final : public run::Mission {
   std::string goal_;                       // PDDL; empty: the problem's
   std::map<std::string, double> changed_;  // fluents set from outside so far
   bool waits_ = false;                     // with a plan, for an operator
-
-  std::uint64_t observed_event_ = 0;  // the event with which the last observation ended
 
   bool begun_ = false;        // a run has
   bool another_run_ = false;  // so has one after it

@@ -7,8 +7,6 @@
 
 namespace stepwright::executive {
 
-using std::chrono::milliseconds;
-
 run::Cause Executive::held_by_operator() {
   return {run::IncidentKind::Operator, {"held by the operator"}, {}};
 }
@@ -20,34 +18,22 @@ std::optional<run::Cause> Executive::wish() {
 // False if the run is over. A runtime that is gone, or stopped, changes nothing here: whoever resumes has the
 // plant looked at anew.
 bool Executive::stay_held() {
-  const double since_s = clock_.now_s();
-  double now_s = clock_.now_s();  // by the newest picture: a plant at rest causes no events
-  set_phase(run::Phase::Held, "held by the operator: the plant rests until the run is resumed or aborted");
-  (void)controller_.acknowledge(observed_event_);
-  while (hold_) {
-    if (abort_) return give_up_aborted();
-    if (const auto change = due(now_s)) {
-      std::vector<std::string>& evidence = record_.incidents.back().evidence;
-      evidence.insert(evidence.end(), change->evidence.begin(), change->evidence.end());
-      set_phase(run::Phase::Held,
-                change->evidence.back() +
-                    ": that is planned for when the run is resumed; until then the plant rests");
-    }
-    if (const auto event = controller_.wait_event(milliseconds(200))) {
-      note_while_held(*event);
-      (void)controller_.acknowledge(event->sequence);
-    }
-    now_s = shown_time(controller_.snapshot(), now_s);
-  }
-  record_.incidents.back().evidence.push_back(fmt::format("resumed after {:.1f} s", now_s - since_s));
+  (void)controller_.acknowledge(rested_at_);
+  const auto asked = [this](const run::Cause& cause) {
+    std::vector<std::string>& evidence = record_.incidents.back().evidence;
+    evidence.insert(evidence.end(), cause.evidence.begin(), cause.evidence.end());
+    set_phase(
+        run::Phase::Held,
+        cause.evidence.back() + ": that is planned for when the run is resumed; until then the plant rests");
+  };
+  const auto held_s =
+      hold_at_rest({.message = "held by the operator: the plant rests until the run is resumed or aborted",
+                    .holds = [this] { return hold_.load(); },
+                    .asked = asked});
+  if (!held_s) return false;
+  record_.incidents.back().evidence.push_back(fmt::format("resumed after {:.1f} s", *held_s));
   set_phase(run::Phase::Replanning, "resumed by the operator");
   return true;
-}
-
-void Executive::note_while_held(const host::StepEvent& event) {
-  if (!run::ends_program(event.kind) || event.program_digest != digest_) return;
-  record_.incidents.back().evidence.push_back("the runtime stopped meanwhile: " + event.detail);
-  publish(/*now=*/true);
 }
 
 }  // namespace stepwright::executive

@@ -25,6 +25,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <mutex>
 #include <optional>
 #include <span>
@@ -173,23 +174,29 @@ class Mission {
   bool runs_program(std::span<const std::byte> container);
   // A plant at rest, while its program goes on scanning, and people see to something.
   struct Hold {
-    Cause cause;
+    std::optional<Cause> cause{};  // of an incident of its own; nothing: the one that is open
     Phase phase = Phase::Held;
-    std::string message;
-    std::chrono::seconds most;  // of the scan clock
-    std::string stopped;        // why the run ends if the program is stopped meanwhile,
-    std::string left;           // and if nobody comes
-    std::function<bool()> holds;
-    std::function<void(std::span<const std::byte> image)> see;
+    std::string message{};
+    std::chrono::seconds most = std::chrono::seconds::max();  // of the scan clock
+    // Why the run ends if the program is stopped or lost meanwhile; empty: that is evidence, and it holds on.
+    std::string stopped{};
+    std::string left{};  // why it ends if nobody comes
+    std::function<bool()> holds{};
+    std::function<void(std::span<const std::byte> image)> see{};  // may be empty, as the next one
+    std::function<void(const Cause& cause)> asked{};              // what people ask for meanwhile
   };
-  // Until it no longer holds; what people ask for meanwhile is taken (due). False: the run is over.
-  bool hold_at_rest(const Hold& hold);
+  // Until it no longer holds; what people ask for meanwhile is taken (due). How long that was, in seconds of
+  // the scan clock; nothing: the run is over.
+  std::optional<double> hold_at_rest(const Hold& hold);
   // A plant that is brought to rest, or looked at, by the program that runs.
   struct Await {
-    double within_s = 0.0;  // of the scan clock
-    std::string late;       // why the run ends if it takes longer,
+    double within_s = std::numeric_limits<double>::infinity();  // of the scan clock
+    std::string late{};                                         // why the run ends if it takes longer,
     IncidentKind late_kind = IncidentKind::Timeout;
-    std::string stopped;  // and if the program is stopped meanwhile
+    std::string stopped{};      // and if the program is stopped meanwhile,
+    std::string rolled_back{};  // or the one before drives again; empty: ours counts as lost then
+    // A runtime that was not heard of and has gone on is no longer lost.
+    bool goes_on = true;
     // Reached, Error, or nothing: not yet.
     std::function<std::optional<Rest>(std::span<const std::byte> image)> see;
   };
@@ -241,6 +248,7 @@ class Mission {
   Decision trapped(const host::StepEvent& event);
   bool act_on(const Decision& decision);
   bool see_held(const host::StepEvent& event, const Hold& hold);
+  bool note_stopped(const host::StepEvent& event);
   void brought(std::string digest);
 
   std::mutex pictures_mutex_;

@@ -44,15 +44,15 @@ bool MovingMission::replan(const Cause& cause) {
 std::optional<Cause> MovingMission::hold(const Cause& cause, Phase phase, const std::string& message) {
   hold_.begin();
   held();
-  const bool goes_on = hold_at_rest({.cause = cause,
-                                     .phase = phase,
-                                     .message = message,
-                                     .most = moving_.hold,
-                                     .stopped = words_.stopped,
-                                     .left = nobody_came(cause, phase),
-                                     .holds = [this] { return hold_.holds(); },
-                                     .see = [this](std::span<const std::byte> image) { see(image); }});
-  return goes_on ? std::optional(resumed()) : std::nullopt;
+  const auto held_s = hold_at_rest({.cause = cause,
+                                    .phase = phase,
+                                    .message = message,
+                                    .most = moving_.hold,
+                                    .stopped = words_.stopped,
+                                    .left = nobody_came(cause, phase),
+                                    .holds = [this] { return hold_.holds(); },
+                                    .see = [this](std::span<const std::byte> image) { see(image); }});
+  return held_s ? std::optional(resumed()) : std::nullopt;
 }
 
 bool MovingMission::stay(const std::string& reason, IncidentKind kind) {
