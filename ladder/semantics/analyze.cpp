@@ -7,9 +7,9 @@
 #include "ladder/semantics/calls/call_analyzer.h"
 #include "ladder/semantics/configuration/configure.h"
 #include "ladder/semantics/declarations/declarer.h"
-#include "ladder/semantics/statements/statement_analyzer.h"
 #include "ladder/semantics/internal/test_suite.h"
 #include "ladder/semantics/internal/watcher.h"
+#include "ladder/semantics/statements/statement_analyzer.h"
 #include "runtime/bytecode/container_format.h"
 
 namespace stepwright::semantics {

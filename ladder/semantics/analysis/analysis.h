@@ -36,8 +36,8 @@ struct FirstTarget {
 
 struct Analysis;
 class ExpressionAnalyzer;
-// What expressions need of calls, which are analysed above them: the value of one that stands in the POU; null
-// after a report.
+// What expressions need of calls, which are analysed above them: the value of one that stands in the POU;
+// null after a report.
 using ValueOfCall = ValuePtr(Analysis& analysis, ExpressionAnalyzer& expressions, Pou* pou,
                              const syntax::Expression& call);
 

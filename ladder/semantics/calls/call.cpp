@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "ladder/semantics/calls/call_analyzer.h"
-#include "ladder/semantics/standard_functions/standard_analyzer.h"
 #include "ladder/semantics/calls/test_analyzer.h"
+#include "ladder/semantics/standard_functions/standard_analyzer.h"
 #include "ladder/source/suggestion.h"
 
 namespace stepwright::semantics::internal {

@@ -5,8 +5,8 @@
 #include <optional>
 #include <span>
 
-#include "ladder/semantics/types/constant.h"
 #include "ladder/semantics/model/value.h"
+#include "ladder/semantics/types/constant.h"
 
 namespace stepwright::semantics {
 

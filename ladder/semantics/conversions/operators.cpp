@@ -247,8 +247,7 @@ ValuePtr Operators::power(ValuePtr base, ValuePtr exponent, Position where) {
                                     : convert_exactly(std::move(each), type);
     if (!each) return nullptr;
   }
-  ValuePtr result =
-      defined(make_standard(StandardFunction::Power, type, std::move(operands), where), where);
+  ValuePtr result = defined(make_standard(StandardFunction::Power, type, std::move(operands), where), where);
   if (result) result->adapts = adapts;
   return result;
 }

@@ -11,8 +11,8 @@
 #include "ladder/semantics/analysis/analysis.h"
 #include "ladder/semantics/conversions/explicit_conversions.h"
 #include "ladder/semantics/conversions/operators.h"
-#include "ladder/semantics/expressions/places.h"
 #include "ladder/semantics/conversions/text.h"
+#include "ladder/semantics/expressions/places.h"
 #include "ladder/semantics/model/statement.h"
 
 namespace stepwright::semantics::internal {

@@ -4,8 +4,8 @@
 #include <limits>
 #include <utility>
 
-#include "ladder/semantics/expressions/places.h"
 #include "ladder/semantics/conversions/text.h"
+#include "ladder/semantics/expressions/places.h"
 
 namespace stepwright::semantics::internal {
 
