@@ -1,8 +1,8 @@
 #include "hmi_web/monitor/evaluator.h"
 
-#include "ladder/semantics/common_type.h"
-#include "ladder/semantics/constant_conversion.h"
-#include "ladder/semantics/operator_group.h"
+#include "ladder/semantics/constants/common_type.h"
+#include "ladder/semantics/constants/constant_conversion.h"
+#include "ladder/semantics/types/operator_group.h"
 #include "runtime/ground/naming/ascii_names.h"
 
 namespace stepwright::monitor {

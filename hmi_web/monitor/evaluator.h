@@ -12,7 +12,7 @@
 #include <string_view>
 
 #include "hmi_web/monitor/value.h"
-#include "ladder/semantics/constant_function.h"
+#include "ladder/semantics/constants/constant_function.h"
 #include "ladder/syntax/expression.h"
 
 namespace stepwright::monitor {

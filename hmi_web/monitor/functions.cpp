@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "hmi_web/monitor/evaluator.h"
-#include "ladder/semantics/common_type.h"
-#include "ladder/semantics/constant_conversion.h"
+#include "ladder/semantics/constants/common_type.h"
+#include "ladder/semantics/constants/constant_conversion.h"
 #include "runtime/ground/naming/ascii_names.h"
 
 namespace stepwright::monitor {

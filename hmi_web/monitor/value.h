@@ -9,8 +9,8 @@
 #include <optional>
 #include <string>
 
-#include "ladder/semantics/constant.h"
-#include "ladder/semantics/type.h"
+#include "ladder/semantics/types/constant.h"
+#include "ladder/semantics/types/type.h"
 
 namespace stepwright::monitor {
 

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "ladder/semantics/model.h"
+#include "ladder/semantics/model/model.h"
 #include "ladder/source/source_set.h"
 #include "runtime/bytecode/container_format.h"
 #include "runtime/bytecode/writer/container_writer.h"

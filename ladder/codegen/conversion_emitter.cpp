@@ -3,7 +3,7 @@
 
 #include "ladder/codegen/expression_emitter.h"
 #include "ladder/codegen/machine_type.h"
-#include "ladder/semantics/constant_conversion.h"
+#include "ladder/semantics/constants/constant_conversion.h"
 
 namespace stepwright::codegen {
 

@@ -1,7 +1,7 @@
 #include "ladder/codegen/expression_emitter.h"
 
 #include "ladder/codegen/machine_type.h"
-#include "ladder/semantics/operator_group.h"
+#include "ladder/semantics/types/operator_group.h"
 #include "runtime/bytecode/trap.h"
 
 namespace stepwright::codegen {

@@ -15,7 +15,7 @@
 
 #include "ladder/codegen/container_limits.h"
 #include "ladder/codegen/literal_pool.h"
-#include "ladder/semantics/model.h"
+#include "ladder/semantics/model/model.h"
 #include "ladder/source/source_set.h"
 #include "runtime/bytecode/trap.h"
 #include "runtime/bytecode/writer/function_builder.h"

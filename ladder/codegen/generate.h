@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "ladder/semantics/model.h"
+#include "ladder/semantics/model/model.h"
 #include "ladder/source/source_set.h"
 #include "runtime/ground/result/result.h"
 

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "ladder/semantics/constant.h"
+#include "ladder/semantics/types/constant.h"
 
 namespace stepwright::codegen {
 

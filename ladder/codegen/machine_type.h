@@ -3,7 +3,7 @@
 // Machine types of the types of a program, and the instructions that compute with them. Pure functions;
 // internal to this folder.
 
-#include "ladder/semantics/type.h"
+#include "ladder/semantics/types/type.h"
 #include "ladder/syntax/expression.h"
 #include "runtime/bytecode/opcode.h"
 

@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "ladder/driver/compile.h"
-#include "ladder/semantics/test_case.h"
+#include "ladder/semantics/model/test_case.h"
 #include "runtime/bytecode/value_type.h"
 #include "runtime/ground/result/result.h"
 

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "ladder/driver/extension_types.h"
-#include "ladder/semantics/type.h"
+#include "ladder/semantics/types/type.h"
 #include "ladder/source/codes.h"
 #include "ladder/source/suggestion.h"
 

@@ -6,7 +6,7 @@
 #include <unordered_map>
 
 #include "ladder/driver/library_texts.h"
-#include "ladder/semantics/model.h"
+#include "ladder/semantics/model/model.h"
 #include "ladder/source/codes.h"
 
 namespace stepwright::driver {

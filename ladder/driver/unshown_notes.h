@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "ladder/graphic/sheet.h"
-#include "ladder/semantics/model.h"
+#include "ladder/semantics/model/model.h"
 #include "ladder/source/diagnostic_sink.h"
 
 namespace stepwright::driver {

@@ -10,7 +10,7 @@
 //
 //   if (!sink.has_errors()) lint::check(*model, unit, user_pous, lint::Level::Default, sink);
 
-#include "ladder/semantics/model.h"
+#include "ladder/semantics/model/model.h"
 #include "ladder/source/diagnostic_sink.h"
 
 namespace stepwright::lint {

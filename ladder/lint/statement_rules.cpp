@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "ladder/lint/internal/body_walker.h"
-#include "ladder/semantics/operator_group.h"
+#include "ladder/semantics/types/operator_group.h"
 #include "ladder/source/codes.h"
 
 namespace stepwright::lint::internal {

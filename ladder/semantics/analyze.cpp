@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <utility>
 
-#include "ladder/semantics/internal/declarer.h"
-#include "ladder/semantics/internal/statement_analyzer.h"
+#include "ladder/semantics/analysis/hierarchical_address.h"
+#include "ladder/semantics/calls/call_analyzer.h"
+#include "ladder/semantics/configuration/configure.h"
+#include "ladder/semantics/declarations/declarer.h"
 #include "ladder/semantics/internal/test_suite.h"
 #include "ladder/semantics/internal/watcher.h"
+#include "ladder/semantics/statements/statement_analyzer.h"
 #include "runtime/bytecode/container_format.h"
 
 namespace stepwright::semantics {
@@ -115,7 +118,7 @@ std::unique_ptr<Model> analyze(const syntax::Unit& unit, std::size_t user_pous, 
                                source::DiagnosticSink& sink, const AnalysisOptions& options) {
   const TestGroup* tests = options.tests;
   auto model = std::make_unique<Model>();
-  Analysis a{*model, names, sink, {}, {}, {}, {}, {}, {}};
+  Analysis a{*model, names, sink, value_of_call, {}, {}, {}, {}, {}, {}};
   a.dialect = options.dialect;
   for (const syntax::Configuration& configuration : unit.configurations) {
     a.list_names.insert(configuration.name.id.value);

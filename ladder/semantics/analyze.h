@@ -7,7 +7,7 @@
 // is written X_TO_Y. Durations convert to and from numbers as milliseconds. A global can be used without
 // VAR_EXTERNAL. Function blocks and types may be declared in any order.
 
-#include "ladder/semantics/model.h"
+#include "ladder/semantics/model/model.h"
 #include "ladder/source/diagnostic_sink.h"
 #include "ladder/source/dialect.h"
 

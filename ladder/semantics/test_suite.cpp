@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "ladder/semantics/internal/statement_analyzer.h"
+#include "ladder/semantics/statements/statement_analyzer.h"
 
 namespace stepwright::semantics::internal {
 
@@ -40,14 +40,6 @@ void register_tests(Analysis& a, const TestGroup& group) {
     a.model.tests.push_back(std::move(test));
     a.model.pous.push_back(std::move(pou));
   }
-}
-
-std::vector<std::byte> test_header(Analysis& a) {
-  std::vector<std::byte> header(TestHeader::kMessage);
-  const Type* message = a.type_table().string(ElementaryType::String, TestHeader::kMessageCapacity);
-  header.insert(header.end(), message->initial.begin(), message->initial.end());
-  header.resize(TestHeader::kMessage + message->size);
-  return header;
 }
 
 bool has_main(const syntax::Unit& unit, std::size_t user_pous) {

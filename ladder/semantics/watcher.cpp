@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "ladder/semantics/internal/statement_analyzer.h"
+#include "ladder/semantics/statements/statement_analyzer.h"
 #include "runtime/ground/naming/ascii_names.h"
 
 namespace stepwright::semantics::internal {

@@ -10,7 +10,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "ladder/semantics/model.h"
+#include "ladder/semantics/model/model.h"
 
 namespace stepwright::lint::internal {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "ladder/semantics/analyze.h"
-#include "ladder/semantics/internal/declarer.h"
+#include "ladder/semantics/declarations/declarer.h"
 
 namespace stepwright::semantics::internal {
 
@@ -18,9 +18,6 @@ void check_mocks(Analysis& analysis, TypeResolver& types, const syntax::Unit& un
 
 // Behind all other POUs of the model.
 void register_tests(Analysis& analysis, const TestGroup& group);
-
-// First bytes of a test's instance (TestHeader).
-std::vector<std::byte> test_header(Analysis& analysis);
 
 // Whether the unit says what runs while a test waits: a configuration, or a single program.
 bool has_main(const syntax::Unit& unit, std::size_t user_pous);

@@ -8,7 +8,7 @@
 //
 // Thread rule: one analysis, one thread.
 
-#include "ladder/semantics/internal/analysis.h"
+#include "ladder/semantics/analysis/analysis.h"
 
 namespace stepwright::semantics::internal {
 

@@ -1,4 +1,4 @@
-#include "ladder/semantics/constant.h"
+#include "ladder/semantics/types/constant.h"
 
 #include <gtest/gtest.h>
 

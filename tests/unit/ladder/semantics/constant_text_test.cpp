@@ -1,4 +1,4 @@
-#include "ladder/semantics/constant_text.h"
+#include "ladder/semantics/constants/constant_text.h"
 
 #include <gtest/gtest.h>
 

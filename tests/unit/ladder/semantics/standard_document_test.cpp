@@ -3,7 +3,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "ladder/semantics/internal/standard_analyzer.h"
+#include "ladder/semantics/standard_functions/standard_analyzer.h"
 
 namespace {
 

@@ -1,8 +1,8 @@
-#include "ladder/semantics/type.h"
+#include "ladder/semantics/types/type.h"
 
 #include <gtest/gtest.h>
 
-#include "ladder/semantics/constant.h"
+#include "ladder/semantics/types/constant.h"
 
 namespace {
 
