@@ -59,7 +59,9 @@ void add_runtime(const host::RuntimeStatus& runtime, json& out) {
 
 // What only a cell with a fleet has; overlaps are counted by the plant's own judge.
 void add_fleet(const run::Report& report, json& out) {
-  const json document = json::parse(report.record.fleet, nullptr, false);
+  const auto found = report.record.details.find("fleet");  // supervisor/doc/fleet_executive.md
+  const json document =
+      found == report.record.details.end() ? json() : json::parse(found->second, nullptr, false);
   if (!document.is_object()) return;
   json& fleet = out["fleet"] = json::object();
   std::uint64_t delivered = 0;

@@ -1,8 +1,8 @@
 #pragma once
 
-// Pictures of a plan for the page: a floor seen from above, an automaton, a cell of arms. A mission shows
-// them when it has a plan (Mission::show). What moves is not in them: they name the variables of the program
-// that tell it, which the page has live (supervisor/doc/pictures.md).
+// Pictures of a plan for the page: a floor seen from above, an automaton, and what a mission draws of its own
+// kind. A mission shows them when it has a plan (Mission::show). What moves is not in them: they name the
+// variables of the program that tell it, which the page has live (supervisor/doc/pictures.md).
 //
 //   Pictures pictures;
 //   pictures.floors.push_back({.id = "floor", .border = hall.ring, .progress = "arc"});
@@ -17,7 +17,6 @@
 #include <vector>
 
 #include "supervisor/geometry/point.h"
-#include "supervisor/run/arms_picture.h"
 
 namespace stepwright::run {
 
@@ -107,10 +106,17 @@ struct AutomatonPicture {
   std::size_t left_out = 0;   // so many states are more than can be drawn
 };
 
+// A picture of a mission's own kind, which its folder writes: an object with `kind` and `id`, and an empty
+// list `left_out`.
+struct OwnPicture {
+  std::string json{};
+  std::vector<std::string> dispensable{};  // keys that it is worth looking at without, the least first
+};
+
 struct Pictures {
   std::vector<FloorPicture> floors{};
   std::vector<AutomatonPicture> automata{};
-  std::vector<ArmsPicture> arms{};
+  std::vector<OwnPicture> own{};
 };
 
 // JSON text of at most dds::kMaxPicturesBytes: what is too long is left out, and the picture says what that

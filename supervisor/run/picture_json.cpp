@@ -1,10 +1,13 @@
 #include "supervisor/run/picture.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "runtime/dds/plan_channel.h"
-#include "supervisor/run/internal/arms_picture_json.h"
 #include "supervisor/run/internal/record_json.h"
 
 namespace stepwright::run {
@@ -129,8 +132,8 @@ json automaton_json(const AutomatonPicture& automaton) {
           {"left_out", automaton.left_out}};
 }
 
-// What a picture is still worth looking at without, the least first.
-constexpr std::array kDispensable = {"regions", "earlier_m", "swept", "walls", "ways", "bodies"};
+// What a floor is still worth looking at without, the least first.
+constexpr std::array kDispensable = {"regions", "earlier_m", "swept", "walls"};
 
 }  // namespace
 
@@ -138,10 +141,15 @@ std::string to_json(const Pictures& pictures) {
   json all = json::array();
   for (const FloorPicture& floor : pictures.floors) all.push_back(floor_json(floor));
   for (const AutomatonPicture& automaton : pictures.automata) all.push_back(automaton_json(automaton));
-  for (const ArmsPicture& arms : pictures.arms) all.push_back(internal::arms_json(arms));
+  std::vector<std::string> dispensable(kDispensable.begin(), kDispensable.end());
+  for (const OwnPicture& own : pictures.own) {
+    all.push_back(json::parse(own.json, nullptr, /*allow_exceptions=*/false));
+    for (const std::string& part : own.dispensable)
+      if (std::ranges::find(dispensable, part) == dispensable.end()) dispensable.push_back(part);
+  }
   json document = {{"pictures", std::move(all)}};
   std::string text = internal::text_of(document);
-  for (const char* part : kDispensable) {
+  for (const std::string& part : dispensable) {
     if (text.size() <= dds::kMaxPicturesBytes) return text;
     for (json& one : document["pictures"])
       if (one.erase(part) > 0) one["left_out"].push_back(part);

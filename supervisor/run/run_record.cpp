@@ -165,7 +165,8 @@ json record_json(const RunRecord& record) {
                    {"started_s", record.started_s},
                    {"finished_s", record.finished_s},
                    {"makespan_s", record.finished_s - record.started_s}};
-  if (!record.fleet.empty()) document["fleet"] = json::parse(record.fleet, nullptr, false);
+  for (const auto& [name, text] : record.details)
+    if (!document.contains(name)) document[name] = json::parse(text, nullptr, false);
   if (!record.episodes.empty()) {  // viewers show the newest plan
     const json& newest = document["episodes"].back();
     document["program_digest"] = newest["digest"];
@@ -198,7 +199,11 @@ RunRecord record_from(const json& value) {
   value.at("tare").get_to(record.tare);
   record.started_s = value.at("started_s");
   record.finished_s = value.at("finished_s");
-  if (value.contains("fleet")) record.fleet = text_of(value.at("fleet"));
+  RunRecord whole;
+  whole.episodes.emplace_back();
+  const json own = record_json(whole);
+  for (const auto& [name, detail] : value.items())
+    if (!own.contains(name)) record.details[name] = text_of(detail);
   return record;
 }
 

@@ -106,8 +106,8 @@ struct RunRecord {
   std::map<std::string, double> tare;      // bias of each sensor in raw counts; empty until it is identified
   double started_s = 0.0;                  // first action of the first episode
   double finished_s = 0.0;                 // last action of the last episode
-  // Of a cell with a fleet: its plan and where it stands, as JSON (supervisor/doc/fleet_executive.md).
-  std::string fleet{};
+  // What only one kind of mission has, by a name of its own that no other part of the record has, as JSON.
+  std::map<std::string, std::string> details{};
 
   friend bool operator==(const RunRecord&, const RunRecord&) = default;
 };

@@ -5,7 +5,7 @@
 // nearly all of it. Pure functions.
 //
 //   const std::string plan = plan_document(prepared, problem);
-//   record.fleet = fleet_document({.plan = &plan, .follow = &follow, .ledger = &ledger, ...});
+//   record.details[kFleetDetails] = fleet_document({.plan = &plan, .follow = &follow, ...});
 
 #include <cstdint>
 #include <string>
@@ -17,6 +17,9 @@
 #include "supervisor/fleet/prepare/prepare_fleet.h"
 
 namespace stepwright::fleet {
+
+// Its name among the details of a run's record.
+inline constexpr const char* kFleetDetails = "fleet";
 
 struct DocumentInput {
   const std::string* plan = nullptr;  // of plan_document; none of these is null

@@ -204,18 +204,18 @@ void FleetExecutive::publish(bool now) {
 }
 
 void FleetExecutive::renew_document() {
-  if (planless()) record_.fleet.clear();  // the plan before holds no more
+  if (planless()) record_.details.erase(kFleetDetails);  // the plan before holds no more
   if (!follow_ || !plan_ || planless()) return;
   std::vector<bool> stuck;
   for (std::uint32_t v = 0; v < ledger_.vehicles().size(); ++v) stuck.push_back(shut_in(v));
-  record_.fleet = fleet_document({.plan = &plan_document_,
-                                  .follow = &*follow_,
-                                  .ledger = &ledger_,
-                                  .blocked = &blocked_,
-                                  .shut_in = std::move(stuck),
-                                  .epoch_s = epoch_s_,
-                                  .first_epoch_s = first_epoch_s_,
-                                  .revision = revision_});
+  record_.details[kFleetDetails] = fleet_document({.plan = &plan_document_,
+                                                   .follow = &*follow_,
+                                                   .ledger = &ledger_,
+                                                   .blocked = &blocked_,
+                                                   .shut_in = std::move(stuck),
+                                                   .epoch_s = epoch_s_,
+                                                   .first_epoch_s = first_epoch_s_,
+                                                   .revision = revision_});
 }
 
 }  // namespace stepwright::fleet

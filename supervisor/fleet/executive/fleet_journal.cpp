@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "supervisor/fleet/executive/fleet_document.h"
 #include "supervisor/run/internal/journal_json.h"
 
 namespace stepwright::fleet {
@@ -180,7 +181,7 @@ const char* own_from(const json& document, FleetJournal& journal) {
 
 result::Result<void> write_fleet_journal(const std::filesystem::path& file, const FleetJournal& journal) {
   run::Journal kept = journal;
-  kept.record.fleet.clear();
+  kept.record.details.erase(kFleetDetails);
   json blocked = json::array();
   for (const Blocked& place : journal.blocked)
     blocked.push_back({{"name", place.name}, {"area", area_json(place.area)}});

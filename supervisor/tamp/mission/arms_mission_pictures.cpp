@@ -4,13 +4,13 @@
 #include <utility>
 
 #include "supervisor/tamp/mission/arms_mission.h"
-#include "supervisor/tamp/pictures/arms_picture.h"
+#include "supervisor/tamp/pictures/draw_arms.h"
 
 namespace stepwright::tamp::mission {
 namespace {
 
 run::Pictures pictures_of(const pictures::ArmsPictureInput& input) {
-  run::ArmsPicture picture = pictures::arms_picture(input);
+  pictures::ArmsPicture picture = pictures::arms_picture(input);
   for (const scene::Thing& each : input.cell->things) {
     const int kind = kind_of(each);
     const bool known = std::ranges::any_of(picture.kinds, [&](const auto& one) { return one.kind == kind; });
@@ -18,7 +18,7 @@ run::Pictures pictures_of(const pictures::ArmsPictureInput& input) {
   }
   picture.kinds.push_back({kObstacle, "obstacle"});
   run::Pictures all;
-  all.arms.push_back(std::move(picture));
+  all.own.push_back(page_picture(picture));
   return all;
 }
 

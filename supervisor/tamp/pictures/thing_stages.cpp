@@ -9,7 +9,7 @@ namespace {
 using motion::Transform;
 using schedule::ScheduledStep;
 using schedule::StepKind;
-using Stage = run::ArmsPicture::Stage;
+using Stage = ArmsPicture::Stage;
 
 // A hand that takes something or lets it go.
 struct Event {
@@ -54,7 +54,7 @@ Stage stage_of(const scene::RobotCell& cell, const Carried& now, int arm, double
 
 }  // namespace
 
-run::PicturePlace drawn(const Transform& place) {
+PicturePlace drawn(const Transform& place) {
   return {place.rotation.m, {place.position_m.x, place.position_m.y, place.position_m.z}};
 }
 

@@ -5,17 +5,17 @@
 
 #include <vector>
 
-#include "supervisor/run/arms_picture.h"
+#include "supervisor/tamp/pictures/arms_picture.h"
 #include "supervisor/tamp/scene/geometric_state.h"
 #include "supervisor/tamp/schedule/arm_schedule.h"
 
 namespace stepwright::tamp::pictures {
 
-run::PicturePlace drawn(const motion::Transform& place);
+PicturePlace drawn(const motion::Transform& place);
 
 // By thing. Frames of the picture are the robot's links. `schedule` may be null: they stay where they are.
-std::vector<std::vector<run::ArmsPicture::Stage>> thing_stages(const scene::RobotCell& cell,
-                                                               const scene::GeometricState& start,
-                                                               const schedule::CellSchedule* schedule);
+std::vector<std::vector<ArmsPicture::Stage>> thing_stages(const scene::RobotCell& cell,
+                                                          const scene::GeometricState& start,
+                                                          const schedule::CellSchedule* schedule);
 
 }  // namespace stepwright::tamp::pictures

@@ -37,7 +37,8 @@ struct Missing {
 
 Missing missing_of(const run::RunRecord& record) {
   Missing missing;
-  const json fleet = json::parse(record.fleet, nullptr, false);
+  const auto found = record.details.find(fleet::kFleetDetails);
+  const json fleet = found == record.details.end() ? json() : json::parse(found->second, nullptr, false);
   if (!fleet.is_object()) return {"there is no document of the fleet", true};
   for (const json& goal : fleet.at("goals")) {
     if (goal.at("delivered") >= goal.at("amount")) continue;

@@ -35,7 +35,7 @@ TEST(FleetExecutiveRun, WhenSomethingIsOrderedMeanwhile_ThenAllIsDeliveredAndNob
   EXPECT_GE(hall.controller().changes(), 2);  // to rest, and to the new plan
   EXPECT_EQ(hall.controller().stops(), 1);    // at the end
   hall.expect_clean();
-  EXPECT_NE(record.fleet.find("\"revision\":2"), std::string::npos);
+  EXPECT_NE(record.details.at("fleet").find("\"revision\":2"), std::string::npos);
 }
 
 TEST(FleetExecutiveRun, WhenNobodyCanDoWhatIsLeft_ThenTheOutputsAreSafeAndItIsSaidWhatIsMissing) {

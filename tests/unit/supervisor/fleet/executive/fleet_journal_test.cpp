@@ -13,7 +13,7 @@ namespace {
 FleetJournal sample() {
   FleetJournal journal;
   journal.record.phase = run::Phase::Executing;
-  journal.record.fleet = R"({"revision": 1})";
+  journal.record.details["fleet"] = R"({"revision": 1})";
   journal.clock = {42.5, 12.5, 7};
   journal.next_request = 2;
   journal.ledger.vehicles.resize(1);
@@ -34,7 +34,7 @@ TEST(FleetJournal, WhenWrittenAndRead_ThenItIsTheSameWithoutTheDocument) {
   const auto read = read_fleet_journal(file);
   ASSERT_TRUE(read.has_value() && read->has_value()) << result::to_string(read.error());
   EXPECT_EQ((*read)->record.phase, run::Phase::Executing);
-  EXPECT_EQ((*read)->record.fleet, "");
+  EXPECT_TRUE((*read)->record.details.empty());
   EXPECT_EQ((*read)->clock.now_s, 42.5);
   EXPECT_EQ((*read)->clock.incarnation, 7u);
   EXPECT_EQ((*read)->next_request, 2u);

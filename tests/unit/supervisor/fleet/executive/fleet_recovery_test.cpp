@@ -22,7 +22,7 @@ using run::Response;
 using run::RunRecord;
 
 std::string state_of(const RunRecord& record, std::size_t vehicle) {
-  return nlohmann::json::parse(record.fleet)["vehicles"][vehicle]["state"];
+  return nlohmann::json::parse(record.details.at("fleet"))["vehicles"][vehicle]["state"];
 }
 
 bool told(const RunRecord& record, const std::string& words) {
@@ -294,7 +294,7 @@ TEST(FleetConstraints, WhenTheFirstOneIsAboardOfALostVehicle_ThenItIsToldThatThe
   SCOPED_TRACE(story(record));
   EXPECT_TRUE(told(record, "'crate first' does not bind: what it counts from will not happen"));
   EXPECT_GT(finished_s(record, "set_down 1 drum"), 30.0);
-  const auto document = nlohmann::json::parse(record.fleet);
+  const auto document = nlohmann::json::parse(record.details.at("fleet"));
   for (const auto& goal : document["goals"]) {
     if (goal["name"] != "crate") continue;
     EXPECT_EQ(goal["reason"], "1 aboard of truck 2, which is lost");
@@ -333,7 +333,7 @@ TEST(FleetConstraints, WhenAnUpperBoundCannotBeKeptInTheNextPlan_ThenItIsToldAnd
   const std::string& evidence = record.incidents.front().evidence.back();
   EXPECT_TRUE(evidence.starts_with("not to be kept any more:")) << evidence;
   EXPECT_NE(evidence.find("fresh"), std::string::npos);
-  EXPECT_TRUE(nlohmann::json::parse(record.fleet)["goals"][1]["late"]);
+  EXPECT_TRUE(nlohmann::json::parse(record.details.at("fleet"))["goals"][1]["late"]);
   EXPECT_GT(finished_s(record, "set_down 1 drum"), 85.0);
   hall.expect_clean();
 }

@@ -49,7 +49,7 @@ TEST(FleetStart, WhenAnOperatorStartsRuns_ThenThePlanIsShownAndNothingIsDownload
     ASSERT_EQ(now.episodes.size(), 1u);
     EXPECT_FALSE(now.episodes[0].actions.empty());
     EXPECT_GT(now.episodes[0].planned_makespan_s, 0.0);
-    EXPECT_NE(now.fleet.find("\"revision\":1"), std::string::npos) << "the page shows the ways";
+    EXPECT_NE(now.details.at("fleet").find("\"revision\":1"), std::string::npos) << "the page shows the ways";
     EXPECT_FALSE(hall.controller().program()) << "nothing was downloaded";
     EXPECT_EQ(code(waiting.executive->request(HoldChange{})), "X0008");
     EXPECT_EQ(code(waiting.executive->request_start()), "");
@@ -141,7 +141,7 @@ TEST(FleetStart, WhenABlockedPlaceLeavesNoPlanWhileItWaits_ThenItWaitsUntilThePl
     if (!planless(now)) return (void)waiting.executive->request_start();
     if (++waits > 1) return;
     EXPECT_TRUE(now.message.starts_with("there is no plan, and nothing can be started: ")) << now.message;
-    EXPECT_TRUE(now.fleet.empty());
+    EXPECT_FALSE(now.details.contains("fleet"));
     EXPECT_EQ(code(waiting.executive->request_start()), "X0008");
     EXPECT_EQ(code(waiting.executive->request(HoldChange{})), "X0008");
     EXPECT_EQ(code(waiting.executive->request(UnblockChange{"spill"})), "");

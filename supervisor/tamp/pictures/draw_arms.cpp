@@ -1,4 +1,4 @@
-#include "supervisor/tamp/pictures/arms_picture.h"
+#include "supervisor/tamp/pictures/draw_arms.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,9 +14,6 @@ namespace {
 
 using motion::Transform;
 using motion::Vector3;
-using run::ArmsPicture;
-using run::PictureSolid;
-using run::PictureValue;
 
 constexpr std::size_t kMostFaces = 160;  // of a mesh
 constexpr double kLookEvery_s = 0.02;
@@ -24,7 +21,7 @@ constexpr double kWayPoint_m = 0.01;
 constexpr double kTenth_mm = 1e-4;  // what terminals count in, m
 constexpr double kAngle_rad = 1e-4;
 
-run::PicturePoint point_of(Vector3 point) {
+PicturePoint point_of(Vector3 point) {
   return {point.x, point.y, point.z};
 }
 

@@ -1,9 +1,10 @@
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <utility>
 
-#include "supervisor/run/internal/arms_picture_json.h"
+#include "supervisor/tamp/pictures/arms_picture.h"
 
-namespace stepwright::run::internal {
+namespace stepwright::tamp::pictures {
 namespace {
 
 using nlohmann::json;
@@ -173,8 +174,6 @@ json kind_json(const ArmsPicture::Kind& kind) {
   return {{"kind", kind.kind}, {"name", kind.name}};
 }
 
-}  // namespace
-
 json arms_json(const ArmsPicture& picture) {
   return {{"kind", "arms"},
           {"id", picture.id},
@@ -195,4 +194,10 @@ json arms_json(const ArmsPicture& picture) {
           {"left_out", json::array()}};
 }
 
-}  // namespace stepwright::run::internal
+}  // namespace
+
+run::OwnPicture page_picture(const ArmsPicture& picture) {
+  return {arms_json(picture).dump(-1, ' ', false, json::error_handler_t::replace), {"ways", "bodies"}};
+}
+
+}  // namespace stepwright::tamp::pictures

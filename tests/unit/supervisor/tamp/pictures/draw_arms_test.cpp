@@ -1,7 +1,7 @@
 // The picture of a cell of arms: its joints beside the planner's kinematics, its things beside the plan, its
 // names beside the compiled program.
 
-#include "supervisor/tamp/pictures/arms_picture.h"
+#include "supervisor/tamp/pictures/draw_arms.h"
 
 #include <gtest/gtest.h>
 
@@ -22,7 +22,6 @@ namespace {
 
 using motion::Transform;
 using motion::Vector3;
-using run::ArmsPicture;
 using Values = std::map<std::string, double>;
 
 const test::PlannedArms& planned() {
@@ -50,15 +49,15 @@ ArmsPicture pictured() {
 }
 
 // What the page does with a picture, in the same words.
-Transform placed(const run::PicturePlace& place) {
+Transform placed(const PicturePlace& place) {
   return {motion::Rotation{place.rotation}, {place.at_m[0], place.at_m[1], place.at_m[2]}};
 }
 
-Vector3 vector(const run::PicturePoint& point) {
+Vector3 vector(const PicturePoint& point) {
   return {point[0], point[1], point[2]};
 }
 
-double value_of(const run::PictureValue& value, const Values& known) {
+double value_of(const PictureValue& value, const Values& known) {
   if (value.variable.empty()) return value.offset;
   const auto found = known.find(value.variable);
   return value.factor * (found == known.end() ? value.rest : found->second) + value.offset;
