@@ -10,7 +10,9 @@ namespace {
 using nlohmann::json;
 
 TEST(RunRecord, WhenAMissionHasDetails_ThenTheyStandBesideTheOtherPartsAndAreReadBack) {
-  RunRecord record{.cell = "yard", .phase = Phase::Executing, .message = "the cranes work"};
+  RunRecord record;
+  record.cell = "yard";
+  record.message = "the cranes work";
   record.episodes.emplace_back();
   record.details["cranes"] = R"({"moved":3})";
   record.details["yard"] = R"(["north","south"])";
@@ -23,7 +25,8 @@ TEST(RunRecord, WhenAMissionHasDetails_ThenTheyStandBesideTheOtherPartsAndAreRea
 }
 
 TEST(RunRecord, WhenADetailIsNamedLikeAPartOfTheRecord_ThenThePartStays) {
-  RunRecord record{.cell = "yard", .message = "of the run"};
+  RunRecord record;
+  record.message = "of the run";
   record.details["message"] = R"("of the mission")";
   EXPECT_EQ(json::parse(to_json(record))["message"], "of the run");
 }
