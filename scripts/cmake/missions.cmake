@@ -12,10 +12,10 @@ foreach(mission IN LISTS STEPWRIGHT_MISSIONS)
   endif()
 endforeach()
 
-# Of the planners, those whose folder under FOLDER is not added to the build by name.
+# Adds the planners' folders under FOLDER to the build.
 function(stepwright_add_missions folder)
   foreach(mission IN LISTS STEPWRIGHT_MISSIONS)
-    if(NOT mission IN_LIST ARGN AND EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}${mission}/CMakeLists.txt)
+    if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}${mission}/CMakeLists.txt)
       add_subdirectory(${folder}${mission})
     endif()
   endforeach()
