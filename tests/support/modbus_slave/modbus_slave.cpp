@@ -90,12 +90,13 @@ void ModbusSlave::answer(const std::uint8_t* query, int length) {
   const int header = modbus_get_header_length(peer_->context);
   const std::uint8_t unit = query[header - 1];
   ++by_unit_[unit];
+  const bool silent = silent_[unit];  // as it is when the request is counted
   {
     const std::scoped_lock lock(mutex_);
     history_.emplace_back(query + header, query + length - (serial_ ? 2 : 0));
   }
   ++requests_;
-  if (silent_[unit]) return;
+  if (silent) return;
   if (delay_ms_ > 0) std::this_thread::sleep_for(std::chrono::milliseconds(delay_ms_));
   const std::scoped_lock lock(mutex_);
   if (exception_ > 0) {

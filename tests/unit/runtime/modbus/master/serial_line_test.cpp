@@ -86,6 +86,8 @@ TEST_F(SerialLine, WhenNoiseIsOnTheLine_ThenItIsThrownAway) {
   std::array<std::uint16_t, 1> word{};
   line.set_timeout(50ms);
   EXPECT_EQ(line.read_registers(RegisterTable::Holding, 0, word).fault, Fault::Timeout);
+  for (int i = 0; i < 6'000 && slave.requests() < 1; ++i) std::this_thread::sleep_for(10ms);
+  ASSERT_EQ(slave.requests(), 1) << "a slow slave would answer it later on";
   slave.silence(1, false);
   slave.answer_after_ms(100);
   EXPECT_EQ(line.read_registers(RegisterTable::Holding, 0, word).fault, Fault::Timeout);
