@@ -5,14 +5,18 @@
 // Thread rule: one parse, one object. Every function takes its text from the stream and returns false after
 // reporting an error.
 
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "supervisor/htn/syntax/syntax_tree.h"
-#include "supervisor/lisp/token_stream.h"
+#include "supervisor/lisp/effect_parser.h"
 
 namespace stepwright::htn {
 
-class FormulaParser {
+class FormulaParser : public lisp::EffectParser<FormulaParser, ParsedEffect> {
  public:
-  explicit FormulaParser(lisp::TokenStream& tokens) : tokens_(tokens) {}
+  explicit FormulaParser(lisp::TokenStream& tokens) : EffectParser(tokens) {}
 
   // "(name ?x - t ...)".
   bool declaration(ParsedSymbol& symbol);
@@ -21,19 +25,19 @@ class FormulaParser {
   // "(name term ...)".
   bool call(ParsedCall& call);
   bool formula(ParsedFormula& formula);
-  bool effect(ParsedEffect& effect);
 
  private:
+  friend class lisp::EffectParser<FormulaParser, ParsedEffect>;
+
   bool term(ParsedTerm& term);
   bool arguments(ParsedCall& call);
   bool connective(ParsedFormula& formula, FormulaKind kind);
   bool quantified(ParsedFormula& formula, FormulaKind kind);
   bool equality(ParsedFormula& formula);
-  bool effect_body(ParsedEffect& effect, const std::string& head);
+  bool quantifier(std::vector<TypedName>& variables) { return parameters(variables); }
+  std::optional<bool> change(ParsedEffect& effect, const std::string& head);
   bool cost(ParsedEffect& effect);
   bool close() { return tokens_.expect(lisp::TokenKind::Close, "')'"); }
-
-  lisp::TokenStream& tokens_;
 };
 
 }  // namespace stepwright::htn

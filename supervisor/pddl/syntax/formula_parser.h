@@ -5,14 +5,19 @@
 // Thread rule: one parse, one object. Every function takes its text from the stream and returns false after
 // reporting an error.
 
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "supervisor/lisp/effect_parser.h"
 #include "supervisor/pddl/definition/ast.h"
 #include "supervisor/pddl/syntax/notation.h"
 
 namespace stepwright::pddl {
 
-class FormulaParser {
+class FormulaParser : public lisp::EffectParser<FormulaParser, Effect> {
  public:
-  explicit FormulaParser(TokenStream& tokens) : tokens_(tokens) {}
+  explicit FormulaParser(TokenStream& tokens) : EffectParser(tokens) {}
 
   // "a b - t c" up to, not including, the closing parenthesis. `kind` is Name or Variable.
   bool typed_list(TokenKind kind, std::vector<Typed>& list);
@@ -21,13 +26,14 @@ class FormulaParser {
   bool declaration(Symbol& symbol);
 
   bool formula(Formula& formula);
-  bool effect(Effect& effect);
   bool expression(Expression& expression);
 
   // "(name term ...)".
   bool call(Call& call);
 
  private:
+  friend class lisp::EffectParser<FormulaParser, Effect>;
+
   bool arguments(Call& call);
   bool term(Term& term);
   bool compare(Formula& formula);
@@ -36,11 +42,9 @@ class FormulaParser {
   bool quantified(Formula& formula, FormulaKind kind);
   bool connective(Formula& formula, FormulaKind kind);
   bool numeric_effect(Effect& effect, ChangeKind change);
-  bool effect_body(Effect& effect, const std::string& head);
+  std::optional<bool> change(Effect& effect, const std::string& head);
   bool operation(Expression& expression, const std::string& symbol);
   bool close() { return tokens_.expect(TokenKind::Close, "')'"); }
-
-  TokenStream& tokens_;
 };
 
 }  // namespace stepwright::pddl
