@@ -42,8 +42,14 @@ bool took_place_of(const Cluster& now, const Cluster& before) {
   return now.kind == before.kind && now.in_newest && now.first > before.last;
 }
 
+bool is_near(const Cluster& cluster, const std::vector<scene::Pose>& poses) {
+  return std::ranges::any_of(poses,
+                             [&](const scene::Pose& pose) { return far(cluster.mean(), pose) < kSame_m; });
+}
+
 // More than half of the reports have it; or two, where a thing was believed to be. None where something was
-// and is no more.
+// and is no more, as it has come to where nothing was believed to be: of what is only not seen for a while,
+// others that are seen again say nothing.
 std::vector<Cluster> clusters_of(const std::vector<Report>& reports, const std::vector<scene::Pose>& before) {
   std::vector<Cluster> clusters;
   for (std::size_t number = 0; number < reports.size(); ++number)
@@ -53,19 +59,17 @@ std::vector<Cluster> clusters_of(const std::vector<Report>& reports, const std::
       };
       auto found = std::ranges::find_if(clusters, same);
       if (found == clusters.end()) found = clusters.insert(found, {each.kind, {}, number, number});
-      found->in_newest =
-          number + 1 == reports.size() && found->last + 2 >= reports.size() && !found->poses.empty();
+      found->in_newest = found->in_newest || (number + 1 == reports.size() && found->last + 1 == number);
       found->last = number;
       found->poses.push_back(each.pose);
     }
   const std::vector<Cluster> all = clusters;
   std::erase_if(clusters, [&](const Cluster& each) {
-    return std::ranges::any_of(all, [&](const Cluster& other) { return took_place_of(other, each); });
+    return std::ranges::any_of(
+        all, [&](const Cluster& other) { return took_place_of(other, each) && !is_near(other, before); });
   });
   std::erase_if(clusters, [&](const Cluster& each) {
-    const auto was_there = [&](const scene::Pose& pose) { return far(each.mean(), pose) < kSame_m; };
-    return 2 * each.poses.size() <= reports.size() &&
-           (each.poses.size() < 2 || std::ranges::none_of(before, was_there));
+    return 2 * each.poses.size() <= reports.size() && (each.poses.size() < 2 || !is_near(each, before));
   });
   return clusters;
 }

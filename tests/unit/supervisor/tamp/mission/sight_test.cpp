@@ -81,6 +81,15 @@ TEST(ArmsSight, WhenAThingIsMovedWhileItIsLookedAt_ThenItIsNotBelievedWhereItWas
       << "one report alone may be of what is not there";
 }
 
+TEST(ArmsSight, WhenOneIsNotSeenFromThenOnAsAnotherIsSeen_ThenNothingHasMoved) {
+  const scene::RobotCell cell = two_cups();
+  std::vector<Report> reports(5);
+  for (std::size_t k = 0; k < reports.size(); ++k)
+    reports[k].push_back({kCup, cell.things[k < 3 ? 0 : 1].start});
+  const Sight sight = agree(cell, reports, starts(cell));
+  EXPECT_TRUE(sight.things[0] && sight.things[1]);
+}
+
 TEST(ArmsSight, WhenThereIsMoreThanTheCellHas_ThenItIsAStranger) {
   const scene::RobotCell& cell = testing::paper_cell();
   const std::vector<Report> reports(
