@@ -156,6 +156,19 @@ async function wholeHalfSecond(page) {
   return whole;
 }
 
+// The end of the first part of the history behind that time that has a value: on a busy machine not any part has.
+async function goesOn(page, afterMs, since) {
+  let end;
+  await until(`${since} the history goes on`, async () => {
+    const to = Math.max(afterMs + 1_000, Date.now() - SHIFT_MS);
+    const { known_ms: known, from_ms: first, column_ms: width, series } = await get(page, `/api/history/trend?tags=Main.total&from_ms=${afterMs}&to_ms=${to}&columns=25`);
+    const at = series[0].last.findIndex((value) => value !== null);
+    end = Math.ceil(first + (at + 1) * width);
+    return known > to && at >= 0;
+  });
+  return end;
+}
+
 // What was sent meanwhile never comes: the history must not draw what nobody saw. For `ms`; the part of it, in ms, of which
 // the history knows nothing.
 async function theServerStandsStill(page, cell, ms) {
@@ -165,14 +178,9 @@ async function theServerStandsStill(page, cell, ms) {
   await new Promise((resolve) => setTimeout(resolve, ms));
   const toMs = Date.now();
   process.kill(cell.pid('hmi'), 'SIGCONT');
-  const window = `tags=Main.total&from_ms=${whole.from}&to_ms=${toMs + 1_000}`;
-  const trend = () => get(page, `/api/history/trend?${window}&columns=200`);
-  await until(`after ${toMs - fromMs} ms the history goes on`, async () => {
-    const { now_ms: now, series } = await trend();
-    return now > toMs + 1_200 && series[0].last.at(-1) !== null;
-  });
+  const window = `tags=Main.total&from_ms=${whole.from}&to_ms=${await goesOn(page, toMs, `after ${toMs - fromMs} ms`)}`;
   const table = await page.evaluate(async (where) => (await fetch(where)).text(), `/api/history/export.csv?${window}`);
-  const { from_ms: first, column_ms: width, series } = await trend();
+  const { from_ms: first, column_ms: width, series } = await get(page, `/api/history/trend?${window}&columns=200`);
   const known = series[0].last.map((value, i) => ({ at: first + i * width, value }));
   const lost = await unknownIn(page, whole);
   check(lost.length === 0, `it has what was before ${lost.join(' ')}`);
