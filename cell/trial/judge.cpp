@@ -11,6 +11,7 @@
 #include "cell/trial/level_change.h"
 #include "cell/trial/swapped_tags.h"
 #include "supervisor/translate/change.h"
+#include "supervisor/translate/pattern.h"
 
 namespace stepwright::trial {
 namespace {
@@ -32,20 +33,6 @@ std::string range_of(std::vector<double> values) {
   for (const double value : values) sum += value;
   const std::string mean = number(sum / static_cast<double>(values.size()));
   return number(low) == number(high) ? mean : mean + " (" + number(low) + " to " + number(high) + ")";
-}
-
-// "(level t1)" as "level" and "t1".
-std::vector<std::string> parts_of(const std::string& atom) {
-  std::vector<std::string> parts;
-  std::string part;
-  for (const char c : atom + " ") {
-    if (c != '(' && c != ')' && c != ' ') {
-      part += c;
-    } else if (!part.empty()) {
-      parts.push_back(std::exchange(part, {}));
-    }
-  }
-  return parts;
 }
 
 class Judge {
@@ -93,14 +80,13 @@ class Judge {
 
   // "(level t1)" of (fill t1) as (level ?t), in that direction: a subject.
   std::string in_entry(const char* direction, const std::string& atom) const {
-    std::string text = direction;
-    for (const std::string& part : parts_of(atom)) {
+    auto pattern = translate::parse_pattern(atom).value_or(translate::Pattern{atom, {}});
+    for (std::string& argument : pattern.arguments) {
       const auto parameter =
-          std::ranges::find_if(assignment_, [&](const auto& each) { return each.second == part; });
-      const bool head = text == direction;
-      text += " " + (head ? part : parameter == assignment_.end() ? std::string("?") : parameter->first);
+          std::ranges::find_if(assignment_, [&](const auto& each) { return each.second == argument; });
+      argument = parameter == assignment_.end() ? "?" : parameter->first;
     }
-    return text;
+    return std::string(direction) + " " + translate::to_string(pattern);
   }
 
   std::string times(const Runs& runs) const {

@@ -164,12 +164,12 @@ class HomeFinder {
   }
 
   // Rows of the line up to which the arm stays as far from the others as the interlock wants, or as it is.
-  std::size_t rows_apart(std::size_t arm, const motion::JointPath& line) const {
+  std::size_t rows_apart(std::size_t arm, const motion::JointPath& line) {
     if (line.size() < 2) return line.size();
-    std::vector<schedule::ArmCapsules> empty;
-    for (std::size_t k = 0; k < cell_.arms.size(); ++k) empty.push_back(schedule::arm_capsules(cell_, k));
-    const std::vector<schedule::Capsule> others = schedule::others_at(empty, cell_, state_, arm);
-    const schedule::ArmCapsules own = schedule::with_held(empty[arm], cell_, state_, arm);
+    for (std::size_t k = empty_.size(); k < cell_.arms.size(); ++k)
+      empty_.push_back(schedule::arm_capsules(cell_, k));
+    const std::vector<schedule::Capsule> others = schedule::others_at(empty_, cell_, state_, arm);
+    const schedule::ArmCapsules own = schedule::with_held(empty_[arm], cell_, state_, arm);
     const auto room_m = [&](const motion::Configuration& row) {
       return schedule::distance_of(schedule::capsules_at(own, row), others);
     };
@@ -184,6 +184,7 @@ class HomeFinder {
   predicates::Workspace workspace_;
   scene::GeometricState state_;
   std::vector<Settled> settled_;
+  std::vector<schedule::ArmCapsules> empty_;  // of each arm, once they are asked for
   std::string why_;
   predicates::FailureKind kind_ = predicates::FailureKind::Impossible;  // of the last refusal
 };

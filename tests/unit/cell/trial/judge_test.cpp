@@ -82,12 +82,15 @@ TEST(JudgeRuns, WhenAnotherLevelChanges_ThenTheDomainIsSilentOfIt) {
   const Findings problems = judge_runs(binding(), std::vector{run});
   ASSERT_EQ(codes(problems), Codes{"B0029"});
   EXPECT_EQ(problems.front().hint, "(decrease (level t2) 2) in the effect");
+  EXPECT_EQ(problems.front().subject, "decrease (level ?)") << "of a tank that the action does not name";
 }
 
 TEST(JudgeRuns, WhenAFactComesOfWhichNobodySpoke_ThenItIsNamed) {
   ActionRun run = run_of(10, 11);
   run.after["(full t1)"] = 1.0;
-  EXPECT_EQ(codes(judge_runs(binding(), std::vector{run})), Codes{"B0029"});
+  const Findings problems = judge_runs(binding(), std::vector{run});
+  ASSERT_EQ(codes(problems), Codes{"B0029"});
+  EXPECT_EQ(problems.front().subject, "true (full ?t)") << "the same of every tank that is filled";
 }
 
 TEST(JudgeRuns, WhenAClaimedFactIsNotShown_ThenItIsNamedInSoManyRuns) {
